@@ -1,0 +1,3 @@
+"""mechsheet: a planar mechanism in, a proven spreadsheet workbook out."""
+
+__version__ = "0.1.0"

@@ -1,0 +1,216 @@
+"""The one expression tree: descriptions, equations, workbook formulas and the engine all use it.
+
+Nodes are frozen and hashable, so a tree can be a dictionary key (common subexpressions, runs of equal formulas).
+Function names are the spreadsheet's (OOXML spelling, without `_xlfn.`), with the spreadsheet's argument order:
+`Call("ATAN2", (x, y))` takes x first whatever dialect it was read from. A tree means what it says: operators carry no
+parentheses, `Unary("-", Binary("^", 2, 2))` is -4; how a dialect must be parenthesised to say so is the printer's matter.
+
+Rows and columns count from 0 everywhere inside the program; only text says A1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias
+
+MAX_ROWS = 1_048_576
+MAX_COLUMNS = 16_384
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A finite constant."""
+
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A text constant."""
+
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Boolean:
+    """TRUE or FALSE."""
+
+    value: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorValue:
+    """An error as a value: "#N/A", "#DIV/0!", "#NUM!", "#VALUE!", "#REF!", "#NAME?", "#NULL!" (as a constant and as a result)."""
+
+    code: str
+
+    def __str__(self) -> str:
+        return self.code
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """An argument left out: the second of `IF(A1,,2)`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """A quantity of the mechanism: a dimension, a mode, a variable, `C.x`. Never in a workbook: the sheet binds it to a cell."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Previous:
+    """The quantity in the row above (the driver's previous value). Never in a workbook."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class CellRef:
+    """One cell. `row_abs`, `col_abs` are the `$` anchors; `sheet` is None for the formula's own sheet.
+
+    A relative reference holds the target as seen from the cell the formula stands in: fill-down shifts it
+    (`shifted`). A target outside the sheet is #REF!.
+    """
+
+    row: int
+    col: int
+    row_abs: bool = False
+    col_abs: bool = False
+    sheet: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RangeRef:
+    """A rectangle of cells, corner to corner; a whole column runs from row 0 to MAX_ROWS - 1 (and has absolute rows)."""
+
+    start: CellRef
+    end: CellRef
+
+
+@dataclass(frozen=True, slots=True)
+class NameRef:
+    """A defined name; `sheet` when it is written `Sheet1!name`."""
+
+    name: str
+    sheet: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Unary:
+    """`-x`, `+x` or `x%`."""
+
+    op: Literal["-", "+", "%"]
+    operand: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """An operator between two operands: + - * / ^ & = <> < <= > >=, and for references `,` union, ` ` intersection, `:`."""
+
+    op: str
+    left: Node
+    right: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function with its arguments."""
+
+    name: str
+    args: tuple[Node, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ArrayLiteral:
+    """`{1,2;3,4}`: rows of constants."""
+
+    rows: tuple[tuple[Node, ...], ...]
+
+
+Node: TypeAlias = (
+    Number
+    | Text
+    | Boolean
+    | ErrorValue
+    | Missing
+    | Symbol
+    | Previous
+    | CellRef
+    | RangeRef
+    | NameRef
+    | Unary
+    | Binary
+    | Call
+    | ArrayLiteral
+)
+
+Scalar: TypeAlias = float | str | bool | ErrorValue | None
+"""What a cell can hold: a number, a text, a truth value, an error, or nothing."""
+
+
+def children(node: Node) -> tuple[Node, ...]:
+    """The direct operands of a node, in reading order."""
+    match node:
+        case Unary(_, operand):
+            return (operand,)
+        case Binary(_, left, right):
+            return (left, right)
+        case Call(_, args):
+            return args
+        case RangeRef(start, end):
+            return (start, end)
+        case ArrayLiteral(rows):
+            return tuple(item for row in rows for item in row)
+        case _:
+            return ()
+
+
+def walk(node: Node) -> Iterator[Node]:
+    """The node and everything below it, parents first (a stack, not recursion: formulas may be deep)."""
+    stack = [node]
+    while stack:
+        current = stack.pop()
+        yield current
+        stack.extend(reversed(children(current)))
+
+
+def transform(node: Node, change: Callable[[Node], Node]) -> Node:
+    """The tree with `change` applied to every node, leaves first. `change` returns its argument where nothing changes."""
+    match node:
+        case Unary(op, operand):
+            node = Unary(op, transform(operand, change))
+        case Binary(op, left, right):
+            node = Binary(op, transform(left, change), transform(right, change))
+        case Call(name, args):
+            node = Call(name, tuple(transform(arg, change) for arg in args))
+        case RangeRef(start, end):
+            new_start, new_end = transform(start, change), transform(end, change)
+            if isinstance(new_start, CellRef) and isinstance(new_end, CellRef):
+                node = RangeRef(new_start, new_end)
+            else:
+                node = ErrorValue("#REF!")
+    return change(node)
+
+
+def symbols(node: Node) -> tuple[str, ...]:
+    """Names of the quantities read from this row, each once, in reading order."""
+    return tuple(dict.fromkeys(part.name for part in walk(node) if isinstance(part, Symbol)))
+
+
+def shifted(node: Node, rows: int, cols: int = 0) -> Node:
+    """The formula as fill-down (or fill-right) writes it `rows` further down and `cols` further right."""
+
+    def move(part: Node) -> Node:
+        if not isinstance(part, CellRef):
+            return part
+        row = part.row if part.row_abs else part.row + rows
+        col = part.col if part.col_abs else part.col + cols
+        if 0 <= row < MAX_ROWS and 0 <= col < MAX_COLUMNS:
+            return replace(part, row=row, col=col)
+        return ErrorValue("#REF!")
+
+    return transform(node, move)

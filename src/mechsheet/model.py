@@ -1,0 +1,227 @@
+"""A mechanism as frozen data: links, points, joints, a driver. No behaviour, no file format, no solution.
+
+Quantities. A `Quantity` is a float in internal units (the file's length unit, radians) or a string: an expression in the
+description's dialect (`+ - * / ^`, parentheses, numbers, `pi`, dimension symbols, and the functions of `FUNCTIONS`;
+`^` leans right and binds tighter than the unary minus; `atan2(y, x)`), whose dimensions enter in internal units and
+whose value is in internal units. The reader has checked that every expression parses and names only dimensions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+Quantity: TypeAlias = float | str
+
+FUNCTIONS = (
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "hypot", "abs", "sign",
+    "min", "max", "exp", "ln", "radians", "degrees",
+)  # fmt: skip
+
+GROUND = 1
+"""The number of the fixed link."""
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """A text in both languages; a description that gives one string has it in both."""
+
+    en: str
+    tr: str
+
+    def of(self, language: str) -> str:
+        """The text in "en" or "tr"."""
+        return self.tr if language == "tr" else self.en
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """A named constant: an input cell, or a derived one.
+
+    value      a number in internal units (an angle in radians), or the expression of a derived dimension
+    derived    True when the description says `formula`
+    unit       "deg" (shown in degrees, used in radians), "rad", the length unit, or "1" for a plain number
+    cell       the name of its cell, when the description chooses it
+    tolerance  in the unit shown (degrees for "deg")
+    shown      a plain number as the description wrote it, in its unit (30 for 30 degrees), else None
+    """
+
+    symbol: str
+    value: Quantity
+    unit: str
+    derived: bool = False
+    label: Words | None = None
+    cell: str | None = None
+    tolerance: float | None = None
+    shown: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Cartesian:
+    """A point at (x, y) in its link's frame."""
+
+    x: Quantity
+    y: Quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Polar:
+    """A point at distance `r` from the frame's origin, in the direction `angle` [rad] from the frame's x axis."""
+
+    r: Quantity
+    angle: Quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Distances:
+    """A point by its distances from two points of the same link; `side` as seen going from the first to the second."""
+
+    first: str
+    first_distance: Quantity
+    second: str
+    second_distance: Quantity
+    side: Literal["left", "right"]
+
+
+Place: TypeAlias = Cartesian | Polar | Distances
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A rigid link. `points` maps point name to its place in the link's frame. The first link is the ground, number 1."""
+
+    name: str
+    number: int
+    points: Mapping[str, Place]
+    label: Words | None = None
+
+    @property
+    def angle_symbol(self) -> str:
+        """`theta13` for link 3, `theta1_10` from the tenth on: the angle of its x axis from the ground's."""
+        return f"theta1{self.number}" if self.number < 10 else f"theta1_{self.number}"
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A sliding joint: `point` of `link` stays on a line fixed in the link `on`.
+
+    kind         "prismatic": `link` keeps its angle to the line. "pin-slot": no link keeps an angle to it, and `link` is
+                 the first link that has `point` (every other link with that point is pinned to it anyway)
+    through      a point of `on` by name, or its (x, y) in `on`'s frame
+    angle        direction of the line in `on`'s frame [rad]
+    orientation  angle of `link`'s x axis from the line [rad]; 0 for a pin-slot
+    symbol       the displacement: signed distance from `through` to `point` along the line
+    """
+
+    name: str
+    kind: Literal["prismatic", "pin-slot"]
+    link: str
+    on: str
+    point: str
+    through: str | tuple[Quantity, Quantity]
+    angle: Quantity
+    orientation: Quantity
+    symbol: str
+
+
+@dataclass(frozen=True, slots=True)
+class Driver:
+    """What is driven, and its values.
+
+    link, relative_to  the link that turns, and the link it turns against: value = angle(link) - angle(relative_to)
+    joint              or the sliding joint whose displacement is given (then link and relative_to are "")
+    symbol             theta12, or the joint's symbol
+    start, stop, step  the sweep in internal units (stop is included when the steps land on it); or
+    values             the driver's values one by one
+    unit               unit in which a person reads and writes the values: "deg", "rad" or the length unit
+    """
+
+    symbol: str
+    unit: str
+    link: str = ""
+    relative_to: str = ""
+    joint: str = ""
+    start: Quantity = 0.0
+    stop: Quantity = 0.0
+    step: Quantity = 0.0
+    values: tuple[Quantity, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Sketch:
+    """A rough position at the first driver value: points (x, y), and angles or displacements by symbol."""
+
+    points: Mapping[str, tuple[Quantity, Quantity]] = field(default_factory=dict)
+    symbols: Mapping[str, Quantity] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """A further quantity: an expression over variables (also `C.x`) and dimensions; `unit` as for a dimension, or any label."""
+
+    symbol: str
+    formula: str
+    unit: str
+    label: Words | None = None
+    cell: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """One number from a whole sweep of the variable or output `of`, with the driver value where it occurs."""
+
+    symbol: str
+    of: str
+    take: Literal["max", "min", "range", "first", "last", "mean"]
+    label: Words | None = None
+    cell: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ChartRequest:
+    """Curves of `y` against `x`, or (when `paths` is not empty) the paths of points at true scale."""
+
+    title: Words | None = None
+    x: str = ""
+    y: tuple[str, ...] = ()
+    paths: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class TableRequest:
+    """A two-way table: the driver down (`rows`), a dimension across (`column` takes `columns`), `value` in the cells."""
+
+    rows: str
+    column: str
+    columns: tuple[Quantity, ...]
+    value: str
+    title: Words | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Mechanism:
+    """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook)."""
+
+    name: str
+    title: Words
+    source: Words
+    length_unit: str
+    angle_unit: Literal["deg", "rad"]
+    dimensions: tuple[Dimension, ...]
+    links: tuple[Link, ...]
+    joints: tuple[Joint, ...]
+    driver: Driver
+    sketch: Sketch = Sketch()
+    outputs: tuple[Output, ...] = ()
+    summaries: tuple[Summary, ...] = ()
+    charts: tuple[ChartRequest, ...] = ()
+    tables: tuple[TableRequest, ...] = ()
+    language: Literal["en", "tr"] = "en"
+    references: Literal["names", "anchors"] = "names"
+    text: str = ""
+
+    @property
+    def ground(self) -> Link:
+        """The fixed link."""
+        return self.links[0]
