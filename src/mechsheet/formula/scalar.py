@@ -1,8 +1,8 @@
 """Numeric value of an expression tree of symbols and mathematics, on Python floats.
 
-Function names and argument order are the spreadsheet's, as everywhere in `formula` (ATAN2 takes x first), but a
-position that does not exist is an exception here, not an error value: whoever asks for one number wants to hear why
-there is none.
+Function names and argument order are the spreadsheet's, as everywhere in `formula` (ATAN2 takes x first), but
+a position that does not exist is an exception here, not an error value: whoever asks for one number wants to
+hear why there is none.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from mechsheet.formula.nodes import Binary, Boolean, Call, Node, Number, Previou
 def evaluate(node: Node, values: Mapping[str, float]) -> float:
     """The value of `node` with its symbols taken from `values` (angles in radians).
 
-    Raises KeyError for a symbol that `values` lacks, ArithmeticError or ValueError with a readable message where
-    no finite real value exists (division by zero, the arc cosine of 2, an overflow), and ValueError for a node that
-    is no number in this sense (texts, cell references, functions outside `FUNCTIONS`).
+    Raises KeyError for a symbol that `values` lacks, ArithmeticError or ValueError with a readable message
+    where no finite real value exists (division by zero, the arc cosine of 2, an overflow), and ValueError for
+    a node that is no number in this sense (texts, cell references, functions outside `FUNCTIONS`).
     """
     result = _value(node, values)
     if not math.isfinite(result):
