@@ -1,0 +1,1 @@
+"""The one expression tree, its parsers and its printers."""

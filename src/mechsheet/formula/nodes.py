@@ -41,7 +41,7 @@ class Boolean:
 
 @dataclass(frozen=True, slots=True)
 class ErrorValue:
-    """An error as a value: "#N/A", "#DIV/0!", "#NUM!", "#VALUE!", "#REF!", "#NAME?", "#NULL!" (as a constant and as a result)."""
+    """An error as a value, "#N/A", "#DIV/0!", "#NUM!", "#VALUE!", "#REF!", "#NAME?", "#NULL!": a constant and a result."""
 
     code: str
 
@@ -56,7 +56,7 @@ class Missing:
 
 @dataclass(frozen=True, slots=True)
 class Symbol:
-    """A quantity of the mechanism: a dimension, a mode, a variable, `C.x`. Never in a workbook: the sheet binds it to a cell."""
+    """A quantity of the mechanism: a dimension, a mode, a variable, `C.x`. Never in a workbook: the sheet binds it."""
 
     name: str
 
@@ -179,21 +179,47 @@ def walk(node: Node) -> Iterator[Node]:
 
 
 def transform(node: Node, change: Callable[[Node], Node]) -> Node:
-    """The tree with `change` applied to every node, leaves first. `change` returns its argument where nothing changes."""
+    """The tree with `change` applied to every node, leaves first. `change` returns its argument where nothing changes.
+
+    A stack, not recursion: a sum may have thousands of terms.
+    """
+    done: list[Node] = []
+    stack: list[tuple[Node, bool]] = [(node, False)]
+    while stack:
+        current, visited = stack.pop()
+        below = children(current)
+        if below and not visited:
+            stack.append((current, True))
+            stack.extend((child, False) for child in reversed(below))
+            continue
+        if below:
+            changed = tuple(done[-len(below) :])
+            del done[-len(below) :]
+            if any(new is not old for new, old in zip(changed, below, strict=True)):
+                current = _rebuilt(current, changed)
+        done.append(change(current))
+    return done[0]
+
+
+def _rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
+    """The node with other operands, given in the order of `children`."""
     match node:
-        case Unary(op, operand):
-            node = Unary(op, transform(operand, change))
-        case Binary(op, left, right):
-            node = Binary(op, transform(left, change), transform(right, change))
-        case Call(name, args):
-            node = Call(name, tuple(transform(arg, change) for arg in args))
-        case RangeRef(start, end):
-            new_start, new_end = transform(start, change), transform(end, change)
-            if isinstance(new_start, CellRef) and isinstance(new_end, CellRef):
-                node = RangeRef(new_start, new_end)
-            else:
-                node = ErrorValue("#REF!")
-    return change(node)
+        case Unary(op, _):
+            return Unary(op, below[0])
+        case Binary(op, _, _):
+            return Binary(op, below[0], below[1])
+        case Call(name, _):
+            return Call(name, below)
+        case RangeRef():
+            start, end = below
+            if isinstance(start, CellRef) and isinstance(end, CellRef):
+                return RangeRef(start, end)
+            return ErrorValue("#REF!")
+        case ArrayLiteral(rows):
+            items = iter(below)
+            return ArrayLiteral(tuple(tuple(next(items) for _ in row) for row in rows))
+        case _:
+            return node
 
 
 def symbols(node: Node) -> tuple[str, ...]:

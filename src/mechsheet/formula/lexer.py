@@ -1,0 +1,115 @@
+"""Text to tokens: one regular expression per dialect."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from ..diagnostics import Fault, FormulaError
+
+
+class Token(NamedTuple):
+    """kind: the name of its group in the pattern, or "end"; column: 1-based, for messages."""
+
+    kind: str
+    text: str
+    column: int
+
+
+_NUMBER = r"(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+
+_ERRORS = (
+    r"(?P<error>\#(?:N/A|DIV/0!|NUM!|VALUE!|REF!|NAME\?|NULL!|SPILL!|CALC!|FIELD!|BLOCKED!|UNKNOWN!|CONNECT!"
+    r"|BUSY!|EXTERNAL!|PYTHON!|GETTING_DATA))"
+)
+
+_DESCRIPTION = re.compile(
+    rf"""
+    (?P<space>\s+) | {_NUMBER}
+    | (?P<name>[^\W\d]\w*(?:\.[^\W\d]\w*)?)
+    | (?P<op>[-+*/^]) | (?P<open>\() | (?P<close>\)) | (?P<separator>,)
+    """,
+    re.VERBOSE,
+)
+
+_QUOTED = r"'(?:[^']|'')+'"
+
+_EXCEL = re.compile(
+    rf"""
+    (?P<space>[ \t\r\n]+)
+    | (?P<text>"(?:[^"]|"")*")
+    | {_ERRORS}
+    | (?P<sheet>(?:{_QUOTED}|[^\W\d][\w.]*(?::[^\W\d][\w.]*)?)!)
+    | (?P<rows>\$?[1-9][0-9]{{0,6}}:\$?[1-9][0-9]{{0,6}}(?![\w.(]))
+    | {_NUMBER}
+    | (?P<cell>\$?[A-Za-z]{{1,3}}\$?[1-9][0-9]{{0,6}}(?![\w.(\[?\\$]))
+    | (?P<columns>\$?[A-Za-z]{{1,3}}:\$?[A-Za-z]{{1,3}}(?![\w.(!?\\$]))
+    | (?P<function>[^\W\d][\w.]*(?=\())
+    | (?P<name>(?:[^\W\d]|\\)[\w.?\\]*)
+    | (?P<op><>|<=|>=|[-+*/^&=<>%:])
+    | (?P<open>\() | (?P<close>\)) | (?P<array>\{{) | (?P<array_end>\}})
+    | (?P<separator>,) | (?P<row_separator>;)
+    """,
+    re.VERBOSE,
+)
+
+_OPENFORMULA = re.compile(
+    rf"""
+    (?P<space>[ \t\r\n]+)
+    | (?P<text>"(?:[^"]|"")*")
+    | (?P<reference>\[(?:{_QUOTED}|[^\]'])*\])
+    | {_ERRORS}
+    | {_NUMBER}
+    | (?P<sheet>\$(?:{_QUOTED}|[^\W\d]\w*)\.)
+    | (?P<function>[^\W\d][\w.]*(?=\s*\())
+    | (?P<name>[^\W\d][\w.]*)
+    | (?P<op><>|<=|>=|[-+*/^&=<>%:!~])
+    | (?P<open>\() | (?P<close>\)) | (?P<array>\{{) | (?P<array_end>\}})
+    | (?P<separator>;) | (?P<row_separator>\|)
+    """,
+    re.VERBOSE,
+)
+
+PATTERNS = {"description": _DESCRIPTION, "excel": _EXCEL, "openformula": _OPENFORMULA}
+
+
+def fail(text: str, column: int, message: str, hint: str = "") -> FormulaError:
+    """The error that refuses `text` and says where."""
+    return FormulaError(Fault(f"{message} at column {column}", source=text, hint=hint))
+
+
+def tokenise(text: str, dialect: str) -> list[Token]:
+    """The tokens of `text`, ended by one of kind "end". Raises FormulaError at a character that fits nowhere."""
+    pattern, tokens, position = PATTERNS[dialect], [], 0
+    while position < len(text):
+        match = pattern.match(text, position)
+        if match is None:
+            raise _refusal(text, position, dialect)
+        tokens.append(Token(match.lastgroup or "", match.group(), position + 1))
+        position = match.end()
+    tokens.append(Token("end", "", len(text) + 1))
+    return tokens
+
+
+def _refusal(text: str, position: int, dialect: str) -> FormulaError:
+    character = text[position]
+    if character == '"' and dialect != "description":
+        return fail(text, position + 1, "a text without its closing quotation mark")
+    if character == "[" and dialect == "excel":
+        outside = re.match(r"\[[^\[\]]+\][^\[\]!]*!", text[position:])
+        what = "a reference to another workbook" if outside else "a structured reference"
+        return fail(text, position + 1, f"{what}, which is not supported,")
+    return fail(text, position + 1, f'unexpected character "{character}"', _HINTS.get(character, ""))
+
+
+_HINTS = {
+    "°": 'angles are in radians here; write "radians(30)" for 30 degrees',
+    "×": 'multiply with "*"',
+    "·": 'multiply with "*"',
+    "÷": 'divide with "/"',
+    "−": 'write the minus sign "-"',
+    "–": 'write the minus sign "-"',
+    "√": 'write "sqrt(...)"',
+    "[": "use round parentheses",
+    "{": "use round parentheses",
+}

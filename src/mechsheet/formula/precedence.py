@@ -1,0 +1,129 @@
+"""The loop of operator precedence that all dialects share: a dialect's table says how strongly operators bind."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from ..diagnostics import FormulaError
+from .dialects import MAX_NESTING, Dialect
+from .lexer import Token, fail, tokenise
+from .nodes import Binary, Node, Unary
+
+
+class Parser:
+    """Tokens and a place among them; `expression` climbs the dialect's table."""
+
+    spaces: ClassVar[bool] = False
+
+    def __init__(self, text: str, dialect: Dialect) -> None:
+        self.text = text
+        self.dialect = dialect
+        self.tokens = [t for t in tokenise(text, dialect.name) if self.spaces or t.kind != "space"]
+        self.place = 0
+        self.depth = 0
+        self.operators = {dialect.spelling.get(op, op): op for op in dialect.infix}
+
+    @property
+    def next(self) -> Token:
+        """The token at hand."""
+        return self.tokens[self.place]
+
+    def take(self) -> Token:
+        """The token at hand, and on to the next."""
+        token = self.tokens[self.place]
+        self.place += 1
+        return token
+
+    def parse(self) -> Node:
+        """The tree of the whole text."""
+        self.skip_space()
+        if self.next.kind == "end":
+            raise fail(self.text, 1, "expected a formula, found nothing")
+        node = self.expression(0)
+        if self.next.kind != "end":
+            raise self.unexpected("an operator or the end")
+        return node
+
+    def unexpected(self, expected: str, hint: str = "") -> FormulaError:
+        """The error that says what stands here and what should."""
+        token = self.next
+        found = f'"{token.text}"' if token.kind != "end" else "the end"
+        return fail(self.text, token.column, f"expected {expected}, found {found}", hint)
+
+    def expression(self, minimum: int) -> Node:
+        """An operand, and every operator after it that binds at least as strongly as `minimum`."""
+        left = self.signed(minimum)
+        while (op := self.operator()) is not None:
+            power = self.dialect.infix[op]
+            if power < minimum:
+                break
+            self.pass_operator(op)
+            if op in self.dialect.leans_right:
+                self.deeper()
+                right = self.expression(power)
+                self.depth -= 1
+            else:
+                right = self.expression(power + 1)
+            left = self.combine(op, left, right)
+        return left
+
+    def operator(self) -> str | None:
+        """The infix operator that comes next, in the tree's spelling, or None."""
+        token = self.next
+        return self.operators.get(token.text) if token.kind == "op" else None
+
+    def pass_operator(self, op: str) -> None:
+        """On past the infix operator `op`."""
+        del op
+        self.take()
+
+    def combine(self, op: str, left: Node, right: Node) -> Node:
+        """The node of an infix operator."""
+        return Binary(op, left, right)
+
+    def signed(self, minimum: int) -> Node:
+        """An operand with its signs before and its `%` behind, as far as they bind with `minimum`."""
+        self.skip_space()
+        token = self.next
+        if token.kind == "op" and token.text in "+-":
+            self.take()
+            self.deeper()
+            node: Node = Unary("-" if token.text == "-" else "+", self.expression(self.dialect.prefix))
+            self.depth -= 1
+        else:
+            node = self.operand()
+        while self.dialect.postfix > minimum and self.next.kind == "op" and self.next.text == "%":
+            self.take()
+            node = Unary("%", node)
+        return node
+
+    def operand(self) -> Node:
+        """What an operator works on; each dialect has its own."""
+        raise NotImplementedError
+
+    def skip_space(self) -> None:
+        """On to the next token that is no space."""
+        while self.next.kind == "space":
+            self.take()
+
+    def deeper(self) -> None:
+        """One level of nesting more, up to the limit."""
+        self.depth += 1
+        if self.depth > MAX_NESTING:
+            raise fail(self.text, self.next.column, f"nested deeper than {MAX_NESTING} levels")
+
+    def close(self) -> None:
+        """Pass a closing parenthesis: one level less."""
+        self.skip_space()
+        if self.next.kind != "close":
+            raise self.unexpected('an operator or ")"')
+        self.take()
+        self.depth -= 1
+
+
+def number_value(text: str, token: Token) -> float:
+    """The value of a number as written."""
+    value = float(token.text)
+    if value == float("inf"):
+        raise fail(text, token.column, f"{token.text} is too large a number")
+    return value
