@@ -1,0 +1,1 @@
+"""From the model to the ordered list of equations that solves it."""

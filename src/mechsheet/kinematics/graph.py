@@ -1,0 +1,73 @@
+"""Which bodies touch where: the incidence that mobility and the order of solution are found from.
+
+A body is a link, or the massless block that stands for a pin-slot joint: the block turns about the joint's point and
+slides on the joint's `on`, so every sliding joint is one prismatic joint between two bodies, and five dyads suffice.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mechsheet.model import Joint, Mechanism
+
+
+@dataclass(frozen=True, slots=True)
+class Slide:
+    """A prismatic joint between two bodies: `body` (the one that has the point) slides along a line of `on`."""
+
+    joint: Joint
+    body: str
+    on: str
+
+    def other(self, body: str) -> str:
+        """The body at the other side."""
+        return self.on if body == self.body else self.body
+
+
+@dataclass(frozen=True, slots=True)
+class Graph:
+    """Bodies in order (ground first), the points of each, and the slides between them.
+
+    blocks  names of the bodies that are blocks of pin-slot joints, mapped to their joint
+    """
+
+    bodies: tuple[str, ...]
+    points: dict[str, tuple[str, ...]]
+    slides: tuple[Slide, ...]
+    blocks: dict[str, Joint]
+
+    def bodies_at(self, point: str) -> tuple[str, ...]:
+        """Bodies that share a point."""
+        return tuple(body for body in self.bodies if point in self.points[body])
+
+    def slides_of(self, body: str) -> tuple[Slide, ...]:
+        """Prismatic joints at a body."""
+        return tuple(slide for slide in self.slides if body in (slide.body, slide.on))
+
+    @property
+    def pins(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """Points shared by two or more bodies, with those bodies."""
+        names = dict.fromkeys(point for body in self.bodies for point in self.points[body])
+        shared = ((point, self.bodies_at(point)) for point in names)
+        return tuple((point, bodies) for point, bodies in shared if len(bodies) > 1)
+
+
+def graph_of(mechanism: Mechanism) -> Graph:
+    """The bodies and joints of a mechanism, blocks of pin-slot joints placed after the link they slide on."""
+    after: dict[str, list[str]] = {}
+    points = {link.name: tuple(link.points) for link in mechanism.links}
+    blocks: dict[str, Joint] = {}
+    slides = []
+    for joint in mechanism.joints:
+        if joint.kind == "prismatic":
+            slides.append(Slide(joint, joint.link, joint.on))
+            continue
+        block = f"block of {joint.symbol}"
+        blocks[block] = joint
+        points[block] = (joint.point,)
+        after.setdefault(joint.on, []).append(block)
+        slides.append(Slide(joint, block, joint.on))
+    bodies: list[str] = []
+    for link in mechanism.links:
+        bodies += [link.name, *after.get(link.name, [])]
+    return Graph(tuple(bodies), points, tuple(slides), blocks)

@@ -1,0 +1,140 @@
+"""The dyads PRP and RPP: two known lines meet. One solution, no mode.
+
+    B1 + k1 d1 = B2 + k2 d2,    e = B2 - B1,    D = sin(delta2 - delta1)
+    k1 = (e_x sin(delta2) - e_y cos(delta2)) / D,    k2 = (e_x sin(delta1) - e_y cos(delta1)) / D
+
+PRP: both links slide on known lines, so both angles are known; the inner pin is where its two lines meet.
+RPP: the outer slide gives the second link's angle, the inner slide the first's; the lines are those of the two slides.
+Parallel lines leave the position undetermined: #N/A. Source: Cramer's rule.
+"""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Call, Node, Symbol
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.assur import Dyad, Pin
+from mechsheet.kinematics.dyads import NO_MODE, Solved
+from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.places import angle_of
+from mechsheet.kinematics.poses import Guide, Poses
+from mechsheet.model import Words
+
+PARALLEL = 1e-12
+"""Lines whose directions differ by less [rad] count as parallel."""
+
+
+def meet(ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle) -> tuple[Node, Node, str, Node | None]:
+    """(k1, k2, symbol that is a number where the lines meet, condition for parallel lines)."""
+    sine = al.sin(delta2 - delta1)
+    e_x = ledger.hoist(
+        "e_x", e[0], "length", Words("from line 1 to line 2, x part", "1. doğrudan 2. doğruya, x bileşeni")
+    )
+    e_y = ledger.hoist(
+        "e_y", e[1], "length", Words("from line 1 to line 2, y part", "1. doğrudan 2. doğruya, y bileşeni")
+    )
+    fixed = al.value_of(sine)
+    parallel: Node | None = None
+    if fixed is not None:
+        d: Node = sine
+        closes = ""
+    else:
+        sine = ledger.hoist(
+            "D_0", sine, "number", Words("sine of the angle between the lines", "doğrular arasındaki açının sinüsü")
+        )
+        parallel = al.less(Call("ABS", (sine,)), al.number(PARALLEL))
+        column = ledger.column(
+            "D", Call("IF", (parallel, Call("NA"), sine)), "number",
+            Words("the same; #N/A where the lines are parallel", "aynısı; doğrular paralelse #N/A"),
+        )  # fmt: skip
+        d, closes = column, column.name
+    k1 = al.div(al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2))), d)
+    k2 = al.div(al.sub(al.mul(e_x, al.sin(delta1)), al.mul(e_y, al.cos(delta1))), d)
+    return k1, k2, closes, parallel
+
+
+def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
+    """Write the equations of a PRP dyad down."""
+    first, second, inner = dyad.outer[0], dyad.outer[1], dyad.inner
+    if not (isinstance(first, Slide) and isinstance(second, Slide) and isinstance(inner, Pin)):
+        raise TypeError(f"not a PRP dyad: {dyad}")
+    guides = (poses.guide(first, dyad.first), poses.guide(second, dyad.second))
+    starts = [
+        _pin_line(poses, assembly, guide, inner.point)
+        for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True)
+    ]
+    e = (al.sub(starts[1][0], starts[0][0]), al.sub(starts[1][1], starts[0][1]))
+    k1, k2, closes, parallel = meet(poses.ledger, e, guides[0].delta, guides[1].delta)
+    for guide, k in zip(guides, (k1, k2), strict=True):
+        poses.displacement(guide.symbol, k if guide.sign > 0 else al.neg(k))
+    for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True):
+        _fix_by_guide(poses, assembly, guide)
+    symbols = f"{guides[0].symbol}, {guides[1].symbol}"
+    return Solved(
+        "", NO_MODE, closes or guides[0].symbol, parallel, (inner.point,),
+        Words(
+            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pin {inner.point}, slides {symbols}",
+            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {inner.point} mafsalı, {symbols} kaymaları",
+        ),
+    )  # fmt: skip
+
+
+def _pin_line(poses: Poses, assembly: tuple[str, ...], guide: Guide, pin: str) -> tuple[Node, Node]:
+    """Where the pin would be at displacement 0 of the assembly's guide."""
+    x, y = (poses.place(assembly, pin) - guide.moving).turned(guide.angle)
+    return al.add(guide.x, x), al.add(guide.y, y)
+
+
+def _fix_by_guide(poses: Poses, assembly: tuple[str, ...], guide: Guide) -> None:
+    """The assembly's pose from its displacement along its guide."""
+    step = Symbol(guide.symbol) if guide.sign > 0 else al.neg(Symbol(guide.symbol))
+    x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
+    y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
+    poses.fix(assembly, guide.angle, guide.moving, x, y)
+
+
+def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
+    """Write the equations of an RPP dyad down."""
+    outer, slide, inner = dyad.outer[0], dyad.outer[1], dyad.inner
+    if not (isinstance(outer, Pin) and isinstance(slide, Slide) and isinstance(inner, Slide)):
+        raise TypeError(f"not an RPP dyad: {dyad}")
+    ledger, joint = poses.ledger, inner.joint
+    guide = poses.guide(slide, dyad.second)
+    line_turn = angle_of(joint.angle)
+    on_second = inner.on in dyad.second
+    if on_second:  # the first link's point moves on a line of the second
+        delta = guide.angle + poses.members[inner.on].angle + line_turn
+        angle = delta + angle_of(joint.orientation) - poses.members[inner.body].angle
+        own, fixed = poses.own_place(inner.body, joint.point), poses.through(joint)
+        sign = 1
+    else:  # a line of the first link moves on a point of the second
+        delta = guide.angle + poses.members[inner.body].angle - angle_of(joint.orientation)
+        angle = delta - line_turn - poses.members[inner.on].angle
+        own, fixed = poses.through(joint), poses.own_place(inner.body, joint.point)
+        sign = -1
+    delta = ledger.hoist_angle(
+        f"delta_{joint.symbol}", delta, Words(f"direction of {joint.symbol}", f"{joint.symbol} doğrultusu")
+    )
+    first_body, second_body = (inner.body, inner.on) if on_second else (inner.on, inner.body)
+    own = poses.in_assembly(first_body, own, f"slide_{joint.symbol}")
+    fixed = poses.in_assembly(second_body, fixed, f"guide_{joint.symbol}")
+    p = outer.point
+    x1, y1 = (own - poses.place(dyad.first, p)).turned(angle)
+    x2, y2 = (fixed - guide.moving).turned(guide.angle)
+    xp, yp = poses.xy[p]
+    e = (al.sub(al.add(xp, x1), al.add(guide.x, x2)), al.sub(al.add(yp, y1), al.add(guide.y, y2)))
+    # guide + k1 d1 + (fixed) + sign s d2 = P + (own):  k1 d1 = e - k2 d2 with k2 = sign s, so k2 enters with a minus.
+    k1, k2, closes, parallel = meet(ledger, e, guide.delta, delta)
+    poses.displacement(guide.symbol, k1 if guide.sign > 0 else al.neg(k1))
+    poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
+    _fix_by_guide(poses, dyad.second, guide)
+    poses.fix(dyad.first, angle, poses.place(dyad.first, p), xp, yp)
+    symbols = f"{guide.symbol}, {joint.symbol}"
+    return Solved(
+        "", NO_MODE, closes or guide.symbol, parallel, (p,),
+        Words(
+            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pin {p}, slides {symbols}",
+            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {p} mafsalı, {symbols} kaymaları",
+        ),
+    )  # fmt: skip

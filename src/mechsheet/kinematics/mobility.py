@@ -1,0 +1,105 @@
+"""Gruebler's count, and in words what is wrong when it is not the number of drivers.
+
+M = 3 (n - 1) - 2 (revolute + prismatic) - (pin-slot), a point that k links share counting as k - 1 revolute joints.
+With the massless block of a pin-slot joint counted as a body the same number comes out of 3 (n - 1) - 2 j.
+Source: Gruebler's criterion for planar mechanisms (any text on mechanisms).
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.graph import Graph
+from mechsheet.model import Mechanism
+
+LARGEST_SUBCHAIN = 5
+"""Sub-chains of up to this many bodies are searched for joints too many: larger rigid parts are rare and slow to find."""
+
+
+def mobility(graph: Graph, bodies: tuple[str, ...] | None = None) -> int:
+    """Degrees of freedom of the bodies (default: all) against one of them."""
+    inside = graph.bodies if bodies is None else bodies
+    pins = sum(max(0, sum(point in graph.points[body] for body in inside) - 1) for point, _ in graph.pins)
+    slides = sum(slide.body in inside and slide.on in inside for slide in graph.slides)
+    return 3 * (len(inside) - 1) - 2 * pins - 2 * slides
+
+
+def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
+    """Raise MechanismError, naming links, unless the mechanism has one degree of freedom and no part is over-constrained."""
+    count = mobility(graph)
+    stiff = _overconstrained(graph)
+    if count == 1 and not stiff:
+        return
+    faults = []
+    if count != 1:
+        faults.append(Fault(_count_message(mechanism, graph, count), key="links", hint=_count_hint(count)))
+    for bodies in stiff:
+        faults.append(Fault(_stiff_message(graph, bodies), key="links"))
+    loose = _loose(graph)
+    if loose:
+        faults.append(
+            Fault(
+                f"loose: {_listed(loose)}: "
+                + ("it has" if len(loose) == 1 else "each has")
+                + " too few joints to be held by the rest",
+                key="links",
+                hint="every link but the ground needs at least two joints",
+            )
+        )
+    raise MechanismError(faults)
+
+
+def _count_message(mechanism: Mechanism, graph: Graph, count: int) -> str:
+    links = len(mechanism.links)
+    revolute = sum(len(bodies) - 1 for _, bodies in graph.pins)
+    prismatic = sum(joint.kind == "prismatic" for joint in mechanism.joints)
+    slots = len(mechanism.joints) - prismatic
+    revolute -= slots  # the block's own pin is part of the pin-slot joint
+    terms = f"3 x ({links} - 1) - 2 x {revolute} revolute - 2 x {prismatic} prismatic - {slots} pin-slot"
+    return f"the mobility is {count}, but one driver needs 1: {terms} = {count}"
+
+
+def _count_hint(count: int) -> str:
+    if count > 1:
+        return f"{count} drivers would be needed, one is given: join the loose links, or remove {count - 1} of the freedoms"
+    if count == 0:
+        return "it is a structure: nothing can move. Remove a joint, or a link with two joints"
+    return (
+        "there are more joints than a movable chain can have: remove some, or make two links that never move apart one"
+    )
+
+
+def _overconstrained(graph: Graph) -> list[tuple[str, ...]]:
+    """Smallest sub-chains that cannot move in themselves: M <= 0 among two to LARGEST_SUBCHAIN bodies."""
+    found: list[tuple[str, ...]] = []
+    movable = graph.bodies
+    for size in range(2, min(LARGEST_SUBCHAIN, len(movable)) + 1):
+        if size > 3 and len(movable) > 24:
+            break
+        for bodies in combinations(movable, size):
+            if any(set(smaller) <= set(bodies) for smaller in found):
+                continue
+            if mobility(graph, bodies) <= 0:
+                found.append(bodies)
+    return found
+
+
+def _stiff_message(graph: Graph, bodies: tuple[str, ...]) -> str:
+    surplus = mobility(graph, bodies)
+    joints = [point for point, at in graph.pins if sum(body in bodies for body in at) > 1]
+    joints += [slide.joint.symbol for slide in graph.slides if slide.body in bodies and slide.on in bodies]
+    state = "cannot move against each other" if surplus == 0 else "are over-constrained"
+    return f"{_listed(bodies)} {state} (joints {', '.join(joints)}): describe them as one link, or remove a joint"
+
+
+def _loose(graph: Graph) -> tuple[str, ...]:
+    """Bodies with one joint or none."""
+    return tuple(
+        body for body in graph.bodies[1:] if sum(body in at for _, at in graph.pins) + len(graph.slides_of(body)) < 2
+    )
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    quoted = [f'"{name}"' for name in names]
+    return quoted[0] if len(quoted) == 1 else ", ".join(quoted[:-1]) + " and " + quoted[-1]

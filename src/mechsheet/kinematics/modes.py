@@ -1,0 +1,121 @@
+"""Which of a group's two assemblies the sketch means."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.formula.parser import parse_description
+from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.dyads import Solved
+from mechsheet.kinematics.ledger import Ledger
+from mechsheet.model import Mechanism, Quantity
+
+BETWEEN = 0.1
+"""A sketch whose distances to the two assemblies differ by less than this part of their separation lies between them."""
+
+SEPARATE = 1e-6
+"""Assemblies closer than this part of the size (or radians) are one: a dead centre."""
+
+
+def pick_mode(
+    mechanism: Mechanism,
+    ledger: Ledger,
+    solved: Solved,
+    start: int,
+    dimensions: Mapping[str, float],
+    given: int | None,
+) -> tuple[int, bool]:
+    """(mode, left open): the mode whose position is nearest to the sketch, at the first row in which the group closes.
+
+    `start` is the group's first column in the ledger, whose values are left as the chosen mode makes them.
+    """
+    row = ledger.first_number(solved.closes)
+    if row is None:
+        raise MechanismError(_never_closes(solved))
+    if not solved.mode:
+        return 1, False
+    if given is not None:
+        _take(ledger, solved.mode, given, start)
+        return given, False
+    entries = _entries(mechanism, ledger, start, dimensions)
+    positions = {}
+    for sign in (-1, 1):  # +1 last: it stays when nothing decides
+        _take(ledger, solved.mode, sign, start)
+        positions[sign] = [float(ledger.values[symbol][row]) for symbol, _, _ in entries]
+    distance = {1: 0.0, -1: 0.0}
+    separation = 0.0
+    for index, (_, wanted, scale) in enumerate(entries):
+        plus, minus = positions[1][index], positions[-1][index]
+        gap = _difference(plus, minus, scale)
+        if abs(gap) < SEPARATE:
+            continue
+        separation += gap**2
+        distance[1] += _difference(plus, wanted, scale) ** 2
+        distance[-1] += _difference(minus, wanted, scale) ** 2
+    if separation == 0:
+        return 1, True
+    apart = math.sqrt(distance[1]) - math.sqrt(distance[-1])
+    if abs(apart) < BETWEEN * math.sqrt(separation):
+        raise MechanismError(_between(entries, positions, solved))
+    mode = 1 if apart < 0 else -1
+    _take(ledger, solved.mode, mode, start)
+    return mode, False
+
+
+Entry = tuple[str, float, float]
+"""A sketched quantity: (symbol, rough value, its scale; 0 for an angle)."""
+
+
+def _entries(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mapping[str, float]) -> list[Entry]:
+    """What the sketch says of the columns from `start` on."""
+    fresh = {equation.symbol: equation.unit for equation in ledger.columns[start:]}
+    size = max([abs(value) for value in dimensions.values()], default=1.0)
+    for equation in ledger.columns[start:]:
+        if equation.kind == "point":
+            found = ledger.values[equation.symbol]
+            size = max(size, float(abs(found[found == found]).max(initial=0.0)))
+
+    def number(quantity: Quantity) -> float:
+        return evaluate(parse_description(quantity), dimensions) if isinstance(quantity, str) else quantity
+
+    entries: list[Entry] = []
+    for point, place in mechanism.sketch.points.items():
+        for axis, quantity in zip("xy", place, strict=True):
+            if f"{point}.{axis}" in fresh:
+                entries.append((f"{point}.{axis}", number(quantity), size))
+    for symbol, quantity in mechanism.sketch.symbols.items():
+        if symbol in fresh:
+            entries.append((symbol, number(quantity), 0.0 if fresh[symbol] == "angle" else size))
+    return entries
+
+
+def _difference(a: float, b: float, scale: float) -> float:
+    """a - b as a part of the scale; angles (scale 0) modulo a turn."""
+    return math.remainder(a - b, math.tau) if scale == 0 else (a - b) / scale
+
+
+def _take(ledger: Ledger, mode: str, sign: int, start: int) -> None:
+    ledger.set_mode(mode, sign)
+    ledger.recompute(start)
+
+
+def _never_closes(solved: Solved) -> Fault:
+    return Fault(
+        f"the links cannot be joined at any value of the driver: {solved.label.en}",
+        key="dimensions",
+        hint="check the lengths of these links and the distance of their outer joints",
+    )
+
+
+def _between(entries: list[Entry], positions: dict[int, list[float]], solved: Solved) -> Fault:
+    def shown(sign: int) -> str:
+        pairs = zip(entries, positions[sign], strict=True)
+        return ", ".join(f"{name} = {math.degrees(x) if scale == 0 else x:.4g}" for (name, _, scale), x in pairs)
+
+    return Fault(
+        f"the sketch lies between the two assemblies of {solved.label.en}",
+        key="assembly",
+        hint=f"+1 is at {shown(1)}; -1 is at {shown(-1)}: sketch a point nearer to the one that is meant",
+    )

@@ -1,0 +1,192 @@
+"""Places in the frame of a link, as formulas: where each point lies, and the straight arm from one point to another.
+
+An arm is (length, angle from the link's x axis). Lengths between joints are kept positive: a dimension that is one is
+noted as such (the workbook insists on it), anything else gets a derived constant of its own, SQRT(u^2 + v^2).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mechsheet.formula.nodes import Call, Node
+from mechsheet.formula.parser import parse_description
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.ledger import Ledger
+from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words
+
+
+def length_node(quantity: Quantity) -> Node:
+    """A length of the model as a formula."""
+    return parse_description(quantity) if isinstance(quantity, str) else al.number(quantity)
+
+
+def angle_of(quantity: Quantity) -> Angle:
+    """An angle of the model as a formula."""
+    return Angle(parse_description(quantity)) if isinstance(quantity, str) else al.right_angle(quantity)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A place (or a difference of two) in a link's frame: (u, v), and as (r, angle) where that is simple (r may be < 0)."""
+
+    u: Node
+    v: Node
+    polar: tuple[Node, Angle] | None = None
+
+    @property
+    def is_zero(self) -> bool:
+        """True for the frame's origin."""
+        return al.is_zero(self.u) and al.is_zero(self.v)
+
+    def __neg__(self) -> Place:
+        polar = (self.polar[0], self.polar[1] + Angle(degrees=180)) if self.polar else None
+        return Place(al.neg(self.u), al.neg(self.v), polar)
+
+    def __sub__(self, other: Place) -> Place:
+        if other.is_zero:
+            return self
+        if self.is_zero:
+            return -other
+        return cartesian(al.sub(self.u, other.u), al.sub(self.v, other.v))
+
+    def __add__(self, other: Place) -> Place:
+        return self - (-other)
+
+    def turned(self, angle: Angle) -> tuple[Node, Node]:
+        """(x, y) of the vector after its frame has been turned by `angle`: r cos(angle + a), or u cos - v sin."""
+        if self.polar:
+            r, own = self.polar
+            return al.mul(r, al.cos(angle + own)), al.mul(r, al.sin(angle + own))
+        c, s = al.cos(angle), al.sin(angle)
+        return (
+            al.sub(al.mul(self.u, c), al.mul(self.v, s)),
+            al.add(al.mul(self.u, s), al.mul(self.v, c)),
+        )
+
+
+ORIGIN = Place(al.ZERO, al.ZERO)
+
+
+def cartesian(u: Node, v: Node) -> Place:
+    """The place (u, v); on an axis it is polar as well."""
+    if al.is_zero(v):
+        return Place(u, v, (u, Angle()))
+    if al.is_zero(u):
+        return Place(u, v, (v, Angle(degrees=90)))
+    return Place(u, v)
+
+
+def polar(r: Node, angle: Angle) -> Place:
+    """The place at distance r in the direction `angle`."""
+    return Place(al.mul(r, al.cos(angle)), al.mul(r, al.sin(angle)), (r, angle))
+
+
+class LinkPlaces:
+    """The places of a link's points; the constants they need are written into the ledger."""
+
+    def __init__(self, link: Link, ledger: Ledger) -> None:
+        self.link = link
+        self.ledger = ledger
+        self._places: dict[str, Place] = {}
+        self._lengths: dict[frozenset[str], Node] = {}
+
+    def place(self, point: str) -> Place:
+        """The place of a point."""
+        if point not in self._places:
+            given = self.link.points[point]
+            match given:
+                case Cartesian(x, y):
+                    self._places[point] = cartesian(length_node(x), length_node(y))
+                case Polar(r, angle):
+                    label = Words(f"direction of {point} on {self.link.name}", f"{self.link.name}: {point} doğrultusu")
+                    hoisted = self.ledger.hoist_angle(f"beta_{point}", angle_of(angle), label)
+                    self._places[point] = polar(length_node(r), hoisted)
+                case Distances():
+                    self._places[point] = self._from_distances(point, given)
+        return self._places[point]
+
+    def known_length(self, first: str, second: str) -> Node | None:
+        """The distance of two points where the description gives it as such."""
+        return self._lengths.get(frozenset((first, second)))
+
+    def _from_distances(self, point: str, given: Distances) -> Place:
+        """By the law of cosines: from the first point, turned from the line to the second by the angle between them."""
+        ledger, n = self.ledger, self.link.number
+        b, c = length_node(given.first_distance), length_node(given.second_distance)
+        self._lengths[frozenset((point, given.first))] = b
+        self._lengths[frozenset((point, given.second))] = c
+        a, line = arm(self, given.first, given.second)
+        ledger.is_positive(b)
+        ledger.is_positive(c)
+        area = triangle_area(
+            ledger,
+            f"Delta{n}",
+            a,
+            b,
+            c,
+            Words(f"area of {given.first}{given.second}{point}", f"{given.first}{given.second}{point} alanı"),
+        )
+        gamma = ledger.hoist(
+            f"gamma{n}",
+            al.atan2(al.sub(al.add(al.square(a), al.square(b)), al.square(c)), al.mul(al.number(4), area)),
+            "angle",
+            Words(
+                f"angle {given.second}{given.first}{point} of {self.link.name}",
+                f"{self.link.name}: {given.second}{given.first}{point} açısı",
+            ),
+        )
+        turned = Angle(gamma) if given.side == "left" else Angle(al.neg(gamma))
+        offset = polar(b, line + turned)
+        start = self.place(given.first)
+        return offset if start.is_zero else cartesian(al.add(start.u, offset.u), al.add(start.v, offset.v))
+
+
+def arm(places: LinkPlaces, start: str, end: str) -> tuple[Node, Angle]:
+    """Length (> 0) and direction, in the link's frame, of the arm from one point of a link to another."""
+    name = f"{start}{end}"
+    return arm_of(
+        places.ledger,
+        places.place(end) - places.place(start),
+        places.known_length(start, end),
+        name,
+        Words(f"{start}–{end} on {places.link.name}", f"{places.link.name}: {start}–{end}"),
+    )
+
+
+def arm_of(ledger: Ledger, way: Place, known: Node | None, name: str, label: Words) -> tuple[Node, Angle]:
+    """Length (> 0) and direction of a vector in a link's frame."""
+    if way.polar:
+        r, angle = way.polar
+        if ledger.is_positive(r):
+            return ledger.hoist(name, r, "length", label), ledger.hoist_angle(f"beta_{name}", angle, label)
+        if ledger.is_positive(al.neg(r)):
+            turned = angle + Angle(degrees=180)
+            return ledger.hoist(name, al.neg(r), "length", label), ledger.hoist_angle(f"beta_{name}", turned, label)
+    u = ledger.hoist(f"u_{name}", way.u, "length", label)
+    v = ledger.hoist(f"v_{name}", way.v, "length", label)
+    length = known or ledger.hoist(name, al.sqrt(al.add(al.square(u), al.square(v))), "length", label)
+    if known is not None:
+        ledger.is_positive(known)
+    if ledger.is_constant(u) and ledger.is_constant(v):
+        return length, Angle(ledger.hoist(f"beta_{name}", al.atan2(u, v), "angle", label))
+    return length, Angle(ledger.direction(f"beta_{name}", u, v, exists=True, label=label))
+
+
+def triangle_area(ledger: Ledger, base: str, a: Node, b: Node, c: Node, label: Words, also: Node | None = None) -> Node:
+    """The area of the triangle with sides a, b, c by Heron's formula; #N/A where they do not meet.
+
+    area = sqrt((a+b+c)(a+b-c)(c+a-b)(c-a+b)) / 4. A gap below the tolerance is a rounding error at a dead centre: the
+    area is 0 there. `also` is a further condition for #N/A. No digits are lost near dead centres, as acos would lose
+    them (W. Kahan, "Miscalculating area and angles of a needle-like triangle").
+    """
+    gap = Call("MIN", (al.sub(al.add(a, b), c), al.sub(c, Call("ABS", (al.sub(a, b),)))))
+    open_: Node = al.less(gap, al.neg(ledger.tolerance))
+    if also is not None:
+        open_ = Call("OR", (also, open_))
+    product = al.mul(
+        al.mul(al.mul(al.add(al.add(a, b), c), al.sub(al.add(a, b), c)), al.sub(al.add(c, a), b)),
+        al.add(al.sub(c, a), b),
+    )
+    area = al.div(Call("SQRT", (Call("MAX", (al.ZERO, product)),)), al.number(4))
+    return ledger.hoist(base, Call("IF", (open_, Call("NA"), area)), "number", label)

@@ -1,0 +1,231 @@
+"""What is known so far: the pose of every solved body and the coordinates of every solved point, as formulas.
+
+Bodies move alone or in assemblies: two links whose driven joint is not on the ground move as one rigid assembly whose
+shape depends on the driver. `Member` says where a body stands in its assembly's frame (the frame of its first body).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.graph import Graph, Slide
+from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.places import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian, length_node
+from mechsheet.model import Joint, Link, Mechanism, Words
+
+Assembly = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A solved body: its angle, and one of its points (its place in the body, its coordinates)."""
+
+    angle: Angle
+    base: Place
+    x: Node
+    y: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A body in its assembly: its angle from the assembly's frame, and where its own origin lies there."""
+
+    angle: Angle
+    origin: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Guide:
+    """A line along which a point of an assembly moves, seen from what is solved: point = (x, y) + sign * s * direction.
+
+    delta  direction of positive displacement;  angle  the (known) angle of the assembly;  moving  the place, in the
+    assembly's frame, that moves along the line;  sign  -1 when the line belongs to the assembly and the point is fixed
+    """
+
+    x: Node
+    y: Node
+    delta: Angle
+    sign: int
+    angle: Angle
+    moving: Place
+    symbol: str
+
+
+class Poses:
+    """The state of the solution. `xy` holds the coordinates of solved points."""
+
+    def __init__(self, mechanism: Mechanism, graph: Graph, ledger: Ledger) -> None:
+        self.mechanism = mechanism
+        self.graph = graph
+        self.ledger = ledger
+        self.links = {link.name: link for link in mechanism.links}
+        self.places = {link.name: LinkPlaces(link, ledger) for link in mechanism.links}
+        self.members: dict[str, Member] = {body: Member(Angle(), ORIGIN) for body in graph.bodies}
+        self.known: dict[str, Pose] = {}
+        self.xy: dict[str, tuple[Node, Node]] = {}
+        self.turned: list[tuple[str, Angle]] = []
+        self._ground(mechanism.ground)
+
+    def _ground(self, ground: Link) -> None:
+        self.known[ground.name] = Pose(Angle(), ORIGIN, al.ZERO, al.ZERO)
+        for point in ground.points:
+            place = self.places[ground.name].place(point)
+            coordinates = []
+            for axis, node in (("x", place.u), ("y", place.v)):
+                label = Words(f"{point}, fixed, {axis}", f"{point}, sabit, {axis}")
+                symbol = self.ledger.define(f"{point}.{axis}", node, "length", label, "constant")
+                coordinates.append(node if al.is_simple(node) else symbol)
+            self.xy[point] = (coordinates[0], coordinates[1])
+
+    # --- places in the frame of an assembly -------------------------------------------------------------------
+
+    def own_place(self, body: str, point: str) -> Place:
+        """Place of a point in its body's own frame (a block's only point is its origin)."""
+        return ORIGIN if body in self.graph.blocks else self.places[body].place(point)
+
+    def through(self, joint: Joint) -> Place:
+        """The point of `on` that a joint's line passes, in `on`'s own frame."""
+        if isinstance(joint.through, str):
+            return self.own_place(joint.on, joint.through)
+        return cartesian(length_node(joint.through[0]), length_node(joint.through[1]))
+
+    def in_assembly(self, body: str, place: Place, name: str) -> Place:
+        """A place of a body in its assembly's frame; for a body that moves in it, columns of its coordinates."""
+        member = self.members[body]
+        if member.angle == Angle() and member.origin.is_zero:
+            return place
+        if place.is_zero:
+            return member.origin
+        x, y = place.turned(member.angle)
+        label = Words(f"{name} in the frame of the driven pair", f"{name}, tahrik çiftinin takımında")
+        u = self.ledger.hoist(f"u_{name}", al.add(member.origin.u, x), "length", label)
+        v = self.ledger.hoist(f"v_{name}", al.add(member.origin.v, y), "length", label)
+        return cartesian(u, v)
+
+    def place(self, assembly: Assembly, point: str) -> Place:
+        """Place of a point in the assembly's frame."""
+        body = next(body for body in assembly if point in self.graph.points[body])
+        return self.in_assembly(body, self.own_place(body, point), point)
+
+    def arm(self, assembly: Assembly, start: str, end: str) -> tuple[Node, Angle]:
+        """Length (> 0) and direction in the assembly's frame of the arm from one of its points to another."""
+        known = None
+        for body in assembly:
+            if body in self.places and {start, end} <= set(self.graph.points[body]):
+                known = self.places[body].known_length(start, end)
+        way = self.place(assembly, end) - self.place(assembly, start)
+        label = Words(f"{start}–{end} on {self.name(assembly)}", f"{self.name(assembly)}: {start}–{end}")
+        return arm_of(self.ledger, way, known, f"{start}{end}", label)
+
+    def name(self, assembly: Assembly) -> str:
+        """The assembly in words."""
+        return " + ".join(assembly)
+
+    # --- what is solved ---------------------------------------------------------------------------------------
+
+    def at(self, body: str, place: Place, name: str) -> tuple[Node, Node]:
+        """Coordinates of a place (in the body's own frame) of a solved body."""
+        pose = self.known[body]
+        x, y = (place - pose.base).turned(pose.angle)
+        label = Words(f"{name} on {body}", f"{body}: {name}")
+        return (
+            self.ledger.hoist(f"x_{name}", al.add(pose.x, x), "length", label),
+            self.ledger.hoist(f"y_{name}", al.add(pose.y, y), "length", label),
+        )
+
+    def guide(self, slide: Slide, assembly: Assembly) -> Guide:
+        """The line on which `assembly` slides, by its prismatic joint with a solved body."""
+        joint = slide.joint
+        inside = slide.body if slide.body in assembly else slide.on
+        solved = self.known[slide.other(inside)]
+        label = Words(f"direction of the guide of {joint.symbol}", f"{joint.symbol} kızağının doğrultusu")
+        if inside == slide.body:
+            delta = solved.angle + angle_of(joint.angle)
+            angle = delta + angle_of(joint.orientation)
+            through = self.xy.get(joint.through) if isinstance(joint.through, str) else None
+            x, y = through or self.at(slide.on, self.through(joint), f"guide_{joint.symbol}")
+            moving, sign = self.own_place(inside, joint.point), 1
+        else:
+            delta = solved.angle - angle_of(joint.orientation)
+            angle = delta - angle_of(joint.angle)
+            x, y = self.xy[joint.point]
+            moving, sign = self.through(joint), -1
+        delta = self.ledger.hoist_angle(f"delta_{joint.symbol}", delta, label)
+        place = self.in_assembly(inside, moving, f"guide_{joint.symbol}")
+        return Guide(x, y, delta, sign, angle - self.members[inside].angle, place, joint.symbol)
+
+    def fix(self, assembly: Assembly, angle: Angle, base: Place, x: Node, y: Node) -> None:
+        """The assembly's pose is found: write down its angles and the points that were not known yet."""
+        for body in assembly:
+            member = self.members[body]
+            own = self._body_angle(body, angle + member.angle)
+            if body == assembly[0]:
+                angle = own
+            origin_x, origin_y = (member.origin - base).turned(angle)
+            if member.origin == base:
+                self.known[body] = Pose(own, ORIGIN, x, y)
+            elif member == Member(Angle(), ORIGIN):
+                self.known[body] = Pose(own, base, x, y)
+            else:
+                name = f"origin_{self._number(body)}"
+                label = Words(f"origin of {body}", f"{body}: başlangıç noktası")
+                self.known[body] = Pose(
+                    own,
+                    ORIGIN,
+                    self.ledger.hoist(f"x_{name}", al.add(x, origin_x), "length", label),
+                    self.ledger.hoist(f"y_{name}", al.add(y, origin_y), "length", label),
+                )
+        for body in assembly:
+            self._points(body)
+
+    def _number(self, body: str) -> str:
+        return str(self.links[body].number) if body in self.links else self.graph.blocks[body].symbol
+
+    def _body_angle(self, body: str, angle: Angle) -> Angle:
+        """Write `theta1n = angle` for a link; a block keeps its angle to itself."""
+        if body in self.graph.blocks:
+            return self.ledger.hoist_angle("delta", angle, Words(f"angle of the {body}", f"{body} açısı"))
+        link = self.links[body]
+        label = link.label or Words(link.name, link.name)
+        symbol = link.angle_symbol
+        if symbol == self.mechanism.driver.symbol:
+            return Angle(Symbol(symbol))
+        words = Words(f"angle of link {link.number}, {label.en}", f"{link.number} numaralı uzvun açısı ({label.tr})")
+        self.turned.append((symbol, angle))
+        return Angle(self.ledger.define(symbol, angle.expression(), "angle", words, "variable"))
+
+    def _points(self, body: str) -> None:
+        pose = self.known[body]
+        for point in self.graph.points[body]:
+            if point in self.xy:
+                continue
+            x, y = (self.own_place(body, point) - pose.base).turned(pose.angle)
+            found = []
+            for axis, base, part in (("x", pose.x, x), ("y", pose.y, y)):
+                label = Words(f"{point}, {axis} coordinate", f"{point} noktası, {axis} koordinatı")
+                found.append(self.ledger.define(f"{point}.{axis}", al.add(base, part), "length", label, "point"))
+            self.xy[point] = (found[0], found[1])
+
+    def displacement(self, symbol: str, expression: Node) -> None:
+        """Write down a sliding joint's displacement."""
+        joint = next(joint for joint in self.mechanism.joints if joint.symbol == symbol)
+        words = Words(
+            f"displacement of {joint.point} on {joint.on}", f"{joint.point} noktasının {joint.on} üzerindeki ötelenmesi"
+        )
+        self.ledger.define(symbol, expression, "length", words, "variable")
+
+    def settle_turns(self) -> None:
+        """Take whole turns out of the angles found last, so that each starts between -180 and 180 degrees."""
+        for symbol, angle in self.turned:
+            row = self.ledger.first_number(symbol)
+            if row is None:
+                continue
+            start = math.degrees(float(self.ledger.values[symbol][row]))
+            turns = math.ceil((start - 180 - 1e-7) / 360)
+            if turns:
+                self.ledger.replace_expression(symbol, (angle - Angle(degrees=360.0 * turns)).expression())
+        self.turned.clear()

@@ -1,0 +1,96 @@
+"""The dyad RPR: two links that slide on each other, each pinned to something known (inverted slider-crank).
+
+P is the known pin of the link that carries the line, Q that of the link whose point moves along it; delta is the line's
+direction. In the line's frame the way from P to Q is (p + s, h): p and h are constants of the two links (h is what the
+line misses the pins by), so
+
+    r, phi = distance and direction from P to Q
+    w      = sqrt(r^2 - h^2),     s = mode w - p,     tan(chi) = h / w
+    delta  = phi - chi (mode +1) or phi - pi + chi (mode -1)
+
+Source: Soeylemez, Mechanisms, section 3.8 (kol-kizak, h = 0) and the inverted slider-crank with offset.
+"""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Node
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.assur import Dyad, Pin
+from mechsheet.kinematics.dyads import Solved, half_turn_unless, leg
+from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.places import angle_of
+from mechsheet.kinematics.poses import Poses
+from mechsheet.model import Words
+
+
+def solve_rpr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
+    """Write the dyad's equations down. `always`: both outer pins exist in every row."""
+    ledger = poses.ledger
+    slide, outer = dyad.inner, dyad.outer
+    if not (isinstance(slide, Slide) and isinstance(outer[0], Pin) and isinstance(outer[1], Pin)):
+        raise TypeError(f"not an RPR dyad: {dyad}")
+    joint = slide.joint
+    on_first = slide.on in dyad.first
+    carrier, slider = (dyad.first, dyad.second) if on_first else (dyad.second, dyad.first)
+    p, q = (outer[0].point, outer[1].point) if on_first else (outer[1].point, outer[0].point)
+    (xp, yp), (xq, yq) = poses.xy[p], poses.xy[q]
+    mode = ledger.mode()
+    r_x = ledger.hoist("r_x", al.sub(xq, xp), "length", Words(f"{p}→{q}, x part", f"{p}→{q}, x bileşeni"))
+    r_y = ledger.hoist("r_y", al.sub(yq, yp), "length", Words(f"{p}→{q}, y part", f"{p}→{q}, y bileşeni"))
+    r = ledger.column(
+        "r", al.sqrt(al.add(al.square(r_x), al.square(r_y))), "length", Words(f"distance {p}–{q}", f"{p}–{q} uzaklığı")
+    )
+    phi = ledger.direction("phi", r_x, r_y, always, Words(f"direction of {p}→{q}", f"{p}→{q} doğrultusu"))
+    ahead, h = _offsets(poses, slide, carrier, slider, p, q)
+    together = al.less(r, ledger.tolerance)
+    w = leg(ledger, "w", r, h, Words(f"{p}→{q} along {joint.symbol}", f"{joint.symbol} boyunca {p}→{q}"), also=together)
+    poses.displacement(joint.symbol, al.sub(al.mul(mode, w), ahead))
+    delta = Angle(al.sub(phi, half_turn_unless(mode)))
+    if not al.is_zero(h):
+        chi = ledger.column(
+            "chi",
+            al.atan2(w, h),
+            "angle",
+            Words(f"angle between {p}→{q} and {joint.symbol}", f"{p}→{q} ile {joint.symbol} arasındaki açı"),
+        )
+        delta = delta - Angle(al.mul(mode, chi))
+    on_angle = delta - angle_of(joint.angle) - poses.members[slide.on].angle
+    poses.fix(carrier, on_angle, poses.place(carrier, p), xp, yp)
+    line = poses.known[slide.on].angle + angle_of(joint.angle) + angle_of(joint.orientation)
+    poses.fix(slider, line - poses.members[slide.body].angle, poses.place(slider, q), xq, yq)
+    return Solved(
+        mode.name,
+        (
+            Words(f"{joint.symbol} the larger of two", f"{joint.symbol} ikisinden büyüğü"),
+            Words(f"{joint.symbol} the smaller of two", f"{joint.symbol} ikisinden küçüğü"),
+        ),
+        closes=w.name,
+        degenerate=together,
+        pins=(p, q),
+        label=Words(
+            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pins {p}, {q}, slide {joint.symbol}",
+            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {p}, {q} mafsalları, {joint.symbol} kayması",
+        ),
+    )
+
+
+def _offsets(
+    poses: Poses, slide: Slide, carrier: tuple[str, ...], slider: tuple[str, ...], p: str, q: str
+) -> tuple[Node, Node]:
+    """(along, across) of the way P -> line's origin plus moving point -> Q, in the line's frame."""
+    joint = slide.joint
+    name = f"guide_{joint.symbol}"
+    through = poses.in_assembly(slide.on, poses.through(joint), name)
+    start = through - poses.place(carrier, p)
+    moving = poses.in_assembly(slide.body, poses.own_place(slide.body, joint.point), f"{name}_block")
+    end = poses.place(slider, q) - moving
+    line = poses.members[slide.on].angle + angle_of(joint.angle)
+    start_along, start_across = start.turned(-line)
+    own = angle_of(joint.orientation) - poses.members[slide.body].angle
+    end_along, end_across = end.turned(own)
+    words = Words("slot offset", "kanal kaçıklığı")
+    return (
+        poses.ledger.hoist("p", al.add(start_along, end_along), "length", words),
+        poses.ledger.hoist("h", al.add(start_across, end_across), "length", words),
+    )

@@ -1,0 +1,82 @@
+"""The dyad RRP: a link with two pins and a link that slides on a known line (slider-crank).
+
+The inner pin R moves on the line through (xL, yL) in the direction delta; P is the known pin, a the arm PR.
+
+    t = along delta,  n = across it:  the vector from P to (xL, yL)
+    w   = sqrt(a^2 - n^2)
+    displacement  sign (mode' w - t),     tan(psi) = n / w
+    direction of P->R = delta + psi (mode' = +1) or delta + pi - psi (mode' = -1)
+
+mode +1 is the larger displacement (mode' = mode, or -mode when the line moves and the point stands still).
+Source: Soeylemez, Mechanisms, section 3.8 (slider-crank): a3 sin(theta13) = a2 sin(theta12) - a1.
+"""
+
+from __future__ import annotations
+
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.assur import Dyad, Pin
+from mechsheet.kinematics.dyads import Solved, along_and_across, half_turn_unless, leg
+from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.poses import Poses
+from mechsheet.model import Words
+
+
+def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
+    """Write the dyad's equations down."""
+    ledger = poses.ledger
+    outer, slide, inner = dyad.outer[0], dyad.outer[1], dyad.inner
+    if not (isinstance(outer, Pin) and isinstance(slide, Slide) and isinstance(inner, Pin)):
+        raise TypeError(f"not an RRP dyad: {dyad}")
+    p, r = outer.point, inner.point
+    xp, yp = poses.xy[p]
+    a, line_a = poses.arm(dyad.first, p, r)
+    guide = poses.guide(slide, dyad.second)
+    mode = ledger.mode()
+    offset_x, offset_y = (poses.place(dyad.second, r) - guide.moving).turned(guide.angle)
+    e_x = ledger.hoist(
+        "e_x",
+        al.sub(al.add(guide.x, offset_x), xp),
+        "length",
+        Words(f"{p} to the guide, x part", f"{p}'den kızağa, x bileşeni"),
+    )
+    e_y = ledger.hoist(
+        "e_y",
+        al.sub(al.add(guide.y, offset_y), yp),
+        "length",
+        Words(f"{p} to the guide, y part", f"{p}'den kızağa, y bileşeni"),
+    )
+    along, across = along_and_across(e_x, e_y, guide.delta)
+    t = ledger.hoist(
+        "t",
+        along,
+        "length",
+        Words(f"{p} to the guide's origin, along it", f"{p}'den kızak başlangıcına, kızak boyunca"),
+    )
+    n = ledger.hoist("n", across, "length", Words(f"{p} to the guide, across it", f"{p}'den kızağa dik uzaklık"))
+    w = leg(ledger, "w", a, n, Words(f"{p}–{r} along the guide", f"kızak boyunca {p}–{r}"))
+    psi = ledger.column(
+        "psi", al.atan2(w, n), "angle", Words(f"angle of {p}–{r} to the guide", f"{p}–{r} ile kızak arasındaki açı")
+    )
+    sign = mode if guide.sign > 0 else al.neg(mode)
+    reach = al.sub(al.mul(sign, w), t)
+    poses.displacement(guide.symbol, reach if guide.sign > 0 else al.neg(reach))
+    to_r = guide.delta + Angle(al.add(al.mul(sign, psi), half_turn_unless(sign)))
+    poses.fix(dyad.first, to_r - line_a, poses.place(dyad.first, p), xp, yp)
+    xr, yr = poses.xy[r]
+    poses.fix(dyad.second, guide.angle, poses.place(dyad.second, r), xr, yr)
+    return Solved(
+        mode.name,
+        (
+            Words(f"{guide.symbol} the larger of two", f"{guide.symbol} ikisinden büyüğü"),
+            Words(f"{guide.symbol} the smaller of two", f"{guide.symbol} ikisinden küçüğü"),
+        ),
+        closes=w.name,
+        degenerate=None,
+        pins=(p, r),
+        label=Words(
+            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pins {p}, {r}, slide {guide.symbol}",
+            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {p}, {r} mafsalları, {guide.symbol} kayması",
+        ),
+        transmission=psi.name,
+    )

@@ -1,0 +1,250 @@
+"""From a mechanism to its equations: the driver, the groups in order, the outputs; modes picked by the sketch."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.formula.nodes import Call, Node, Symbol, symbols
+from mechsheet.formula.nodes import Number as NumberNode
+from mechsheet.formula.parser import parse_description
+from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
+from mechsheet.kinematics.dyads import Solved
+from mechsheet.kinematics.equations import Equations, Group, validate
+from mechsheet.kinematics.graph import graph_of
+from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.lines import solve_prp, solve_rpp
+from mechsheet.kinematics.mobility import check_mobility
+from mechsheet.kinematics.modes import pick_mode
+from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.places import Place, angle_of, cartesian
+from mechsheet.kinematics.poses import Member, Poses
+from mechsheet.kinematics.rpr import solve_rpr
+from mechsheet.kinematics.rrp import solve_rrp
+from mechsheet.kinematics.rrr import solve_rrr
+from mechsheet.model import Cartesian, Distances, Mechanism, Polar, Quantity, Words
+
+PROBED_ROWS = 200
+"""Rows at the start, and as many again spread over the rest, on which modes are picked."""
+
+CLOSING = 1e-12
+"""A gap below this part of the largest length counts as closed: rounding at a dead centre, not a limit passed."""
+
+
+def dimension_values(mechanism: Mechanism) -> dict[str, float]:
+    """All dimensions in internal units, derived ones computed."""
+    values: dict[str, float] = {}
+    pending = {}
+    for dimension in mechanism.dimensions:
+        if isinstance(dimension.value, str):
+            pending[dimension.symbol] = parse_description(dimension.value)
+        else:
+            values[dimension.symbol] = dimension.value
+    while pending:
+        ready = [symbol for symbol, node in pending.items() if set(symbols(node)) <= values.keys()]
+        if not ready:
+            raise ValueError(f"circular dimensions: {sorted(pending)}")  # the reader has refused these
+        for symbol in ready:
+            values[symbol] = evaluate(pending.pop(symbol), values)
+    return values
+
+
+def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
+    """Symbols of all dimensions, each after those it is derived from."""
+    known = dict.fromkeys(dim.symbol for dim in mechanism.dimensions if not isinstance(dim.value, str))
+    pending = {
+        dim.symbol: set(symbols(parse_description(dim.value)))
+        for dim in mechanism.dimensions
+        if isinstance(dim.value, str)
+    }
+    while pending:
+        for symbol in [symbol for symbol, reads in pending.items() if reads <= known.keys()]:
+            known[symbol] = None
+            del pending[symbol]
+    return tuple(known)
+
+
+def number(quantity: Quantity, dimensions: Mapping[str, float]) -> float:
+    """The value of a quantity of the model."""
+    return evaluate(parse_description(quantity), dimensions) if isinstance(quantity, str) else quantity
+
+
+def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
+    """The driver's values, row by row: start + n step (no drift); stop is included when the steps land on it."""
+    driver = mechanism.driver
+    if driver.values:
+        return np.array([number(value, dimensions) for value in driver.values])
+    start, stop, step = (number(part, dimensions) for part in (driver.start, driver.stop, driver.step))
+    count = math.floor((stop - start) / step + 1e-9) + 1
+    return np.asarray(start + step * np.arange(count), dtype=np.float64)
+
+
+def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equations:
+    """The equations of a mechanism, in order of solution.
+
+    modes  assembly modes that are given instead of picked from the sketch, by symbol (`mode_1`)
+    Raises MechanismError: mobility, a group of class III, a sketch between two modes, a group that never closes.
+    """
+    graph = graph_of(mechanism)
+    check_mobility(mechanism, graph)
+    order = order_of(mechanism, graph)
+    dimensions = dimension_values(mechanism)
+    ledger = _ledger(mechanism, dimensions)
+    poses = Poses(mechanism, graph, ledger)
+    _drive(poses, order.drive)
+    groups: list[Group] = []
+    for index, dyad in enumerate(order.dyads, 1):
+        ledger.group = index
+        start = len(ledger.columns)
+        solved = _solve_dyad(poses, dyad, always=not groups)
+        value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, (modes or {}).get(solved.mode))
+        poses.settle_turns()
+        groups.append(_group(index, dyad, solved, value, is_open))
+    _outputs(mechanism, ledger)
+    result = Equations(
+        tuple(ledger.constants),
+        tuple(ledger.columns),
+        tuple(groups),
+        tuple(dim.symbol for dim in mechanism.dimensions if dim.symbol in ledger.positive),
+        ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
+    )
+    validate(result, (*dimensions, mechanism.driver.symbol))
+    return result
+
+
+def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
+    values = driver_values(mechanism, dimensions)
+    if len(values) > 2 * PROBED_ROWS:
+        rest = np.linspace(PROBED_ROWS, len(values) - 1, PROBED_ROWS).astype(int)
+        values = np.concatenate([values[:PROBED_ROWS], values[rest]])
+    taken = [output.symbol for output in mechanism.outputs]
+    taken += [summary.symbol for summary in mechanism.summaries]
+    taken += [link.angle_symbol for link in mechanism.links]
+    taken += [joint.symbol for joint in mechanism.joints]
+    ledger = Ledger(dimensions, mechanism.driver.symbol, values, taken)
+    ledger.tolerance = ledger.define(
+        ledger.reserve("tol"),
+        al.mul(NumberNode(CLOSING), _largest_length(mechanism)),
+        "length",
+        Words("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır"),
+        "constant",
+    )
+    return ledger
+
+
+def _largest_length(mechanism: Mechanism) -> Node:
+    """MAX of the sizes of all lengths given: input dimensions, and plain numbers in places."""
+    lengths: list[Node] = [
+        Symbol(dim.symbol) if not isinstance(dim.value, float) or dim.value > 0 else Call("ABS", (Symbol(dim.symbol),))
+        for dim in mechanism.dimensions
+        if dim.unit not in ("deg", "rad", "1") and not dim.derived
+    ]
+    plain = [abs(value) for value in _plain_lengths(mechanism)]
+    if plain and max(plain) > 0:
+        lengths.append(NumberNode(max(plain)))
+    if not lengths:
+        return al.ONE
+    return Call("MAX", tuple(lengths)) if len(lengths) > 1 else lengths[0]
+
+
+def _plain_lengths(mechanism: Mechanism) -> list[float]:
+    found: list[Quantity] = []
+    for link in mechanism.links:
+        for place in link.points.values():
+            match place:
+                case Cartesian(x, y):
+                    found += [x, y]
+                case Polar(r, _):
+                    found.append(r)
+                case Distances(_, first, _, second, _):
+                    found += [first, second]
+    for joint in mechanism.joints:
+        if not isinstance(joint.through, str):
+            found += joint.through
+    return [value for value in found if not isinstance(value, str)]
+
+
+def _solve_dyad(poses: Poses, dyad: Dyad, always: bool) -> Solved:
+    match dyad.kind:
+        case "RRR":
+            return solve_rrr(poses, dyad, always)
+        case "RRP":
+            return solve_rrp(poses, dyad)
+        case "RPR":
+            return solve_rpr(poses, dyad, always)
+        case "PRP":
+            return solve_prp(poses, dyad)
+        case "RPP":
+            return solve_rpp(poses, dyad)
+
+
+def _group(index: int, dyad: Dyad, solved: Solved, value: int, is_open: bool) -> Group:
+    return Group(
+        index, dyad.kind, (*dyad.first, *dyad.second), solved.pins, solved.mode, value, solved.mode_words,
+        solved.closes, solved.degenerate, is_open, solved.label, solved.transmission,
+    )  # fmt: skip
+
+
+def _drive(poses: Poses, drive: Drive) -> None:
+    """The driven joint: its moving body is solved at once, or (away from the ground) takes its place in an assembly."""
+    driver = poses.mechanism.driver
+    symbol = Symbol(driver.symbol)
+    on_ground = drive.base in poses.known
+    if isinstance(drive.joint, Pin):
+        point = drive.joint.point
+        # the driver is angle(link) - angle(relative_to); `moving` may be either of the two
+        turn = Angle(symbol) if drive.moving == driver.link else -Angle(symbol)
+        own = poses.own_place(drive.moving, point)
+        if on_ground:
+            poses.fix((drive.moving,), turn, own, *poses.xy[point])
+            return
+        base = poses.own_place(drive.base, point)
+        poses.members[drive.moving] = _member(turn, base, own)
+        return
+    joint = drive.joint.joint
+    if on_ground:
+        guide = poses.guide(drive.joint, (drive.moving,))
+        step = symbol if guide.sign > 0 else al.neg(symbol)
+        x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
+        y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
+        poses.fix((drive.moving,), guide.angle, guide.moving, x, y)
+        return
+    line = angle_of(joint.angle)
+    along = cartesian(symbol, al.ZERO).turned(line)
+    start = poses.through(joint)
+    end = cartesian(symbol, al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
+    turn = line + angle_of(joint.orientation)
+    poses.members[drive.moving] = _member(turn, end, poses.own_place(drive.moving, joint.point))
+
+
+def _member(turn: Angle, at: Place, own: Place) -> Member:
+    """The body turned by `turn` whose place `own` lies at the place `at` of the assembly's frame."""
+    if own.is_zero:
+        return Member(turn, at)
+    x, y = own.turned(turn)
+    return Member(turn, at - cartesian(x, y))
+
+
+def _outputs(mechanism: Mechanism, ledger: Ledger) -> None:
+    """Outputs over variables, points and dimensions; each may use the ones before it."""
+    ledger.group = -1
+    faults = []
+    for output in mechanism.outputs:
+        expression = parse_description(output.formula)
+        unknown = [name for name in symbols(expression) if name not in ledger.values]
+        if unknown:
+            faults.append(Fault(f'"{unknown[0]}" is not known here', key=f"outputs.{output.symbol}.formula"))
+            continue
+        unit = {"deg": "angle", "rad": "angle", mechanism.length_unit: "length", "1": "number"}.get(
+            output.unit, output.unit
+        )
+        label = output.label or Words(output.symbol, output.symbol)
+        ledger.define(output.symbol, expression, unit, label, "output")
+    if faults:
+        raise MechanismError(faults)
