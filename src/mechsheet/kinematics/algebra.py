@@ -172,8 +172,8 @@ class Angle:
             part = PI
         elif halves == int(halves):
             part = mul(Number(halves), PI)
-        elif magnitude == 90:
-            part = div(PI, TWO)
+        elif halves * 2 == int(halves * 2):
+            part = div(mul(number(halves * 2), PI), TWO)
         else:
             part = Call("RADIANS", (Number(magnitude),))
         return add(self.node, part) if self.degrees >= 0 else sub(self.node, part)
@@ -198,6 +198,10 @@ def _exact(angle: Angle) -> tuple[float, float] | None:
     return {0: (1.0, 0.0), 90: (0.0, 1.0), 180: (-1.0, 0.0), 270: (0.0, -1.0)}[int(angle.degrees % 360)]
 
 
+def _without_sign(node: Node) -> Node:
+    return node.operand if isinstance(node, Unary) and node.op == "-" else node
+
+
 def cos(angle: Angle) -> Node:
     """cos(angle), exact at right angles; added quarter turns are taken out: cos(a + 90 deg) = -sin(a)."""
     exact = _exact(angle)
@@ -206,7 +210,7 @@ def cos(angle: Angle) -> Node:
     turn = angle.degrees % 360
     plain = Angle(angle.node)
     if turn == 0:
-        return Call("COS", (angle.node,))
+        return Call("COS", (_without_sign(angle.node),))
     if turn == 180:
         return neg(cos(plain))
     if turn == 90:
@@ -224,7 +228,8 @@ def sin(angle: Angle) -> Node:
     turn = angle.degrees % 360
     plain = Angle(angle.node)
     if turn == 0:
-        return Call("SIN", (angle.node,))
+        bare = _without_sign(angle.node)
+        return Call("SIN", (bare,)) if bare == angle.node else neg(Call("SIN", (bare,)))
     if turn == 180:
         return neg(sin(plain))
     if turn == 90:

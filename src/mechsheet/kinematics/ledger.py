@@ -6,25 +6,18 @@ equations stand.
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
 
+from mechsheet.formula.names import folded
 from mechsheet.formula.nodes import Call, Node, Previous, Symbol, symbols
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.equations import Equation, Kind
 from mechsheet.kinematics.numeric import Array, evaluate_column
 from mechsheet.model import Words
-
-
-def folded(name: str) -> str:
-    """A name as spreadsheets compare names: no case, and the four i's of Turkish as one."""
-    for letter in "ıİI":
-        name = name.replace(letter, "i")
-    return unicodedata.normalize("NFKC", name).casefold()
 
 
 class Ledger:
@@ -50,15 +43,16 @@ class Ledger:
 
     def reserve(self, base: str) -> str:
         """A name like `base` that nothing else has: `phi`, in the second group `phi_2`."""
-        candidates = [base] if self.group <= 1 else [f"{base}_{self.group}"]
-        candidates += [f"{base}_{self.group or 1}_{count}" for count in range(2, 10_000)]
+        group = max(self.group, 1)
+        candidates = [base] if group == 1 else []
+        candidates += [f"{base}_{group}"] + [f"{base}_{group}_{count}" for count in range(2, 10_000)]
         name = next(name for name in candidates if folded(name) not in self._taken)
         self._taken.add(folded(name))
         return name
 
     def mode(self) -> Symbol:
         """The assembly mode of the present group, `mode_1`: a constant that is +1 until the sketch says otherwise."""
-        name = self.reserve("mode_1") if self.group == 1 else self.reserve("mode")
+        name = self.reserve(f"mode_{self.group}" if self.group <= 1 else "mode")
         self.constant_symbols.add(name)
         self.set_mode(name, 1)
         return Symbol(name)

@@ -117,8 +117,8 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
         f"delta_{joint.symbol}", delta, Words(f"direction of {joint.symbol}", f"{joint.symbol} doğrultusu")
     )
     first_body, second_body = (inner.body, inner.on) if on_second else (inner.on, inner.body)
-    own = poses.in_assembly(first_body, own, f"slide_{joint.symbol}")
-    fixed = poses.in_assembly(second_body, fixed, f"guide_{joint.symbol}")
+    own = poses.in_assembly(first_body, own, "slide")
+    fixed = poses.in_assembly(second_body, fixed, "guide")
     p = outer.point
     x1, y1 = (own - poses.place(dyad.first, p)).turned(angle)
     x2, y2 = (fixed - guide.moving).turned(guide.angle)

@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
@@ -147,7 +149,7 @@ class Poses:
             delta = solved.angle + angle_of(joint.angle)
             angle = delta + angle_of(joint.orientation)
             through = self.xy.get(joint.through) if isinstance(joint.through, str) else None
-            x, y = through or self.at(slide.on, self.through(joint), f"guide_{joint.symbol}")
+            x, y = through or self.at(slide.on, self.through(joint), "guide")
             moving, sign = self.own_place(inside, joint.point), 1
         else:
             delta = solved.angle - angle_of(joint.orientation)
@@ -155,7 +157,7 @@ class Poses:
             x, y = self.xy[joint.point]
             moving, sign = self.through(joint), -1
         delta = self.ledger.hoist_angle(f"delta_{joint.symbol}", delta, label)
-        place = self.in_assembly(inside, moving, f"guide_{joint.symbol}")
+        place = self.in_assembly(inside, moving, "guide")
         return Guide(x, y, delta, sign, angle - self.members[inside].angle, place, joint.symbol)
 
     def fix(self, assembly: Assembly, angle: Angle, base: Place, x: Node, y: Node) -> None:
@@ -199,16 +201,21 @@ class Poses:
         return Angle(self.ledger.define(symbol, angle.expression(), "angle", words, "variable"))
 
     def _points(self, body: str) -> None:
+        """Write down the points of a body that are not known yet, its origin first: from there the others read best."""
+        for point in sorted(self.graph.points[body], key=lambda point: not self.own_place(body, point).is_zero):
+            if point not in self.xy:
+                self._point(body, point)
+            if self.own_place(body, point).is_zero:
+                self.known[body] = Pose(self.known[body].angle, ORIGIN, *self.xy[point])
+
+    def _point(self, body: str, point: str) -> None:
         pose = self.known[body]
-        for point in self.graph.points[body]:
-            if point in self.xy:
-                continue
-            x, y = (self.own_place(body, point) - pose.base).turned(pose.angle)
-            found = []
-            for axis, base, part in (("x", pose.x, x), ("y", pose.y, y)):
-                label = Words(f"{point}, {axis} coordinate", f"{point} noktası, {axis} koordinatı")
-                found.append(self.ledger.define(f"{point}.{axis}", al.add(base, part), "length", label, "point"))
-            self.xy[point] = (found[0], found[1])
+        x, y = (self.own_place(body, point) - pose.base).turned(pose.angle)
+        found = []
+        for axis, base, part in (("x", pose.x, x), ("y", pose.y, y)):
+            label = Words(f"{point}, {axis} coordinate", f"{point} noktası, {axis} koordinatı")
+            found.append(self.ledger.define(f"{point}.{axis}", al.add(base, part), "length", label, "point"))
+        self.xy[point] = (found[0], found[1])
 
     def displacement(self, symbol: str, expression: Node) -> None:
         """Write down a sliding joint's displacement."""
@@ -219,13 +226,14 @@ class Poses:
         self.ledger.define(symbol, expression, "length", words, "variable")
 
     def settle_turns(self) -> None:
-        """Take whole turns out of the angles found last, so that each starts between -180 and 180 degrees."""
+        """Take whole turns out of the angles found last, so that the mean of each lies between -120 and 240 degrees."""
         for symbol, angle in self.turned:
-            row = self.ledger.first_number(symbol)
-            if row is None:
+            found = self.ledger.values[symbol]
+            found = found[np.isfinite(found)]
+            if not len(found):
                 continue
-            start = math.degrees(float(self.ledger.values[symbol][row]))
-            turns = math.ceil((start - 180 - 1e-7) / 360)
+            # The window leans to positive angles, as the text's tables do: a link that swings about 180 stays there.
+            turns = math.ceil((math.degrees(float(found.mean())) - 240) / 360)
             if turns:
                 self.ledger.replace_expression(symbol, (angle - Angle(degrees=360.0 * turns)).expression())
         self.turned.clear()

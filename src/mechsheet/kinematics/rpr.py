@@ -80,7 +80,7 @@ def _offsets(
 ) -> tuple[Node, Node]:
     """(along, across) of the way P -> line's origin plus moving point -> Q, in the line's frame."""
     joint = slide.joint
-    name = f"guide_{joint.symbol}"
+    name = "guide"
     through = poses.in_assembly(slide.on, poses.through(joint), name)
     start = through - poses.place(carrier, p)
     moving = poses.in_assembly(slide.body, poses.own_place(slide.body, joint.point), f"{name}_block")

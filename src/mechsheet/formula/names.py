@@ -1,0 +1,55 @@
+"""What may be the name of a cell, in every spreadsheet program at once.
+
+Sources: ECMA-376-1 18.17.2.5; Microsoft "Names in formulas"; what LibreOffice and Excel do with the four i's of Turkish
+is not the same, so names that differ only there count as equal.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Collection
+
+from mechsheet.formula.functions import FUNCTIONS
+
+MAX_LENGTH = 255
+_SHAPE = re.compile(r"[^\W\d][\w.]*")
+_CELL = re.compile(r"[a-z]{1,3}\d+", re.IGNORECASE)
+_R1C1 = re.compile(r"(r\d*)?(c\d*)?", re.IGNORECASE)
+
+
+def folded(name: str) -> str:
+    """A name as spreadsheets compare names: no case, and the four i's of Turkish as one."""
+    for letter in "ıİI":
+        name = name.replace(letter, "i")
+    return unicodedata.normalize("NFKC", name).casefold()
+
+
+def name_fault(name: str) -> str:
+    """Why a name cannot be a cell's, in words that complete "the cell name X ..."; "" when it can."""
+    if not name:
+        return "is empty"
+    if len(name) > MAX_LENGTH:
+        return f"has {len(name)} characters; {MAX_LENGTH} are allowed"
+    if unicodedata.normalize("NFC", name) != name or any(unicodedata.combining(letter) for letter in name):
+        return "has combining marks: write accented letters as single characters"
+    if not _SHAPE.fullmatch(name):
+        return "must begin with a letter or _ and go on with letters, digits, _ or ."
+    if _CELL.fullmatch(name):
+        return "looks like the address of a cell"
+    if _R1C1.fullmatch(name):
+        return "looks like an address in R1C1 form"
+    if name.upper() in {"TRUE", "FALSE"} or name.lower().startswith(("_xlnm", "_xlfn", "_xlpm")):
+        return "is reserved by spreadsheet programs"
+    if name.upper() in FUNCTIONS:
+        return "is the name of a function"
+    return ""
+
+
+def safe_name(symbol: str, taken: Collection[str]) -> str:
+    """A legal cell name like `symbol` (a1 becomes a_1) that differs from all of `taken` (folded names)."""
+    plain = unicodedata.normalize("NFC", symbol).replace(".", "_")
+    plain = re.sub(r"[^\w.]", "_", plain) or "_"
+    candidates = [plain, re.sub(r"(?<=[^\W\d])(\d+)$", r"_\1", plain), f"{plain}_"]
+    candidates += [f"_{plain}"] + [f"{plain}_{count}" for count in range(2, 10_000)]
+    return next(name for name in candidates if not name_fault(name) and folded(name) not in taken)
