@@ -1,0 +1,19 @@
+"""Reference solution of a mechanism: Newton's method on link poses, straight from the model.
+
+It knows nothing of equations, formulas, cells or the groups that the workbook is solved by; it judges them.
+"""
+
+from .geometry import dimension_values, driver_values
+from .poses import Solution, assemblies, solve, variables
+from .residual import residuals, worst
+
+__all__ = [
+    "Solution",
+    "assemblies",
+    "dimension_values",
+    "driver_values",
+    "residuals",
+    "solve",
+    "variables",
+    "worst",
+]

@@ -1,0 +1,112 @@
+"""Which assembly a sweep starts from: the one nearest to the sketch."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import branches, newton
+from .geometry import Array
+from .system import Block, System
+from .wishes import Wishes
+
+_BEAM = 16
+_TOGETHER = 32
+_FLAT = 1e-6
+
+
+def first_row(block: Block, state: Array, value: Array) -> tuple[int | None, Array]:
+    """The first row in which a block has a solution, and all its solutions there (s, columns)."""
+    candidates = branches.solutions(block, state[:1], value[:1])[0]
+    if len(candidates):
+        return 0, candidates
+    rows = np.arange(1, len(state))
+    if not block.large:
+        # Both branches exist in the same rows, so either finds the first of them.
+        rows = np.flatnonzero(branches.sweep(block, state, value, 1.0).exists)
+    for first in range(0, len(rows), _TOGETHER):
+        part = rows[first : first + _TOGETHER]
+        for row, candidates in zip(part, branches.solutions(block, state[part], value[part]), strict=True):
+            if len(candidates):
+                return int(row), candidates
+    return None, candidates
+
+
+def branch(
+    built: System, wishes: Wishes, index: int, first: int, candidates: Array, state: Array, value: Array
+) -> float:
+    """Sign of the branch that starts in row `first` with the candidate nearest to the sketch.
+
+    At a dead centre, where both branches meet, the sketch itself tells them apart, or the next row that exists does.
+    """
+    block = built.blocks[index]
+    chosen = choose(built, wishes, index, candidates, value[first])
+    det = newton.determinant(block, chosen, value[first : first + 1])[0]
+    if abs(det) > _FLAT:
+        return float(np.sign(det))
+    rough = wishes.rough_state(chosen)
+    if rough is not None:
+        det = newton.determinant(block, rough, value[first : first + 1])[0]
+        if abs(det) > 1e-3:
+            return float(np.sign(det))
+    for i in range(first + 1, len(state)):
+        candidates = branches.solutions(block, state[i : i + 1], value[i : i + 1])[0]
+        if len(candidates):
+            chosen = choose(built, wishes, index, candidates, value[i])
+            det = newton.determinant(block, chosen, value[i : i + 1])[0]
+            if abs(det) > _FLAT:
+                return float(np.sign(det))
+    return 1.0
+
+
+def choose(built: System, wishes: Wishes, index: int, candidates: Array, value: float) -> Array:
+    """The candidate (1, columns) nearest to the sketch; of equals the one of positive determinant.
+
+    Where the sketch says nothing about this block, it may say something about those that stand on it.
+    """
+    if len(candidates) == 1:
+        return candidates
+    block = built.blocks[index]
+    last = max((wish.block for wish in wishes.entries), default=-1)
+    if wishes.about(index) or last < index:
+        costs = wishes.cost(index, candidates)
+    else:
+        costs = np.array(
+            [
+                _cost_further(built, wishes, candidates[i : i + 1], value, index + 1, last + 1)
+                for i in range(len(candidates))
+            ]
+        )
+    dets = newton.determinant(block, candidates, np.full(len(candidates), value))
+    nearest = np.flatnonzero(costs <= np.min(costs) + 1e-9)
+    best = nearest[np.argmax(dets[nearest])]
+    return candidates[best : best + 1]
+
+
+def _cost_further(built: System, wishes: Wishes, state: Array, value: float, index: int, stop: int) -> float:
+    """Distance from the sketch of the best assembly of blocks `index` to `stop` - 1; what closes further is nearer."""
+    depth, states = assembled(built, state, value, index, stop, wishes, _BEAM)
+    cost = np.zeros(len(states))
+    for i in range(index, depth):
+        cost += wishes.cost(i, states)
+    return float(np.min(cost)) + 1e6 * (stop - depth)
+
+
+def assembled(
+    built: System, state: Array, value: float, index: int, stop: int, wishes: Wishes | None, width: int
+) -> tuple[int, Array]:
+    """The block up to which blocks from `index` to before `stop` close, and the assemblies (m, columns) up to there.
+
+    Where there are more than `width`, the nearest to the sketch.
+    """
+    states, cost = state, np.zeros(len(state))
+    for i in range(index, stop):
+        grown = branches.solutions(built.blocks[i], states, np.full(len(states), value))
+        if not any(len(part) for part in grown):
+            return i, states
+        cost = np.repeat(cost, [len(part) for part in grown])
+        states = np.concatenate(grown)
+        if wishes is not None:
+            cost = cost + wishes.cost(i, states)
+        keep = np.argsort(cost, kind="stable")[:width]
+        states, cost = states[keep], cost[keep]
+    return stop, states

@@ -1,0 +1,151 @@
+"""Numbers of a mechanism: dimensions, driver values, and places of points in their links' frames."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import MechanismError, near_miss
+from ..model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
+from .expressions import names_in, number
+
+Array: TypeAlias = NDArray[np.float64]
+Places: TypeAlias = Mapping[str, Mapping[str, Array]]
+"""Link name → point name → (x, y) in the link's frame."""
+
+STEP_TOLERANCE = 1e-9
+"""A stop that misses the last step by less than this part of a step is a row."""
+
+ROUNDING = 1e-12
+"""Lengths that miss each other by less than this part of their sum meet."""
+
+
+def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | None = None) -> dict[str, float]:
+    """Every dimension's value in internal units, in the order of the file.
+
+    `dimensions` replaces values by symbol. Raises MechanismError for a symbol that is not a dimension, and for
+    dimensions that need each other in a circle.
+    """
+    given = dict(dimensions or {})
+    known = {dimension.symbol: dimension for dimension in mechanism.dimensions}
+    unknown = [symbol for symbol in given if symbol not in known]
+    if unknown:
+        raise MechanismError(f'"{unknown[0]}" is no dimension; {near_miss(unknown[0], known)}'.rstrip("; "))
+    values: dict[str, float] = {}
+
+    def settle(symbol: str, asked: tuple[str, ...]) -> None:
+        if symbol in values:
+            return
+        if symbol in asked:
+            raise MechanismError(f"dimensions in a circle: {' → '.join((*asked, symbol))}")
+        if symbol not in known:
+            raise MechanismError(f'"{asked[-1]}" needs "{symbol}", which is no dimension')
+        quantity = known[symbol].value
+        if symbol in given:
+            values[symbol] = float(given[symbol])
+            return
+        if isinstance(quantity, str):
+            for name in names_in(quantity):
+                settle(name, (*asked, symbol))
+        values[symbol] = number(quantity, values)
+
+    for symbol in known:
+        settle(symbol, ())
+    return {symbol: values[symbol] for symbol in known}
+
+
+def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
+    """The driver's values over the sweep, in internal units: start + n*step up to stop, or the values listed.
+
+    `dimensions` are all dimension values (`dimension_values`). Stop is included when the steps land on it within
+    1e-9 of a step. Raises MechanismError when the steps never get to stop.
+    """
+    driver = mechanism.driver
+    if driver.values:
+        return np.array([number(value, dimensions) for value in driver.values])
+    start, stop, step = (number(value, dimensions) for value in (driver.start, driver.stop, driver.step))
+    if start == stop:
+        return np.array([start])
+    steps = (stop - start) / step if step else np.nan
+    if not np.isfinite(steps) or steps < 0:
+        raise MechanismError(f"the driver does not get from {start:g} to {stop:g} in steps of {step:g}")
+    return np.asarray(start + np.arange(int(np.floor(steps + STEP_TOLERANCE)) + 1) * step)
+
+
+def places(mechanism: Mechanism, dimensions: Mapping[str, float]) -> dict[str, dict[str, Array]]:
+    """Every point of every link in the link's own frame; NaN where its distances make no triangle."""
+    return {link.name: link_places(link, dimensions) for link in mechanism.links}
+
+
+def link_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Array]:
+    """Points of one link in its frame. Raises MechanismError when points are given by each other in a circle."""
+    found: dict[str, Array] = {}
+
+    def locate(point: str, asked: tuple[str, ...]) -> Array:
+        if point in asked:
+            raise MechanismError(f'points of "{link.name}" in a circle: {" → ".join((*asked, point))}')
+        if point not in found:
+            place: Place = link.points[point]
+            match place:
+                case Cartesian(x, y):
+                    found[point] = np.array([number(x, dimensions), number(y, dimensions)])
+                case Polar(r, angle):
+                    direction = number(angle, dimensions)
+                    found[point] = number(r, dimensions) * np.array([np.cos(direction), np.sin(direction)])
+                case Distances(first, first_distance, second, second_distance, side):
+                    found[point] = _by_distances(
+                        locate(first, (*asked, point)),
+                        number(first_distance, dimensions),
+                        locate(second, (*asked, point)),
+                        number(second_distance, dimensions),
+                        1.0 if side == "left" else -1.0,
+                    )
+        return found[point]
+
+    return {point: locate(point, ()) for point in link.points}
+
+
+def _by_distances(p: Array, from_p: float, q: Array, from_q: float, side: float) -> Array:
+    """The point at given distances from p and q, left (+1) or right (-1) of the way from p to q.
+
+    With d = |pq|: along = (from_p² - from_q² + d²) / 2d, across² = from_p² - along².
+    """
+    base = q - p
+    length = float(np.hypot(*base))
+    if not length > 0:
+        return np.array([np.nan, np.nan])
+    along = ((from_p - from_q) * (from_p + from_q) + length * length) / (2 * length)
+    square = (from_p - along) * (from_p + along)
+    if square < 0 and abs(abs(along) - abs(from_p)) <= ROUNDING * (abs(from_p) + abs(from_q) + length):
+        square = 0.0
+    with np.errstate(invalid="ignore"):
+        across = side * np.sqrt(square)
+    unit = base / length
+    return np.asarray(p + along * unit + across * np.array([-unit[1], unit[0]]))
+
+
+def through(joint: Joint, located: Places, dimensions: Mapping[str, float]) -> Array:
+    """The point of `on`'s frame that a sliding joint's line passes."""
+    if isinstance(joint.through, str):
+        return located[joint.on][joint.through]
+    return np.array([number(coordinate, dimensions) for coordinate in joint.through])
+
+
+def size(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:
+    """Characteristic length: the largest distance between two points of one link, lines' `through` points included.
+
+    A mechanism without any length has the largest displacement that drives it, or 1.
+    """
+    located = places(mechanism, dimensions)
+    marks = {name: list(points.values()) for name, points in located.items()}
+    for joint in mechanism.joints:
+        marks[joint.on].append(through(joint, located, dimensions))
+    spans = [float(np.hypot(*(p - q))) for points in marks.values() for p, q in itertools.combinations(points, 2)]
+    if mechanism.driver.joint:
+        spans.extend(np.abs(driver_values(mechanism, dimensions)))
+    largest = max((span for span in spans if np.isfinite(span)), default=0.0)
+    return largest if largest > 0 else 1.0

@@ -1,0 +1,194 @@
+"""Newton's method on one block, for many positions at once.
+
+All functions take the state (m, columns) whose other columns are known, and the driver's value (m,); they return new
+arrays. Numbers are those of `system`: lengths of the order of one, so tolerances are absolute.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .geometry import Array
+from .system import Block, linearised
+
+CLOSED = 1e-12
+"""Largest residual of a position that exists: rounding, and the miss of links that meet exactly at a dead centre."""
+
+_LONGEST_STEP = 1.0
+_PATIENCE = 30
+_MARQUARDT_STEPS = 60
+
+
+def directions(jacobian: Array, right: Array) -> Array:
+    """Solution (m, k) of jacobian (m, k, k) @ d = right (m, k); the shortest of the best where it is singular."""
+    try:
+        return np.asarray(np.linalg.solve(jacobian, right[..., None])[..., 0])
+    except np.linalg.LinAlgError:
+        return np.asarray((np.linalg.pinv(jacobian, rcond=1e-14) @ right[..., None])[..., 0])
+
+
+def polish(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
+    """Newton steps as long as they at least halve the worst residual: state, worst residual (m,)."""
+    columns = list(block.columns)
+    best = state.copy()
+    worst = np.full(len(state), np.inf)
+    rows = np.arange(len(state))
+    current = state.copy()
+    for _ in range(_PATIENCE):
+        residuals, jacobian = linearised(block, current, value[rows])
+        now = np.max(np.abs(residuals), axis=1)
+        better = now < worst[rows]
+        going = (now < 0.5 * worst[rows]) & (now > 0)
+        best[rows[better]] = current[better]
+        worst[rows[better]] = now[better]
+        if not going.any():
+            break
+        rows, current = rows[going], current[going]
+        current[:, columns] += _bounded(directions(jacobian[going], -residuals[going]))
+    return best, worst
+
+
+def _bounded(step: Array) -> Array:
+    longest = np.max(np.abs(step), axis=1, keepdims=True)
+    return np.asarray(step * np.minimum(1.0, _LONGEST_STEP / np.maximum(longest, 1e-300)))
+
+
+def descend(block: Block, state: Array, value: Array) -> Array:
+    """Levenberg and Marquardt's method: state where the sum of squared residuals is locally least (roughly).
+
+    It gets to a position from afar, and where there is none, to the nearest miss.
+    """
+    columns = list(block.columns)
+    result = state.copy()
+    rows = np.arange(len(state))
+    damping = np.full(len(state), 1e-2)
+    residuals, jacobian = linearised(block, result, value)
+    cost = np.sum(residuals**2, axis=1)
+    stalled = np.zeros(len(state), dtype=int)
+    for _ in range(_MARQUARDT_STEPS):
+        transposed = jacobian.transpose(0, 2, 1)
+        normal = transposed @ jacobian
+        diagonal = np.einsum("mii->mi", normal)
+        diagonal += damping[:, None] * (diagonal + 1e-9)
+        trial = result[rows]
+        trial[:, columns] += _bounded(directions(normal, -(transposed @ residuals[..., None])[..., 0]))
+        new_residuals, new_jacobian = linearised(block, trial, value[rows])
+        new_cost = np.sum(new_residuals**2, axis=1)
+        taken = new_cost < cost
+        stalled = np.where(taken & (new_cost < 0.9 * cost), 0, stalled + 1)
+        result[rows[taken]] = trial[taken]
+        residuals[taken], jacobian[taken] = new_residuals[taken], new_jacobian[taken]
+        cost = np.where(taken, new_cost, cost)
+        damping = np.where(taken, damping * 0.1, damping * 6)
+        going = (cost > 1e-14) & (stalled < 6)
+        if not going.any():
+            break
+        rows, damping, cost, stalled = rows[going], damping[going], cost[going], stalled[going]
+        residuals, jacobian = residuals[going], jacobian[going]
+    return result
+
+
+def determinant(block: Block, state: Array, value: Array) -> Array:
+    """Determinant (m,) of the block's Jacobian with columns of length one: its sign is the branch, 0 a dead centre."""
+    _, jacobian = linearised(block, state, value)
+    return np.asarray(np.linalg.det(jacobian / _lengths(jacobian)[:, None, :]))
+
+
+def _lengths(jacobian: Array) -> Array:
+    lengths = np.sqrt(np.sum(jacobian**2, axis=1))
+    return np.where(lengths > 0, lengths, 1.0)
+
+
+def weakest(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
+    """Least singular value (m,) of that Jacobian, and the change of the unknowns (m, k) that it resists least."""
+    _, jacobian = linearised(block, state, value)
+    lengths = _lengths(jacobian)
+    _, singular, right = np.linalg.svd(jacobian / lengths[:, None, :])
+    change = right[:, -1, :] / lengths
+    return singular[:, -1], change / np.max(np.abs(change), axis=1, keepdims=True)
+
+
+def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]:
+    """The position nearest to `state` (1, columns) where the determinant vanishes, and its worst residual.
+
+    Gauss-Newton on residuals and determinant together. There, Newton's method alone would halve its error at each
+    step and stop at the root of the rounding error; the determinant crosses zero at full speed and is exact.
+    """
+    columns = list(block.columns)
+    k = len(columns)
+    current = state.copy()
+    step = 1e-6
+    probes = step * np.concatenate([np.eye(k), -np.eye(k)])
+    best, worst = current, np.inf
+    for _ in range(12):
+        residuals, jacobian = linearised(block, current, value)
+        lengths = _lengths(jacobian)
+        around = np.repeat(current, 2 * k + 1, axis=0)
+        around[: 2 * k, columns] += probes
+        _, nearby = linearised(block, around, np.repeat(value, 2 * k + 1))
+        dets = np.linalg.det(nearby / lengths[:, None, :])
+        slope = (dets[:k] - dets[k : 2 * k]) / (2 * step)
+        now = max(float(np.max(np.abs(residuals))), 0.0)
+        error = now + abs(float(dets[-1]))
+        if error < worst:
+            best, worst = current.copy(), error
+        stacked = np.vstack([jacobian[0], slope])
+        right = np.append(residuals[0], dets[-1])
+        current = current.copy()
+        current[:, columns] -= _bounded(np.linalg.lstsq(stacked, right, rcond=1e-13)[0][None, :])
+    residuals, _ = linearised(block, best, value)
+    return best, float(np.max(np.abs(residuals)))
+
+
+def movable(block: Block, state: Array, value: Array) -> bool:
+    """Whether the unknowns can move while everything known stands still: `state` (1, columns) is one of a continuum."""
+    slack, change = weakest(block, state, value)
+    if slack[0] > 1e-6:
+        return False
+    columns = list(block.columns)
+    pushed = state.copy()
+    pushed[:, columns] += 0.1 * change
+    settled, worst = polish(block, descend(block, pushed, value), value)
+    apart = np.max(np.abs(settled[0, columns] - state[0, columns]))
+    return bool(worst[0] <= 2 * CLOSED and apart > 0.02 and weakest(block, settled, value)[0][0] < 1e-6)
+
+
+def starts(block: Block, state: Array, value: Array, count: int) -> tuple[Array, Array]:
+    """`count` spread-out guesses for each position: states (m * count, columns) and values, guesses of a position together.
+
+    Angles follow the additive recurrence of the generalised golden ratio (as good as random, and the same always);
+    the places that suit them best follow from the linear part.
+    """
+    angles = [block.columns[i] for i in block.angles]
+    places = [i for i, column in enumerate(block.columns) if column % 3 != 2]
+    ratio = 1.5
+    for _ in range(40):
+        ratio = (1 + ratio) ** (1 / (len(angles) + 1))
+    powers = ratio ** -np.arange(1.0, len(angles) + 1)
+    spread = 2 * np.pi * ((0.5 + np.arange(count)[:, None] * powers) % 1)
+    guesses = np.repeat(state, count, axis=0)
+    values = np.repeat(value, count)
+    guesses[:, list(block.columns)] = 0.0
+    guesses[:, angles] = np.tile(spread, (len(state), 1))
+    if places:
+        residuals, jacobian = linearised(block, guesses, values)
+        part = jacobian[:, :, places]
+        normal = part.transpose(0, 2, 1) @ part + 1e-9 * np.eye(len(places))
+        right = -(part.transpose(0, 2, 1) @ residuals[..., None])[..., 0]
+        guesses[:, [block.columns[i] for i in places]] = directions(normal, right)
+    return guesses, values
+
+
+def same_position(block: Block, one: Array, other: Array) -> NDArray[np.bool_]:
+    """Whether two states agree in a block's unknowns to 1e-6, angles modulo a turn."""
+    return difference(block, one, other) < 1e-6
+
+
+def difference(block: Block, one: Array, other: Array) -> Array:
+    """Largest difference of a block's unknowns between states (…, columns), angles modulo a turn."""
+    columns = list(block.columns)
+    apart = one[..., columns] - other[..., columns]
+    turning = list(block.angles)
+    apart[..., turning] -= 2 * np.pi * np.round(apart[..., turning] / (2 * np.pi))
+    return np.asarray(np.max(np.abs(apart), axis=-1))

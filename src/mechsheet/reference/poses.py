@@ -1,0 +1,233 @@
+"""Poses of all links over the driver's sweep, by Newton's method, straight from the model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..model import Mechanism
+from . import assembly, branches, geometry
+from .branches import Mask, Rows
+from .expressions import column
+from .geometry import Array
+from .system import System, residual, system
+from .wishes import Pose, Wishes, displacement, point_places
+
+Progress = Callable[[int, int], None]
+"""Called with blocks solved and blocks in all."""
+
+_INSERTED_TURN = np.radians(1.0)
+_INSERTED_SLIDE = 0.01
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """Positions of a mechanism over n driver values. Lengths in the file's unit, angles in radians.
+
+    driver         (n,) the driver's values
+    exists         (n,) whether the links can be joined there on the chosen branches, in one determined position
+    undetermined   (n,) whether the row has no numbers because some link can move with the driver held
+    poses          link → (n, 3): x, y of its frame's origin and its angle, continuous over the rows that exist; NaN else
+    displacements  symbol of each sliding joint → (n,)
+    points         point → (n, 2) in the ground frame
+    residual       (n,) worst residual of all constraints, as a length (angles times `size`)
+    size           characteristic length, to measure errors by
+    """
+
+    mechanism: Mechanism
+    dimensions: Mapping[str, float]
+    driver: Array
+    exists: Mask
+    undetermined: Mask
+    poses: Mapping[str, Array]
+    displacements: Mapping[str, Array]
+    points: Mapping[str, Array]
+    residual: Array
+    size: float
+
+
+def variables(solution: Solution) -> dict[str, Array]:
+    """Every variable and output over the sweep by its symbol: theta1N, displacements, the driver, `P.x`, `P.y`, outputs.
+
+    NaN in rows that do not exist, except for the driver.
+    """
+    found: dict[str, Array] = {}
+    for link in solution.mechanism.links[1:]:
+        found[link.angle_symbol] = solution.poses[link.name][:, 2]
+    found.update(solution.displacements)
+    driver = solution.mechanism.driver
+    found[driver.symbol] = solution.driver
+    for point, places in solution.points.items():
+        found[f"{point}.x"], found[f"{point}.y"] = places[:, 0], places[:, 1]
+    values: dict[str, Array] = {name: np.array(value) for name, value in solution.dimensions.items()} | found
+    for output in solution.mechanism.outputs:
+        result = column(output.formula, values, len(solution.driver))
+        result[~solution.exists] = np.nan
+        found[output.symbol] = values[output.symbol] = result
+    return found
+
+
+def solve(
+    mechanism: Mechanism,
+    dimensions: Mapping[str, float] | None = None,
+    start: Mapping[str, Pose] | None = None,
+    values: Array | None = None,
+    progress: Progress | None = None,
+) -> Solution:
+    """Positions over the whole sweep.
+
+    dimensions  replaces dimension values by symbol (internal units)
+    start       rough poses (x, y, theta) by link in the first row that exists; without it the assembly nearest to the
+                mechanism's own sketch is taken
+    values      driver values in place of the mechanism's
+
+    Raises MechanismError when conditions and unknowns do not match, or a name is not known.
+    """
+    numbers = geometry.dimension_values(mechanism, dimensions)
+    driver = geometry.driver_values(mechanism, numbers) if values is None else np.array(values, dtype=float)
+    built = system(mechanism, numbers)
+    wishes = Wishes(built, start)
+    scaled = driver / built.scale if mechanism.driver.joint else driver
+    path, asked = _with_steps_between(built, scaled)
+    state = np.full((len(path), built.columns), np.nan)
+    state[:, :3] = 0.0
+    state[:, 3 * len(built.bodies) + 2 :: 3] = 0.0
+    alive = np.full(len(path), built.finite)
+    undetermined = np.zeros(len(path), dtype=bool)
+    for i in range(len(built.blocks)):
+        rows = np.flatnonzero(alive)
+        if len(rows):
+            found = _over_rows(built, wishes, i, state[rows], path[rows])
+            state[rows] = found.state
+            undetermined[rows] = found.undetermined
+            alive[rows] = found.exists
+        if progress is not None:
+            progress(i + 1, len(built.blocks))
+    state, alive, undetermined, path = state[asked], alive[asked], undetermined[asked], path[asked]
+    state[~alive] = np.nan
+    _continuous(built, wishes, state, path, alive)
+    return _solution(built, driver, path, state, alive, undetermined)
+
+
+def _with_steps_between(built: System, driver: Array) -> tuple[Array, NDArray[np.int_]]:
+    """Driver values to solve, and which of them were asked for.
+
+    A block with several loops has several solutions of one sign: to follow the right one, steps must be small.
+    """
+    if not any(block.large for block in built.blocks) or len(driver) < 2:
+        return driver, np.arange(len(driver))
+    longest = _INSERTED_SLIDE if built.mechanism.driver.joint else _INSERTED_TURN
+    parts = np.maximum(np.ceil(np.abs(np.diff(driver)) / longest - 1e-9), 1).astype(int)
+    pieces = [a + (b - a) * np.arange(n) / n for a, b, n in zip(driver[:-1], driver[1:], parts, strict=True)]
+    return np.concatenate([*pieces, driver[-1:]]), np.concatenate([[0], np.cumsum(parts)])
+
+
+def _over_rows(built: System, wishes: Wishes, index: int, state: Array, value: Array) -> Rows:
+    """One block over the rows in which all that it needs exists."""
+    block = built.blocks[index]
+    if block.linear:
+        return branches.linear(block, state, value)
+    first, candidates = assembly.first_row(block, state, value)
+    if not block.large:
+        sign = 1.0 if first is None else assembly.branch(built, wishes, index, first, candidates, state, value)
+        return branches.sweep(block, state, value, sign)
+    none = np.zeros(len(state), dtype=bool)
+    if first is None:
+        return Rows(state, none, none)
+    chosen = assembly.choose(built, wishes, index, candidates, value[first])
+    rows = branches.follow(block, state[first:], value[first:], chosen)
+    before = state[:first], none[:first], none[:first]
+    return Rows(*(np.concatenate(p) for p in zip(before, (rows.state, rows.exists, rows.undetermined), strict=True)))
+
+
+def assemblies(
+    mechanism: Mechanism, dimensions: Mapping[str, float] | None, value: float
+) -> list[dict[str, tuple[float, float, float]]]:
+    """All assemblies that are found at one driver value: poses (x, y, theta) of every link by name.
+
+    Angles that loops decide are within half a turn of zero.
+    """
+    built = system(mechanism, geometry.dimension_values(mechanism, dimensions))
+    if not built.finite:
+        return []
+    state = np.zeros((1, built.columns))
+    scaled = value / built.scale if mechanism.driver.joint else value
+    depth, states = assembly.assembled(built, state, scaled, 0, len(built.blocks), None, 4096)
+    if depth < len(built.blocks):
+        return []
+    return [
+        {name: (float(x), float(y), float(theta)) for name, (x, y, theta) in zip(built.bodies, poses, strict=True)}
+        for poses in np.stack([_poses(built, states)[name] for name in built.bodies], axis=1)
+    ]
+
+
+def _poses(built: System, state: Array) -> dict[str, Array]:
+    found = {}
+    for name in built.bodies:
+        first = built.column(name)
+        pose = state[:, first : first + 3] * [built.scale, built.scale, 1.0]
+        if first:
+            pose[:, :2] += built.origin
+        found[name] = pose
+    return found
+
+
+def _continuous(built: System, wishes: Wishes, state: Array, value: Array, alive: Mask) -> None:
+    """Angles without jumps of a turn over the rows that exist, in place.
+
+    The first is within half a turn of zero or of what the sketch says. Angles tied to others keep their exact tie.
+    """
+    rows = np.flatnonzero(alive)
+    if not len(rows):
+        return
+    turn = 2 * np.pi
+    for block in built.blocks:
+        if block.linear:
+            if block.angles:
+                state[rows] = branches.linear(block, state[rows], value[rows]).state
+            continue
+        for i in block.angles:
+            column_index = block.columns[i]
+            angle = np.unwrap(state[rows, column_index])
+            target = wishes.turn(column_index) or 0.0
+            state[rows, column_index] = angle - turn * np.round((angle[0] - target) / turn)
+        for equation in block.equations:
+            if equation.kind == "angle":
+                theta = 3 * equation.body + 2 if 3 * equation.body + 2 in block.columns else 3 * equation.on + 2
+                side = 1.0 if theta == 3 * equation.body + 2 else -1.0
+                miss, _ = residual(equation, state[rows], value[rows])
+                state[rows, theta] -= side * turn * np.round(miss / turn)
+
+
+def _solution(built: System, driver: Array, value: Array, state: Array, alive: Mask, undetermined: Mask) -> Solution:
+    mechanism = built.mechanism
+    worst = np.zeros(len(driver))
+    for block in built.blocks:
+        for equation in block.equations:
+            worst = np.maximum(worst, np.abs(residual(equation, state, value)[0]))
+    worst[~alive] = np.nan
+    owners = {point: link.name for link in reversed(mechanism.links) for point in link.points}
+    points = {}
+    for point in dict.fromkeys(p for link in mechanism.links for p in link.points):
+        places = point_places(built, owners[point], point, state) * built.scale + built.origin
+        places[~alive] = np.nan
+        points[point] = places
+    poses = _poses(built, state)
+    for pose in poses.values():
+        pose[~alive] = np.nan
+    slides = {joint.symbol: displacement(built, joint, state) * built.scale for joint in mechanism.joints}
+    return Solution(
+        mechanism=mechanism,
+        dimensions=built.dimensions,
+        driver=driver,
+        exists=alive,
+        undetermined=undetermined,
+        poses=poses,
+        displacements=slides,
+        points=points,
+        residual=worst * built.scale,
+        size=geometry.size(mechanism, built.dimensions),
+    )

@@ -1,0 +1,287 @@
+"""The constraints of a mechanism on its link poses, as numbers: residuals and Jacobian, block by block.
+
+The state of m positions is an array (m, columns): x, y, theta of every body. Bodies are the links in the order of the
+model, the ground (fixed at zero) first, then one massless point for each multiple joint. Lengths are divided by `scale`
+and counted from `origin`, so that everything is of the order of one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from ..diagnostics import MechanismError
+from ..model import Joint, Mechanism
+from . import geometry
+from .expressions import number
+from .geometry import Array
+from .structure import blocks
+
+Kind: TypeAlias = Literal["meet x", "meet y", "line", "displacement", "angle"]
+
+# Which of (x, y, theta of body; x, y, theta of `on`) stand in each kind of equation, whatever the numbers are.
+_SLOTS: Mapping[Kind, tuple[int, ...]] = {
+    "meet x": (0, 2, 3, 5),
+    "meet y": (1, 2, 4, 5),
+    "line": (0, 1, 2, 3, 4, 5),
+    "displacement": (0, 1, 2, 3, 4, 5),
+    "angle": (2, 5),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """One scalar condition between a body and the body `on`.
+
+    meet x, meet y  `point` of the body coincides with `place` of `on`
+    line            `point` lies on the line of `on` through `place` in the direction `angle`
+    displacement    signed distance along that line from `place` to `point` = driver value
+    angle           angle of the body - angle of `on` = `angle` (+ driver value when `driven`)
+    """
+
+    kind: Kind
+    body: int
+    on: int
+    point: tuple[float, float] = (0.0, 0.0)
+    place: tuple[float, float] = (0.0, 0.0)
+    angle: float = 0.0
+    driven: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Equations solved together for the state's `columns`.
+
+    slots   for each equation the pairs (slot of its gradient, position in `columns`)
+    linear  no product of unknowns: one solution, no assembly mode
+    large   more than one loop: more than two solutions, so that the sign of the determinant alone names none
+    """
+
+    equations: tuple[Equation, ...]
+    columns: tuple[int, ...]
+    slots: tuple[tuple[tuple[int, int], ...], ...]
+    linear: bool
+    large: bool
+
+    @property
+    def angles(self) -> tuple[int, ...]:
+        """Positions in `columns` of the unknown angles."""
+        return tuple(i for i, column in enumerate(self.columns) if column % 3 == 2)
+
+
+@dataclass(frozen=True, slots=True)
+class System:
+    """A mechanism in numbers: bodies by name, blocks in the order of solution."""
+
+    mechanism: Mechanism
+    dimensions: Mapping[str, float]
+    places: geometry.Places
+    bodies: Mapping[str, int]
+    blocks: tuple[Block, ...]
+    columns: int
+    scale: float
+    origin: Array
+    finite: bool
+
+    def column(self, link: str) -> int:
+        """First column (x) of a link in the state."""
+        return 3 * self.bodies[link]
+
+
+def system(mechanism: Mechanism, dimensions: Mapping[str, float]) -> System:
+    """The constraint system for the given values of all dimensions.
+
+    Raises MechanismError when there are not as many conditions as unknowns, or when they fall on the wrong links.
+    """
+    located = geometry.places(mechanism, dimensions)
+    bodies = {link.name: i for i, link in enumerate(mechanism.links)}
+    size = geometry.size(mechanism, dimensions)
+    scale = 2.0 ** round(math.log2(size))  # a power of two: dividing by it rounds nothing
+    origin = _origin(mechanism, dimensions, located)
+    builder = _Builder(mechanism, dimensions, located, bodies, scale, origin)
+    equations = builder.equations()
+    count = len(bodies) + builder.points
+    unknown = [c for c in range(3, 3 * count) if c < 3 * len(bodies) or c % 3 != 2]
+    if len(equations) != len(unknown):
+        raise MechanismError(
+            f"{len(unknown)} unknown coordinates of links and {len(equations)} conditions from joints and driver: "
+            "the mobility is not one"
+        )
+    pattern = [[c for c in _columns(e) if c in set(unknown)] for e in equations]
+    parts = blocks(pattern)
+    if parts is None:
+        raise MechanismError("joints and driver hold some links more than once and leave others loose")
+    return System(
+        mechanism=mechanism,
+        dimensions=dimensions,
+        places=located,
+        bodies=bodies,
+        blocks=tuple(_block([equations[i] for i in rows], columns) for rows, columns in parts),
+        columns=3 * count,
+        scale=scale,
+        origin=origin,
+        finite=all(np.all(np.isfinite([*e.point, *e.place, e.angle])) for e in equations),
+    )
+
+
+def _origin(mechanism: Mechanism, dimensions: Mapping[str, float], located: geometry.Places) -> Array:
+    """A place in the middle of what is fixed: counted from there, a far-off ground costs no digits."""
+    ground = mechanism.ground.name
+    shared = {p for link in mechanism.links[1:] for p in link.points}
+    marks = [xy for point, xy in located[ground].items() if point in shared]
+    marks += [geometry.through(j, located, dimensions) for j in mechanism.joints if j.on == ground]
+    middle = np.mean(marks, axis=0) if marks else np.zeros(2)
+    return middle if np.all(np.isfinite(middle)) else np.zeros(2)
+
+
+class _Builder:
+    """Turns joints and driver into equations; `points` counts the massless points it needed."""
+
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        dimensions: Mapping[str, float],
+        located: geometry.Places,
+        bodies: Mapping[str, int],
+        scale: float,
+        origin: Array,
+    ) -> None:
+        self.mechanism, self.dimensions, self.located = mechanism, dimensions, located
+        self.bodies, self.scale, self.origin = bodies, scale, origin
+        self.points = 0
+        self._holders: dict[str, tuple[int, tuple[float, float]]] = {}
+
+    def equations(self) -> list[Equation]:
+        found = self._meetings()
+        driver = self.mechanism.driver
+        for joint in self.mechanism.joints:
+            found += self._sliding(joint, driven=joint.name == driver.joint)
+        if driver.link:
+            on = driver.relative_to or self.mechanism.ground.name
+            found.append(Equation("angle", self.bodies[driver.link], self.bodies[on], driven=True))
+        return found
+
+    def _local(self, body: int, xy: Array) -> tuple[float, float]:
+        """Place in a body's frame, scaled; the ground's frame counts from `origin`."""
+        x, y = (xy - self.origin if body == 0 else xy) / self.scale
+        return float(x), float(y)
+
+    def _meetings(self) -> list[Equation]:
+        """k links that share a point meet k - 1 times.
+
+        A point that several groups may need is a body of its own (or the ground's), because a meeting with a
+        link that is solved late would hide that the place is known early.
+        """
+        sliding = {joint.point for joint in self.mechanism.joints}
+        shared: dict[str, list[int]] = {}
+        for link in self.mechanism.links:
+            for point in link.points:
+                shared.setdefault(point, []).append(self.bodies[link.name])
+        links = self.mechanism.links
+        found: list[Equation] = []
+        for point, owners in shared.items():
+            spots = [self._local(body, self.located[links[body].name][point]) for body in owners]
+            if owners[0] != 0 and len(owners) > 1 and (len(owners) > 2 or point in sliding):
+                self._holders[point] = (len(links) + self.points, (0.0, 0.0))
+                self.points += 1
+                rest = list(zip(owners, spots, strict=True))
+            else:
+                self._holders[point] = (owners[0], spots[0])
+                rest = list(zip(owners[1:], spots[1:], strict=True))
+            on, place = self._holders[point]
+            for body, spot in rest:
+                found += [Equation("meet x", body, on, spot, place), Equation("meet y", body, on, spot, place)]
+        return found
+
+    def _sliding(self, joint: Joint, driven: bool) -> list[Equation]:
+        body, point = self._holders[joint.point]
+        on = self.bodies[joint.on]
+        place = self._local(on, geometry.through(joint, self.located, self.dimensions))
+        angle = number(joint.angle, self.dimensions)
+        found = [Equation("line", body, on, point, place, angle)]
+        if joint.kind == "prismatic":
+            kept = angle + number(joint.orientation, self.dimensions)
+            found.append(Equation("angle", self.bodies[joint.link], on, angle=kept))
+        if driven:
+            found.append(Equation("displacement", body, on, point, place, angle, driven=True))
+        return found
+
+
+def _columns(equation: Equation) -> list[int]:
+    starts = (3 * equation.body, 3 * equation.on)
+    return [starts[slot // 3] + slot % 3 for slot in _SLOTS[equation.kind]]
+
+
+def _block(equations: Sequence[Equation], columns: Sequence[int]) -> Block:
+    place = {column: i for i, column in enumerate(columns)}
+    slots = tuple(
+        tuple(
+            (slot, place[column])
+            for slot, column in zip(_SLOTS[equation.kind], _columns(equation), strict=True)
+            if column in place
+        )
+        for equation in equations
+    )
+    kinds = [equation.kind for equation in equations]
+    angles = sum(column % 3 == 2 for column in columns)
+    # A loop equation has two unknowns for each loop: angles less those tied to others, and displacements less the driven.
+    loop_unknowns = angles - kinds.count("angle") + kinds.count("line") - kinds.count("displacement")
+    return Block(
+        equations=tuple(equations),
+        columns=tuple(columns),
+        slots=slots,
+        linear=angles == 0 or set(kinds) == {"angle"},
+        large=loop_unknowns > 2,
+    )
+
+
+def residual(equation: Equation, state: Array, value: Array) -> tuple[Array, tuple[Array | float, ...]]:
+    """Residual (m,) of one equation at `state` (m, columns), driver `value` (m,), and its gradient by slot.
+
+    With rho = R(theta) point, rho' = R(theta_on) place, v = p - p', t and n the line's direction and normal:
+    meet    p - p'                  by theta: z x rho,        by theta_on: -z x rho'
+    line    n . v                   by theta: n . (z x rho),  by theta_on: -t . v - n . (z x rho')
+    displacement  t . v - value     by theta: t . (z x rho),  by theta_on:  n . v - t . (z x rho')
+    """
+    a, b = 3 * equation.body, 3 * equation.on
+    given: Array | float = value if equation.driven else 0.0
+    if equation.kind == "angle":
+        return state[:, a + 2] - state[:, b + 2] - equation.angle - given, (0.0, 0.0, 1.0, 0.0, 0.0, -1.0)
+    rx, ry = _turned(equation.point, state[:, a + 2])
+    qx, qy = _turned(equation.place, state[:, b + 2])
+    vx = state[:, a] + rx - state[:, b] - qx
+    vy = state[:, a + 1] + ry - state[:, b + 1] - qy
+    if equation.kind == "meet x":
+        return vx, (1.0, 0.0, -ry, -1.0, 0.0, qy)
+    if equation.kind == "meet y":
+        return vy, (0.0, 1.0, rx, 0.0, -1.0, -qx)
+    direction = state[:, b + 2] + equation.angle
+    tx, ty = np.cos(direction), np.sin(direction)
+    along, across = tx * vx + ty * vy, tx * vy - ty * vx
+    if equation.kind == "line":
+        return across, (-ty, tx, ty * ry + tx * rx, ty, -tx, -along - ty * qy - tx * qx)
+    return along - given, (tx, ty, ty * rx - tx * ry, -tx, -ty, across - ty * qx + tx * qy)
+
+
+def _turned(point: tuple[float, float], angle: Array) -> tuple[Array | float, Array | float]:
+    x, y = point
+    if x == 0 and y == 0:
+        return 0.0, 0.0
+    c, s = np.cos(angle), np.sin(angle)
+    return c * x - s * y, s * x + c * y
+
+
+def linearised(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
+    """Residuals (m, k) and Jacobian (m, k, k) of a block at `state` (m, columns)."""
+    k = len(block.columns)
+    residuals = np.empty((len(state), k))
+    jacobian = np.zeros((len(state), k, k))
+    for i, (equation, slots) in enumerate(zip(block.equations, block.slots, strict=True)):
+        residuals[:, i], gradient = residual(equation, state, value)
+        for slot, position in slots:
+            jacobian[:, i, position] = gradient[slot]
+    return residuals, jacobian

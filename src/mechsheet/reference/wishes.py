@@ -1,0 +1,158 @@
+"""How far positions lie from a rough sketch: the measure by which the first position is chosen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..diagnostics import MechanismError
+from ..model import Joint
+from . import geometry
+from .expressions import number
+from .geometry import Array
+from .system import System
+
+Pose = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """One entry of a sketch, and the block whose solution decides it.
+
+    kind    "point" (target x, y), "angle" or "displacement" (target, 0), "pose" (target x, y, theta)
+    """
+
+    kind: str
+    name: str
+    target: tuple[float, ...]
+    block: int
+
+
+class Wishes:
+    """A sketch, or rough poses, asked block by block."""
+
+    def __init__(self, system: System, start: Mapping[str, Pose] | None) -> None:
+        self.system = system
+        self._done = _deciding_blocks(system)
+        self.entries = tuple(self._poses(start) if start else self._sketch())
+
+    def _poses(self, start: Mapping[str, Pose]) -> list[Wish]:
+        origin, scale = self.system.origin, self.system.scale
+        found = []
+        for name, (x, y, theta) in start.items():
+            if name not in self.system.bodies:
+                raise MechanismError(f'the start names "{name}", which is no link')
+            body = self.system.bodies[name]
+            if body:
+                target = ((x - origin[0]) / scale, (y - origin[1]) / scale, theta)
+                found.append(Wish("pose", name, target, max(self._done[3 * body : 3 * body + 3])))
+        return found
+
+    def _sketch(self) -> list[Wish]:
+        system, mechanism = self.system, self.system.mechanism
+        angles = {link.angle_symbol: link.name for link in mechanism.links[1:]}
+        joints = {joint.symbol: joint for joint in mechanism.joints}
+        found = []
+        for point, quantities in mechanism.sketch.points.items():
+            x, y = (number(quantity, system.dimensions) for quantity in quantities)
+            target = ((x - system.origin[0]) / system.scale, (y - system.origin[1]) / system.scale)
+            found.append(Wish("point", point, target, self._settled(self._owner(point))))
+        for symbol, quantity in mechanism.sketch.symbols.items():
+            value = number(quantity, system.dimensions)
+            if symbol in angles:
+                theta = system.column(angles[symbol]) + 2
+                found.append(Wish("angle", angles[symbol], (value,), self._done[theta]))
+            elif symbol in joints:
+                joint = joints[symbol]
+                block = max(self._settled(self._owner(joint.point)), self._settled(joint.on))
+                found.append(Wish("displacement", symbol, (value / system.scale,), block))
+            elif symbol != mechanism.driver.symbol:
+                raise MechanismError(f'the sketch names "{symbol}", which is no variable')
+        return found
+
+    def _owner(self, point: str) -> str:
+        """The link of a point whose position is known first."""
+        owners = [link.name for link in self.system.mechanism.links if point in link.points]
+        if not owners:
+            raise MechanismError(f'the sketch names "{point}", which is no point')
+        return min(owners, key=self._settled)
+
+    def _settled(self, link: str) -> int:
+        first = self.system.column(link)
+        return max(self._done[first : first + 3])
+
+    def about(self, block: int) -> bool:
+        """Whether an entry is decided by this block."""
+        return any(wish.block == block for wish in self.entries)
+
+    def cost(self, block: int, states: Array) -> Array:
+        """Sum of squared distances (m,) of states (m, columns) from the entries that this block decides; NaN is far."""
+        total = np.zeros(len(states))
+        for wish in self.entries:
+            if wish.block == block:
+                total += self._distance(wish, states)
+        return np.where(np.isfinite(total), total, np.inf)
+
+    def _distance(self, wish: Wish, states: Array) -> Array:
+        if wish.kind == "displacement":
+            joint = next(j for j in self.system.mechanism.joints if j.symbol == wish.name)
+            along = displacement(self.system, joint, states, self._owner(joint.point))
+            return np.asarray((along - wish.target[0]) ** 2)
+        if wish.kind == "point":
+            place = point_places(self.system, self._owner(wish.name), wish.name, states)
+            return np.asarray(np.sum((place - np.array(wish.target)) ** 2, axis=1))
+        first = self.system.column(wish.name)
+        turned = (2 * np.sin((states[:, first + 2] - wish.target[-1]) / 2)) ** 2
+        if wish.kind == "angle":
+            return np.asarray(turned)
+        return np.asarray(np.sum((states[:, first : first + 2] - np.array(wish.target[:2])) ** 2, axis=1) + turned)
+
+    def turn(self, column: int) -> float | None:
+        """The wished value of an angle's column, if there is one: it names the turn that the angle starts in."""
+        for wish in self.entries:
+            if wish.kind in ("angle", "pose") and self.system.column(wish.name) + 2 == column:
+                return wish.target[-1]
+        return None
+
+    def rough_state(self, state: Array) -> Array | None:
+        """The state (1, columns) with the rough poses put in, or None when there are none."""
+        rough = state.copy()
+        for wish in self.entries:
+            if wish.kind == "pose":
+                first = self.system.column(wish.name)
+                rough[:, first : first + 3] = wish.target
+        return rough if any(wish.kind == "pose" for wish in self.entries) else None
+
+
+def _deciding_blocks(system: System) -> list[int]:
+    """For each column of the state the block that solves it; -1 for what is fixed."""
+    done = [-1] * system.columns
+    for i, block in enumerate(system.blocks):
+        for column in block.columns:
+            done[column] = i
+    return done
+
+
+def point_places(system: System, link: str, point: str, states: Array) -> Array:
+    """Places (m, 2) of a link's point, in the system's own lengths from its own origin."""
+    first = system.column(link)
+    x, y = system.places[link][point] / system.scale
+    c, s = np.cos(states[:, first + 2]), np.sin(states[:, first + 2])
+    moved = states[:, first : first + 2] + np.stack([c * x - s * y, s * x + c * y], axis=1)
+    return np.asarray(moved - system.origin / system.scale if first == 0 else moved)
+
+
+def displacement(system: System, joint: Joint, states: Array, link: str = "") -> Array:
+    """Displacement (m,) of a sliding joint, in the system's own lengths; `link` is another link that has its point."""
+    first = system.column(joint.on)
+    x, y = geometry.through(joint, system.places, system.dimensions) / system.scale
+    theta = states[:, first + 2]
+    c, s = np.cos(theta), np.sin(theta)
+    line = states[:, first : first + 2] + np.stack([c * x - s * y, s * x + c * y], axis=1)
+    if first == 0:
+        line = line - system.origin / system.scale
+    direction = theta + number(joint.angle, system.dimensions)
+    away = point_places(system, link or joint.link, joint.point, states) - line
+    return np.asarray(np.cos(direction) * away[:, 0] + np.sin(direction) * away[:, 1])
