@@ -1,0 +1,26 @@
+"""Workbooks as files: one writer and one reader per format, found by the file's suffix."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from typing import cast
+
+from mechsheet.diagnostics import Fault, OutputError, readable_name
+from mechsheet.sheet.workbook import Workbook
+
+WRITERS = {".xlsx": "xlsx_write:write_xlsx", ".ods": "ods_write:write_ods"}
+"""Suffix -> module and function; imported when first used, because a writer brings its library along."""
+
+
+def write(workbook: Workbook, path: Path) -> None:
+    """Write `workbook` in the format that the suffix of `path` names. Raises OutputError."""
+    place = WRITERS.get(path.suffix.lower())
+    if place is None:
+        raise OutputError(
+            Fault(f'no format is called "{path.suffix}"', readable_name(path), hint=f"formats: {', '.join(WRITERS)}")
+        )
+    module, name = place.split(":")
+    writer = cast("Callable[[Workbook, Path], None]", getattr(import_module(f"{__name__}.{module}"), name))
+    writer(workbook, path)

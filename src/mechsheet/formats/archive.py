@@ -1,0 +1,109 @@
+"""Zip files that come out the same on every machine, and replacing a file so that a failure leaves the old one whole."""
+
+from __future__ import annotations
+
+import errno
+import io
+import secrets
+import shutil
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import BinaryIO, TextIO
+
+from mechsheet.diagnostics import Fault, OutputError, readable_name
+
+FIXED_TIME = datetime(2000, 1, 1, tzinfo=UTC)
+"""The time that every document says it was made at: a clock would make equal documents unequal."""
+
+_ZIP_TIME = (1980, 1, 1, 0, 0, 0)
+_UNIX = 3
+_REASONS = {
+    errno.ENOSPC: "the disk is full",
+    errno.EDQUOT: "the disk quota is used up",
+    errno.EACCES: "no permission to write here (or the file is open in another program)",
+    errno.EPERM: "no permission to write here (or the file is open in another program)",
+    errno.EROFS: "the disk is read-only",
+    errno.ENOENT: "there is no such folder",
+    errno.ENOTDIR: "there is no such folder",
+    errno.EISDIR: "this is a folder",
+    errno.ENAMETOOLONG: "the file name is too long",
+}
+
+
+class Archive:
+    """A zip file being written: parts in the order they are added, with fixed times and rights."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._zip = zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED)
+
+    def text(self, name: str) -> TextIO:
+        """A stream for a part of UTF-8 text; one may be open at a time, closing it ends the part."""
+        part = self._zip.open(_entry(name, zipfile.ZIP_DEFLATED), "w")
+        return io.TextIOWrapper(part, encoding="utf-8", newline="\n")
+
+    def stored(self, name: str, text: str) -> None:
+        """A part that is not compressed (the `mimetype` of an OpenDocument file must not be)."""
+        self._zip.writestr(_entry(name, zipfile.ZIP_STORED), text.encode())
+
+    def close(self) -> None:
+        """Write the directory of the archive."""
+        self._zip.close()
+
+    def abandon(self) -> None:
+        """Let go of the file without writing to it again (zipfile would when it is collected, into a closed file)."""
+        self._zip.fp = None
+
+
+def _entry(name: str, method: int) -> zipfile.ZipInfo:
+    entry = zipfile.ZipInfo(name, _ZIP_TIME)
+    entry.compress_type = method
+    entry.create_system = _UNIX  # zipfile writes the system it runs on
+    entry.external_attr = 0o644 << 16
+    return entry
+
+
+@contextmanager
+def new_archive(path: Path) -> Iterator[Archive]:
+    """An archive that becomes the file `path` when the block ends well.
+
+    Raises OutputError when it cannot be written; whatever goes wrong, an old file at `path` stays as it was.
+    """
+    with replacing(path) as file:
+        archive = Archive(file)
+        try:
+            yield archive
+            archive.close()
+        finally:
+            archive.abandon()
+
+
+@contextmanager
+def replacing(path: Path) -> Iterator[BinaryIO]:
+    """A new file beside `path` that is moved to `path` when the block ends well and removed when it does not.
+
+    Raises OutputError for everything that the system refuses (no folder, no permission, a full disk, a folder of
+    that name).
+    """
+    temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}.tmp")
+    try:
+        if path.is_dir():
+            raise IsADirectoryError(errno.EISDIR, "is a directory")
+        with temporary.open("xb") as file:
+            yield file
+        if path.exists():
+            shutil.copymode(path, temporary)
+        temporary.replace(path)
+    except OSError as error:
+        raise _output_error(path, error) from error
+    finally:
+        # After a success there is nothing left to remove; after a failure nothing may hide its cause.
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+
+
+def _output_error(path: Path, error: OSError) -> OutputError:
+    reason = _REASONS.get(error.errno or 0) or error.strerror or str(error)
+    return OutputError(Fault(f"cannot be written: {reason}", file=readable_name(path)))

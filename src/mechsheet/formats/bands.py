@@ -1,0 +1,88 @@
+"""A sheet cut into bands of rows in which the same fills run through, so that a writer handles a column at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from mechsheet.formula.nodes import Scalar
+from mechsheet.formula.references import cell_address
+from mechsheet.sheet.workbook import PLAIN, Cell, Fill, Sheet
+
+BAND_ROWS = 1024
+"""Most rows of a band: a few megabytes of text at a time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Band:
+    """Rows first..last-1. Constants only in bands of one row; `fills` run through all rows, sorted by column."""
+
+    first: int
+    last: int
+    cells: tuple[Cell, ...]
+    fills: tuple[Fill, ...]
+
+
+def bands(sheet: Sheet) -> Iterator[Band]:
+    """The sheet from top to bottom; rows without cells are left out unless they have a height of their own.
+
+    The first row of a fill is a band of its own: the cell that carries a shared formula stands there.
+    """
+    cells = _cells_by_row(sheet)
+    starts: dict[int, list[Fill]] = {}
+    cuts: set[int] = set()
+    for fill in sheet.fills:
+        starts.setdefault(fill.row, []).append(fill)
+        cuts |= {fill.row, fill.row + 1, fill.row + fill.rows}
+    for row in [*cells, *(row for row, _ in sheet.row_heights)]:
+        cuts |= {row, row + 1}
+    heights = {row for row, _ in sheet.row_heights}
+    running: list[Fill] = []
+    ordered = sorted(cuts)
+    for first, end in pairwise(ordered):
+        running = [fill for fill in running if fill.row + fill.rows > first] + starts.get(first, [])
+        if not (running or first in cells or first in heights):
+            continue
+        fills = tuple(sorted(running, key=lambda fill: fill.col))
+        _refuse_overlap(sheet, Band(first, end, cells.get(first, ()), fills))
+        for row in range(first, end, BAND_ROWS):
+            yield Band(row, min(row + BAND_ROWS, end), cells.get(first, ()), fills)
+
+
+def _cells_by_row(sheet: Sheet) -> dict[int, tuple[Cell, ...]]:
+    """Constants row by row, sorted by column, with the empty cells that a merged area's borders need."""
+    taken = {(cell.row, cell.col): cell for cell in sheet.cells}
+    if len(taken) != len(sheet.cells):
+        raise ValueError(f"{sheet.title}: two constants in one cell")
+    styles = {(fill.row, fill.col): fill.style for fill in sheet.fills}
+    for merge in sheet.merges:
+        area = merge.area
+        corner = taken.get((area.first_row, area.first_col))
+        style = corner.style if corner else styles.get((area.first_row, area.first_col), PLAIN)
+        for row in range(area.first_row, area.last_row + 1):
+            for col in range(area.first_col, area.last_col + 1):
+                if (row, col) not in styles:
+                    taken.setdefault((row, col), Cell(row, col, None, style))
+    rows: dict[int, list[Cell]] = {}
+    for cell in taken.values():
+        rows.setdefault(cell.row, []).append(cell)
+    return {row: tuple(sorted(cells, key=lambda cell: cell.col)) for row, cells in rows.items()}
+
+
+def _refuse_overlap(sheet: Sheet, band: Band) -> None:
+    taken = [cell.col for cell in band.cells]
+    for fill in band.fills:
+        taken += range(fill.col, fill.col + fill.cols)
+    if len(set(taken)) != len(taken):
+        col = next(col for col in taken if taken.count(col) > 1)
+        raise ValueError(f"{cell_address(sheet.title, band.first, col)} is written twice")
+
+
+def column_values(fill: Fill, col: int, first: int, last: int) -> Sequence[Scalar]:
+    """The computed values of one column of a fill, rows first..last-1."""
+    if len(fill.values) != fill.rows * fill.cols:
+        raise ValueError(f"the fill at row {fill.row}, column {fill.col} has {len(fill.values)} values")
+    start = (first - fill.row) * fill.cols + (col - fill.col)
+    stop = (last - fill.row) * fill.cols
+    return fill.values[start : stop : fill.cols]

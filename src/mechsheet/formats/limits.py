@@ -1,0 +1,95 @@
+"""What every spreadsheet program allows, checked before a file is written: XlsxWriter lets bad names pass in silence."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterator
+
+from mechsheet.diagnostics import Fault, OutputError
+from mechsheet.formula.names import folded, name_fault
+from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
+from mechsheet.formula.references import cell_address
+from mechsheet.sheet.workbook import Rich, Sheet, Workbook
+
+MAX_TEXT = 32767
+"""Most characters of a text in a cell (Excel specifications and limits)."""
+MAX_CHOICES = 255
+"""Most characters of a list of choices, with the commas between them."""
+MAX_TITLE = 31
+"""Most characters of a sheet's name."""
+_NOT_IN_TITLES = ":\\/?*[]"
+
+
+def check_workbook(workbook: Workbook) -> None:
+    """Raise OutputError with all titles, names, texts and places that a file cannot hold."""
+    faults = [*_title_faults(workbook), *_name_faults(workbook)]
+    for sheet in workbook.sheets:
+        faults += _cell_faults(sheet)
+        faults += _rule_faults(sheet)
+    if faults:
+        raise OutputError(faults)
+
+
+def _title_faults(workbook: Workbook) -> Iterator[Fault]:
+    seen: set[str] = set()
+    for sheet in workbook.sheets:
+        reason = title_fault(sheet.title)
+        if not reason and sheet.title.casefold() in seen:
+            reason = "is the name of two sheets (large and small letters are the same)"
+        seen.add(sheet.title.casefold())
+        if reason:
+            yield Fault(f'the sheet name "{sheet.title}" {reason}')
+
+
+def _name_faults(workbook: Workbook) -> Iterator[Fault]:
+    seen: dict[str, str] = {}
+    titles = {sheet.title for sheet in workbook.sheets}
+    for name in workbook.names:
+        reason = name_fault(name.name)
+        other = seen.setdefault(folded(name.name), name.name)
+        if not reason and other is not name.name:
+            reason = f'is the same name as "{other}" to some programs'
+        if not reason and name.sheet not in titles:
+            reason = f'stands on a sheet "{name.sheet}" that does not exist'
+        if reason:
+            yield Fault(f'the cell name "{name.name}" {reason}')
+
+
+def _cell_faults(sheet: Sheet) -> Iterator[Fault]:
+    for cell in sheet.cells:
+        text = cell.content.plain if isinstance(cell.content, Rich) else cell.content
+        if isinstance(text, str) and len(text) > MAX_TEXT:
+            message = f"a text of {len(text)} characters, a cell holds {MAX_TEXT}"
+            yield Fault(message, key=cell_address(sheet.title, cell.row, cell.col))
+    last_row = max([cell.row + 1 for cell in sheet.cells] + [f.row + f.rows for f in sheet.fills], default=0)
+    last_col = max([cell.col + 1 for cell in sheet.cells] + [f.col + f.cols for f in sheet.fills], default=0)
+    if last_row > MAX_ROWS:
+        yield Fault(f"{last_row} rows, a sheet holds {MAX_ROWS}", key=sheet.title)
+    if last_col > MAX_COLUMNS:
+        yield Fault(f"{last_col} columns, a sheet holds {MAX_COLUMNS}", key=sheet.title)
+
+
+def _rule_faults(sheet: Sheet) -> Iterator[Fault]:
+    for rule in sheet.validations:
+        place = cell_address(sheet.title, rule.area.first_row, rule.area.first_col)
+        if any("," in choice or not choice for choice in rule.choices):
+            yield Fault("a choice may neither be empty nor hold a comma", key=place)
+        elif len(",".join(rule.choices)) > MAX_CHOICES:
+            yield Fault(f"the choices have more than {MAX_CHOICES} characters together", key=place)
+
+
+def title_fault(title: str) -> str:
+    """Why `title` cannot name a sheet, in words that complete "the sheet name X ..."; "" when it can."""
+    if not title.strip():
+        return "is empty"
+    if len(title.encode("utf-16-le")) // 2 > MAX_TITLE:
+        return f"is longer than {MAX_TITLE} characters"
+    if any(letter in _NOT_IN_TITLES for letter in title):
+        return f"holds one of {' '.join(_NOT_IN_TITLES)}"
+    if any(unicodedata.category(letter) in ("Cc", "Cs") for letter in title):
+        return "holds a control character"
+    if title.startswith("'") or title.endswith("'"):
+        return "begins or ends with an apostrophe"
+    if title.casefold() == "history":
+        return "is reserved by Excel"
+    return ""

@@ -1,0 +1,138 @@
+"""The <sheetData> of a worksheet as text, a column of a band at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from mechsheet.diagnostics import Fault, OutputError
+from mechsheet.formula.nodes import CellRef, ErrorValue, Node, Scalar, shifted, walk
+from mechsheet.formula.printer import print_formula
+from mechsheet.formula.references import area_name, cell_address, column_letters
+from mechsheet.sheet.workbook import Cell, Fill, Rich, Sheet, Style
+
+from .bands import Band, bands, column_values
+from .xml_text import number, numbers, ooxml_escaped, plain_value
+
+MAX_FORMULA = 8192
+"""Most characters of a formula in Excel, without the equals sign."""
+
+
+@dataclass(slots=True)
+class SheetData:
+    """What is needed to write the cells of one sheet.
+
+    style_index  the number of a style in the workbook's table
+    strings      the numbers of the texts in the workbook's table, by place
+    texts   the first formula of each fill, by the place where it begins
+    shared  the number of each shared formula, by the same place, in order of writing
+    """
+
+    sheet: Sheet
+    style_index: Callable[[Style], int]
+    strings: dict[tuple[int, int], int]
+    texts: dict[tuple[int, int], str]
+    shared: dict[tuple[int, int], int] = field(default_factory=dict)
+
+    def rows(self) -> Iterator[str]:
+        """The rows as text, in pieces of a few megabytes at most."""
+        heights = dict(self.sheet.row_heights)
+        for band in bands(self.sheet):
+            columns = [self._constant(cell) for cell in band.cells]
+            for fill in band.fills:
+                columns += self._fill(fill, band)
+            columns.sort(key=lambda column: column[0])
+            height = heights.get(band.first)
+            # Heights are in pixels, the file wants points.
+            kind = "" if height is None else f' ht="{number(height * 0.75)}" customHeight="1"'
+            heads = [f'<row r="{row + 1}"{kind}>' for row in range(band.first, band.last)]
+            ends = ["</row>"] * len(heads)
+            yield "".join(map("".join, zip(heads, *(texts for _, texts in columns), ends, strict=True)))
+
+    def _constant(self, cell: Cell) -> tuple[int, list[str]]:
+        head = f'<c r="{column_letters(cell.col)}{cell.row + 1}" s="{self.style_index(cell.style)}"'
+        match cell.content:
+            case None:
+                return cell.col, [f"{head}/>"]
+            case bool(value):
+                return cell.col, [f'{head} t="b"><v>{int(value)}</v></c>']
+            case str() | Rich():
+                return cell.col, [f'{head} t="s"><v>{self.strings[cell.row, cell.col]}</v></c>']
+            case value:
+                return cell.col, [f"{head}><v>{number(value)}</v></c>"]
+
+    def _fill(self, fill: Fill, band: Band) -> Iterator[tuple[int, list[str]]]:
+        style = self.style_index(fill.style)
+        for col in range(fill.col, fill.col + fill.cols):
+            letters = column_letters(col)
+            heads = [f'<c r="{letters}{row + 1}" s="{style}"' for row in range(band.first, band.last)]
+            formulas = self._formulas(fill, col, band)
+            values = column_values(fill, col, band.first, band.last)
+            yield col, _formula_cells(heads, formulas, values, cell_address(self.sheet.title, band.first, col))
+
+    def _formulas(self, fill: Fill, col: int, band: Band) -> list[str]:
+        """The <f> elements of one column of a fill."""
+        start = (fill.row, fill.col)
+        if fill.rows * fill.cols == 1:
+            return [f"<f>{self.texts[start]}</f>"]
+        if not can_be_shared(fill.formula):
+            moved = (shifted(fill.formula, row - fill.row, col - fill.col) for row in range(band.first, band.last))
+            return [f"<f>{ooxml_escaped(print_formula(node, 'excel'))}</f>" for node in moved]
+        index = self.shared.setdefault(start, len(self.shared))
+        if (band.first, col) == start:
+            area = area_name(fill.row, fill.col, fill.rows, fill.cols)
+            return [f'<f t="shared" ref="{area}" si="{index}">{self.texts[start]}</f>']
+        return [f'<f t="shared" si="{index}"/>'] * (band.last - band.first)
+
+
+def _formula_cells(heads: list[str], formulas: list[str], values: Sequence[Scalar], place: str) -> list[str]:
+    """Cells from their beginnings, their <f> elements and their values."""
+    texts = numbers(values)
+    if texts is not None:
+        return [f"{h}>{f}<v>{v}</v></c>" for h, f, v in zip(heads, formulas, texts, strict=True)]
+    typed = (_typed(plain_value(value, place)) for value in values)
+    return [f"{h}{t}>{f}<v>{v}</v></c>" for h, f, (t, v) in zip(heads, formulas, typed, strict=True)]
+
+
+def _typed(value: float | str | bool | ErrorValue) -> tuple[str, str]:
+    """The type attribute of a formula's cell and its value."""
+    match value:
+        case bool():
+            return ' t="b"', str(int(value))
+        case str():
+            return ' t="str"', ooxml_escaped(value)
+        case ErrorValue(code):
+            return ' t="e"', code
+        case _:
+            return "", number(value)
+
+
+def can_be_shared(formula: Node) -> bool:
+    """Whether cells may refer to this formula instead of repeating it.
+
+    Excel shares no formula that refers to another sheet (its compiled form of a shared formula has no token for that),
+    so we do not either; names may mean cells of other sheets.
+    """
+    return not any(isinstance(node, CellRef) and node.sheet is not None for node in walk(formula))
+
+
+def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
+    """The text of each fill's first formula, escaped, by its place.
+
+    Raises OutputError for all that are longer than Excel can hold, in their first cell or in their last.
+    """
+    texts: dict[tuple[int, int], str] = {}
+    faults = []
+    for fill in sheet.fills:
+        text = print_formula(fill.formula, "excel")
+        last = text
+        if fill.rows * fill.cols > 1:
+            last = print_formula(shifted(fill.formula, fill.rows - 1, fill.cols - 1), "excel")
+        length = max(len(text), len(last))
+        if length > MAX_FORMULA:
+            place = cell_address(sheet.title, fill.row, fill.col)
+            faults.append(Fault(f"the formula has {length} characters, Excel allows {MAX_FORMULA}", key=place))
+        texts[fill.row, fill.col] = ooxml_escaped(text)
+    if faults:
+        raise OutputError(faults)
+    return texts

@@ -1,0 +1,219 @@
+"""Workbooks as .xlsx.
+
+XlsxWriter writes everything but the cells (its way of writing numbers loses a digit, and it cannot share formulas),
+the controls, the anchors of charts and the named styles. Its classes are extended where it leaves an opening; the
+release is pinned, because these openings are not part of its public interface.
+"""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any, TextIO
+
+from xlsxwriter.contenttypes import ContentTypes
+from xlsxwriter.core import Core
+from xlsxwriter.packager import Packager
+from xlsxwriter.workbook import Workbook as XlsxWorkbook
+
+from mechsheet.formula.printer import quote_sheet
+from mechsheet.formula.references import column_letters
+from mechsheet.sheet.workbook import Cell, Control, Rich, Sheet, Workbook
+
+from .archive import FIXED_TIME, Archive, new_archive
+from .limits import check_workbook
+from .xlsx_cells import SheetData, formula_texts
+from .xlsx_controls import CONTENT_TYPE, ControlVml, control_properties
+from .xlsx_sheet import DataWorksheet, fill_sheet, place_control
+from .xlsx_styles import FONT, NamedStyles, StyleTable, rich_text
+from .xml_text import legal, ooxml_escaped
+
+_DEFAULTS = {
+    "default_format_properties": {"font_name": FONT, "font_size": 10},
+    "default_row_height": 17,
+    "default_column_width": 64,
+}
+"""The default font and the pixels that a row and a column without a size of their own have in it."""
+_LOCALES = {"en": "en-US", "tr": "tr-TR"}
+
+
+def write_xlsx(workbook: Workbook, path: Path) -> None:
+    """Write the workbook to `path`, replacing what is there only when all went well.
+
+    Every fill must carry its values. Raises OutputError for names, titles or formulas that Excel does not allow and for
+    everything the system refuses; ValueError for what only a bug can cause (a missing value, a number that is not
+    finite, two contents in one cell).
+    """
+    check_workbook(workbook)
+    book = _Book(workbook)
+    with new_archive(path) as archive:
+        book.archive = archive
+        book._store_workbook()
+
+
+class _Book(XlsxWorkbook):  # type: ignore[misc]
+    """XlsxWriter's workbook, filled from ours and stored into our archive."""
+
+    archive: Archive
+
+    def __init__(self, source: Workbook) -> None:
+        # XlsxWriter's own zip file stays empty: the packager below sends every part to the archive.
+        super().__init__(io.BytesIO(), _DEFAULTS)
+        self.source = source
+        self.styles = StyleTable(self)
+        properties = source.properties
+        self.set_properties(
+            {
+                "title": legal(properties.title),
+                "subject": legal(properties.subject),
+                "author": legal(properties.author),
+                "comments": legal(properties.comments),
+                "keywords": legal(properties.keywords),
+                "created": FIXED_TIME,
+            }
+        )
+        for sheet in source.sheets:
+            self.add_worksheet(sheet.title, DataWorksheet)
+        for page, sheet in zip(self.worksheets(), source.sheets, strict=True):
+            self._fill(page, sheet)
+        for name in source.names:
+            cell = f"${column_letters(name.col)}${name.row + 1}"
+            self.define_name(name.name, f"={quote_sheet(name.sheet)}!{cell}")
+
+    def _fill(self, page: DataWorksheet, sheet: Sheet) -> None:
+        strings = {
+            (cell.row, cell.col): self.str_table._get_shared_string_index(_shared_string(cell))
+            for cell in sheet.cells
+            if isinstance(cell.content, (str, Rich))
+        }
+        # Numbered now, because styles are written from the table that this fills.
+        for style in [cell.style for cell in sheet.cells] + [fill.style for fill in sheet.fills]:
+            self.styles.index(style)
+        page.data = SheetData(sheet, self.styles.index, strings, formula_texts(sheet))
+        properties = self.source.properties
+        language = _LOCALES.get(properties.language, properties.language)
+        fill_sheet(page, sheet, self, language, legal(properties.author))
+        placed = sum(len(other.buttons_list) for other in self.worksheets())
+        page.controls = [
+            place_control(page, control, _position(sheet, control), placed + i)
+            for i, control in enumerate(sheet.controls, 1)
+        ]
+        page.buttons_list = page.controls
+        page.has_vml = page.has_vml or bool(page.controls)
+
+    def _get_packager(self) -> Packager:
+        return _Package(self.archive)
+
+
+def _shared_string(cell: Cell) -> str:
+    """The text as XlsxWriter's table of strings wants it: runs of rich text as they will stand in the file."""
+    content = cell.content
+    if isinstance(content, Rich):
+        return rich_text(content, cell.style)
+    text = str(content)
+    if text.startswith("<r>") and text.endswith("</r>"):
+        # XlsxWriter would take this for runs.
+        return f'<r><t xml:space="preserve">{ooxml_escaped(text)}</t></r>'
+    return text
+
+
+def _position(sheet: Sheet, control: Control) -> int:
+    """The number in the control's cell, within its limits."""
+    place = (control.linked_row, control.linked_col)
+    found = next((cell.content for cell in sheet.cells if (cell.row, cell.col) == place), None)
+    value = int(found) if isinstance(found, (int, float)) else control.low
+    return min(max(value, control.low), control.high)
+
+
+class _Part(io.StringIO):
+    """What XlsxWriter takes for a text in memory, and is a part of the archive."""
+
+    def __init__(self, stream: TextIO) -> None:
+        super().__init__()
+        self.stream = stream
+
+    def write(self, text: str) -> int:
+        return self.stream.write(text)
+
+
+class _CoreProperties(Core):  # type: ignore[misc]
+    """Core properties with the document's language."""
+
+    def __init__(self, language: str) -> None:
+        super().__init__()
+        self.language = language
+
+    def _write_cp_category(self) -> None:
+        self._xml_data_element("dc:language", self.language)
+
+
+class _Package(Packager):  # type: ignore[misc]
+    """The parts of the file, written into the archive one after another."""
+
+    def __init__(self, archive: Archive) -> None:
+        super().__init__()
+        self.archive = archive
+        self.part: TextIO | None = None
+
+    def _filename(self, xml_filename: str) -> _Part:
+        self._end_part()
+        self.part = self.archive.text(xml_filename)
+        return _Part(self.part)
+
+    def _end_part(self) -> None:
+        if self.part is not None:
+            self.part.close()
+            self.part = None
+
+    def _create_package(self) -> list[Any]:
+        super()._create_package()
+        for page in self.workbook.worksheets():
+            for placed in page.controls:
+                self._filename(f"xl/ctrlProps/ctrlProp{placed.number}.xml").write(control_properties(placed))
+        self._end_part()
+        return []
+
+    def _write_content_types_file(self) -> None:
+        content = ContentTypes()
+        pages = self.workbook.worksheets()
+        for number in range(1, len(pages) + 1):
+            content._add_worksheet_name(f"sheet{number}")
+        for number in range(1, self.chart_count + 1):
+            content._add_chart_name(f"chart{number}")
+        for number in range(1, self.drawing_count + 1):
+            content._add_drawing_name(f"drawing{number}")
+        if self.num_vml_files:
+            content._add_vml_name()
+        for number in range(1, self.num_comment_files + 1):
+            content._add_comment_name(f"comments{number}")
+        for placed in (placed for page in pages for placed in page.controls):
+            content._add_override((f"/xl/ctrlProps/ctrlProp{placed.number}.xml", CONTENT_TYPE))
+        if self.workbook.str_table.count:
+            content._add_shared_strings()
+        content._set_xml_writer(self._filename("[Content_Types].xml"))
+        content._assemble_xml_file()
+
+    def _write_vml_files(self) -> None:
+        pages = [page for page in self.workbook.worksheets() if page.has_vml]
+        for number, page in enumerate(pages, 1):
+            vml = ControlVml()
+            vml._set_xml_writer(self._filename(f"xl/drawings/vmlDrawing{number}.vml"))
+            vml._assemble_xml_file(page.vml_data_id, page.vml_shape_id, page.comments_list, page.buttons_list)
+
+    def _write_styles_file(self) -> None:
+        book = self.workbook
+        styles = NamedStyles(book.styles.named)
+        styles._set_style_properties(
+            [
+                book.xf_formats, book.palette, book.font_count, book.num_formats, book.border_count,
+                book.fill_count, book.custom_colors, book.dxf_formats, book.has_comments,
+            ]
+        )  # fmt: skip
+        styles._set_xml_writer(self._filename("xl/styles.xml"))
+        styles._assemble_xml_file()
+
+    def _write_core_file(self) -> None:
+        core = _CoreProperties(self.workbook.source.properties.language)
+        core._set_properties(self.workbook.doc_properties)
+        core._set_xml_writer(self._filename("docProps/core.xml"))
+        core._assemble_xml_file()
