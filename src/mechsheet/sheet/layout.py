@@ -1,0 +1,42 @@
+"""A mechanism's workbook as plain data, and the map of where everything stands in it."""
+
+from __future__ import annotations
+
+from mechsheet.kinematics.equations import Equations
+from mechsheet.model import Mechanism
+from mechsheet.sheet.charts import charts_of
+from mechsheet.sheet.mechanism import controls, mechanism_sheet
+from mechsheet.sheet.plan import Plan, plan_of
+from mechsheet.sheet.positions import positions_sheet
+from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
+
+DESCRIPTION_MARK = "mechsheet description, format 1"
+"""First cell of the hidden sheet that carries the description: one line of it per row follows."""
+
+DESCRIPTION_SHEET = "description"
+
+
+def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]:
+    """The workbook (its formulas have no values yet) and the plan that it follows."""
+    plan = plan_of(mechanism, equations)
+    sheets = (
+        mechanism_sheet(plan, charts_of(plan), controls(plan)),
+        positions_sheet(plan),
+        _description_sheet(plan),
+    )
+    title = mechanism.title.of(plan.language)
+    properties = Properties(
+        title=title,
+        subject=mechanism.source.of(plan.language),
+        comments=plan.text("footer"),
+        keywords="mechanism, linkage, mechsheet",
+        language=plan.language,
+    )
+    return Workbook(sheets, tuple(plan.names), properties), plan
+
+
+def _description_sheet(plan: Plan) -> Sheet:
+    """The description itself, so that `check` can judge a file that someone has edited."""
+    lines = [DESCRIPTION_MARK, *plan.mechanism.text.split("\n")]
+    cells = tuple(Cell(row, 0, line) for row, line in enumerate(lines) if line)
+    return Sheet(plan.at.titles[DESCRIPTION_SHEET], cells, columns=(Column(0, 0, 120),), hidden=True)

@@ -1,0 +1,410 @@
+"""The first sheet, where a person works: dimensions, modes, the position shown, results; drawing and charts beside them."""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, Unary
+from mechsheet.formula.parser import parse_description
+from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.model import Dimension, Summary
+from mechsheet.sheet import styles
+from mechsheet.sheet.plan import (
+    DRIVER,
+    EXISTS,
+    MEANING,
+    NUMBER,
+    STATUS,
+    SYMBOL,
+    TOLERANCE,
+    UNIT,
+    VALUE,
+    Plan,
+    unit_text,
+)
+from mechsheet.sheet.positions import places, shown_number
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.workbook import (
+    Anchor,
+    Area,
+    Cell,
+    Chart,
+    Column,
+    Conditional,
+    Content,
+    Control,
+    Fill,
+    PrintSetup,
+    Sheet,
+    Style,
+    Validation,
+)
+
+MARGIN = MEANING + 1
+"""The narrow column between the blocks and the charts."""
+
+CHARTS = MARGIN + 1
+"""The first column of the charts."""
+
+
+class Writer:
+    """Collects the cells of the sheet."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.validations: list[Validation] = []
+        self.conditionals: list[Conditional] = []
+
+    def put(self, row: int, col: int, content: Content, style: Style) -> None:
+        """A constant."""
+        self.cells.append(Cell(row, col, content, style))
+
+    def formula(self, row: int, col: int, node: Node, style: Style) -> None:
+        """A formula, already bound."""
+        self.fills.append(Fill(row, col, node, style))
+
+    def line(self, row: int, symbol: Content, unit: str, meaning: str) -> None:
+        """The fixed parts of an entry: everything but its value."""
+        self.put(row, SYMBOL, symbol, styles.SYMBOL)
+        self.put(row, UNIT, unit, styles.UNIT)
+        self.put(row, MEANING, meaning, styles.LABEL)
+
+    def heading(self, key: str) -> None:
+        """The heading of a block, across its columns."""
+        row = self.plan.blocks[key].row
+        self.put(row, SYMBOL, self.plan.text(f"block.{key}"), styles.SECTION)
+        for col in range(SYMBOL + 1, MEANING + 1):
+            self.put(row, col, None, styles.SECTION)
+
+
+def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[Control, ...] = ()) -> Sheet:
+    """The sheet, with the charts and controls that others have made for it."""
+    writer = Writer(plan)
+    mechanism = plan.mechanism
+    writer.put(0, 0, mechanism.title.of(plan.language), styles.TITLE)
+    source = mechanism.source.of(plan.language)
+    writer.put(1, 0, plan.text("source", source=source) if source else None, styles.SUBTITLE)
+    _position(writer)
+    _dimensions(writer)
+    _sweep(writer)
+    _assembly(writer)
+    _variables(writer)
+    _summaries(writer)
+    _stands(writer)
+    _derived(writer)
+    return Sheet(
+        plan.main,
+        tuple(writer.cells),
+        tuple(writer.fills),
+        columns=(
+            Column(SYMBOL, SYMBOL, 12),
+            Column(VALUE, VALUE, 14),
+            Column(UNIT, UNIT, 8),
+            Column(TOLERANCE, TOLERANCE, 9),
+            Column(MEANING, MEANING, 40),
+            Column(MARGIN, MARGIN, 3),
+        ),
+        row_heights=((0, 26.0),),
+        charts=charts,
+        controls=controls,
+        validations=tuple(writer.validations),
+        conditionals=tuple(writer.conditionals),
+        selected=_first_input(plan),
+        gridlines=False,
+        tab_color="1F4E79",
+        print_setup=PrintSetup(footer=plan.text("footer"), fit_height=1),
+    )
+
+
+def _first_input(plan: Plan) -> tuple[int, int]:
+    rows = plan.blocks["dimensions"].rows.values()
+    return (next(iter(rows), plan.blocks["position"].row + 1), VALUE)
+
+
+# --- blocks ------------------------------------------------------------------------------------------------------
+
+
+def _dimensions(writer: Writer) -> None:
+    plan = writer.plan
+    writer.heading("dimensions")
+    for dim in plan.mechanism.dimensions:
+        if dim.derived:
+            continue
+        row = plan.blocks["dimensions"].rows[dim.symbol]
+        writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim))
+        value = dim.shown if dim.shown is not None else shown_number(dim.value, dim.unit == "deg")
+        writer.put(row, VALUE, value, styles.INPUT)
+        writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
+        positive = dim.symbol in plan.equations.positive
+        key = "positive" if positive else "number"
+        writer.validations.append(
+            Validation(
+                Area(row, VALUE, row, VALUE),
+                "decimal",
+                ">" if positive else "between",
+                Number(0.0) if positive else Unary("-", Number(1e100)),
+                None if positive else Number(1e100),
+                input_title=plan.text(f"hint.{key}.title"),
+                input_message=plan.text(f"hint.{key}", symbol=plain(dim.symbol)),
+                error_title=plan.text(f"hint.{key}.title"),
+                error_message=plan.text(f"hint.{key}", symbol=plain(dim.symbol)),
+            )
+        )
+
+
+def _label(plan: Plan, dim: Dimension) -> str:
+    return dim.label.of(plan.language) if dim.label else ""
+
+
+def _derived(writer: Writer) -> None:
+    plan = writer.plan
+    writer.heading("derived")
+    rows = plan.blocks["derived"].rows
+    for dim in plan.mechanism.dimensions:
+        if dim.derived and isinstance(dim.value, str):
+            row = rows[dim.symbol]
+            writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim) or dim.value)
+            _result(writer, row, parse_description(dim.value), dim.unit == "deg", _style(plan, _kind_of(dim.unit)))
+    for equation in plan.equations.constants:
+        row = rows[equation.symbol]
+        unit = plan.unit_shown(equation.unit)
+        writer.line(row, rich(equation.symbol), unit, equation.label.of(plan.language))
+        style = styles.RESULT if equation.symbol == plan.equations.tolerance else _style(plan, equation.unit)
+        _result(writer, row, equation.expression, plan.shown_in_degrees(equation.unit), style)
+
+
+def _result(writer: Writer, row: int, expression: Node, degrees: bool, style: Style) -> None:
+    node = writer.plan.at.bind(expression, writer.plan.main, None)
+    writer.formula(row, VALUE, Call("DEGREES", (node,)) if degrees else node, style)
+
+
+def _kind_of(unit: str) -> str:
+    return {"deg": "angle", "rad": "angle", "1": "number"}.get(unit, "length")
+
+
+def _style(plan: Plan, unit: str) -> Style:
+    return styles.decimals(styles.RESULT, places(plan, unit) + (1 if unit == "length" else 0))
+
+
+def _sweep(writer: Writer) -> None:
+    plan = writer.plan
+    if "sweep" not in plan.blocks:
+        return
+    writer.heading("sweep")
+    driver = plan.mechanism.driver
+    rows = plan.blocks["sweep"].rows
+    unit = unit_text(driver.unit)
+    degrees = driver.unit == "deg"
+    for key, quantity in (("start", driver.start), ("step", driver.step)):
+        writer.line(rows[key], plan.text(f"name.{key}"), unit, plan.text(f"sweep.{key}"))
+        if isinstance(quantity, str):
+            _result(writer, rows[key], parse_description(quantity), degrees, styles.RESULT)
+        else:
+            writer.put(rows[key], VALUE, shown_number(quantity, degrees), styles.INPUT)
+    writer.line(rows["stop"], plan.text("name.stop"), unit, plan.text("sweep.stop", rows=plan.rows))
+    last = CellRef(plan.at.last, DRIVER, True, True, plan.table)
+    writer.formula(rows["stop"], VALUE, last, styles.RESULT)
+    step = rows["step"]
+    writer.validations.append(
+        Validation(
+            Area(step, VALUE, step, VALUE),
+            "custom",
+            low=Binary("<>", CellRef(step, VALUE), Number(0.0)),
+            error_title=plan.text("hint.number.title"),
+            error_message=plan.text("hint.step"),
+        )
+    )
+
+
+def _assembly(writer: Writer) -> None:
+    plan = writer.plan
+    if "assembly" not in plan.blocks:
+        return
+    writer.heading("assembly")
+    for group in plan.equations.groups:
+        if not group.mode:
+            continue
+        row = plan.blocks["assembly"].rows[group.mode]
+        writer.line(row, rich(group.mode), "", "")
+        writer.put(row, VALUE, float(group.mode_value), styles.INPUT)
+        writer.formula(row, MEANING, _mode_words(plan, group, row), styles.LABEL)
+        writer.validations.append(
+            Validation(
+                Area(row, VALUE, row, VALUE),
+                "list",
+                choices=("1", "-1"),
+                input_title=plan.text("hint.mode.title"),
+                input_message=plan.text("hint.mode"),
+                error_title=plan.text("hint.mode.title"),
+                error_message=plan.text("hint.mode"),
+            )
+        )
+
+
+def _mode_words(plan: Plan, group: Group, row: int) -> Node:
+    plus, minus = (Text(words.of(plan.language)) for words in group.mode_words)
+    return Call("IF", (Binary(">", CellRef(row, VALUE, True, True), Number(0.0)), plus, minus))
+
+
+def _at_position(plan: Plan, column: RangeRef) -> Node:
+    """The value of a column in the row of the position shown."""
+    position = plan.at.reference("#position", plan.main, None)
+    return Call("INDEX", (column, Binary("+", position, Number(1.0))))
+
+
+def _position(writer: Writer) -> None:
+    plan = writer.plan
+    writer.heading("position")
+    rows = plan.blocks["position"].rows
+    driver = plan.mechanism.driver
+    last = plan.rows - 1
+    writer.line(rows["position"], plan.text("name.position"), "", plan.text("position.number", last=last))
+    writer.put(rows["position"], VALUE, 0.0, styles.INPUT)
+    writer.validations.append(
+        Validation(
+            Area(rows["position"], VALUE, rows["position"], VALUE),
+            "whole",
+            "between",
+            Number(0.0),
+            Number(float(last)),
+            input_title=plan.text("hint.position.title"),
+            input_message=plan.text("hint.position", last=last),
+            error_title=plan.text("hint.position.title"),
+            error_message=plan.text("hint.position", last=last),
+        )
+    )
+    writer.line(rows[driver.symbol], rich(driver.symbol), unit_text(driver.unit), plan.text("position.driver"))
+    unit = "angle" if driver.unit in ("deg", "rad") else "length"
+    writer.formula(
+        rows[driver.symbol], VALUE, _at_position(plan, plan.at.column(driver.symbol, plan.main)), _style(plan, unit)
+    )
+    writer.line(rows["status"], plan.text("head.status"), "", "")
+    column = _fixed_column(plan, STATUS)
+    writer.formula(rows["status"], VALUE, _at_position(plan, column), styles.VERDICT)
+
+
+def _fixed_column(plan: Plan, col: int) -> RangeRef:
+    return RangeRef(
+        CellRef(plan.at.first, col, True, True, plan.table), CellRef(plan.at.last, col, True, True, plan.table)
+    )
+
+
+def _variables(writer: Writer) -> None:
+    plan = writer.plan
+    writer.heading("variables")
+    for symbol, row in plan.blocks["variables"].rows.items():
+        equation: Equation = plan.equations.of(symbol)
+        writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
+        node = _at_position(plan, plan.at.column(symbol, plan.main))
+        writer.formula(row, VALUE, node, _style(plan, equation.unit))
+
+
+def shown_unit(plan: Plan, symbol: str) -> str:
+    """The unit in which a column is shown."""
+    for output in plan.mechanism.outputs:
+        if output.symbol == symbol:
+            return unit_text(output.unit)
+    if symbol == plan.mechanism.driver.symbol:
+        return unit_text(plan.mechanism.driver.unit)
+    return plan.unit_shown(plan.equations.of(symbol).unit)
+
+
+def _summaries(writer: Writer) -> None:
+    plan = writer.plan
+    if "summary" not in plan.blocks:
+        return
+    writer.heading("summary")
+    head = plan.blocks["summary"].row
+    writer.put(head, TOLERANCE, plan.text("head.at"), styles.SECTION)
+    for summary in plan.mechanism.summaries:
+        row = plan.blocks["summary"].rows[summary.symbol]
+        label = (
+            summary.label.of(plan.language)
+            if summary.label
+            else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
+        )
+        writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), label)
+        driver = plan.mechanism.driver.symbol
+        unit = "angle" if summary.of == driver else plan.equations.of(summary.of).unit
+        writer.formula(row, VALUE, _summary(plan, summary), _style(plan, unit))
+        where = _where(plan, summary, row)
+        if where is not None:
+            writer.formula(row, TOLERANCE, where, _style(plan, "angle"))
+
+
+def _summary(plan: Plan, summary: Summary) -> Node:
+    """The number. Its column holds values or empty texts, which MAX, MIN and AVERAGE pass over."""
+    area = plan.at.area(plan.at.shown[f"#blank {summary.of}"], plan.main)
+    match summary.take:
+        case "max":
+            return Call("MAX", (area,))
+        case "min":
+            return Call("MIN", (area,))
+        case "range":
+            return Binary("-", Call("MAX", (area,)), Call("MIN", (area,)))
+        case "mean":
+            return Call("AVERAGE", (area,))
+        case "first":
+            return Call("INDEX", (area, _first_row(plan)))
+        case "last":
+            return Call("INDEX", (area, _last_row(plan)))
+
+
+def _first_row(plan: Plan) -> Node:
+    return Call("MATCH", (Number(1.0), _fixed_column(plan, EXISTS), Number(0.0)))
+
+
+def _last_row(plan: Plan) -> Node:
+    """1 + the largest row number among the rows that exist."""
+    product = Binary("*", _fixed_column(plan, EXISTS), Binary("+", _fixed_column(plan, NUMBER), Number(1.0)))
+    return Call("SUMPRODUCT", (Call("MAX", (product,)),))
+
+
+def _where(plan: Plan, summary: Summary, row: int) -> Node | None:
+    """The driver's value where it occurs."""
+    drivers = plan.at.column(plan.mechanism.driver.symbol, plan.main)
+    match summary.take:
+        case "max" | "min":
+            area = plan.at.area(plan.at.shown[f"#blank {summary.of}"], plan.main)
+            return Call("INDEX", (drivers, Call("MATCH", (CellRef(row, VALUE, True, True), area, Number(0.0)))))
+        case "first":
+            return Call("INDEX", (drivers, _first_row(plan)))
+        case "last":
+            return Call("INDEX", (drivers, _last_row(plan)))
+    return None
+
+
+def _stands(writer: Writer) -> None:
+    plan = writer.plan
+    writer.heading("stands")
+    rows = plan.blocks["stands"].rows
+    exists = _fixed_column(plan, EXISTS)
+    count = Call("SUM", (exists,))
+    row = rows["assembles"]
+    writer.line(row, plan.text("stands.assembles"), "", "")
+    writer.formula(row, VALUE, count, styles.decimals(styles.RESULT, 0))
+    everything = Binary("=", CellRef(row, VALUE, True, True), Number(float(plan.rows)))
+    verdict = Call("IF", (everything, Text(plan.text("stands.all", rows=plan.rows)), Text(plan.text("stands.some"))))
+    writer.formula(row, MEANING, verdict, styles.VERDICT)
+    area = Area(row, MEANING, row, MEANING)
+    writer.conditionals.append(Conditional(area, everything, styles.GOOD))
+    writer.conditionals.append(Conditional(area, Call("NOT", (everything,)), styles.WARN))
+    row = rows["gap"]
+    writer.line(row, plan.text("stands.gap"), unit_text(plan.mechanism.driver.unit), "")
+    drivers = plan.at.column(plan.mechanism.driver.symbol, plan.main)
+    missing = Call("INDEX", (drivers, Call("MATCH", (Number(0.0), exists, Number(0.0)))))
+    node = Call("IF", (everything, Text(plan.text("stands.none")), missing))
+    writer.formula(row, VALUE, node, styles.RESULT)
+
+
+def controls(plan: Plan) -> tuple[Control, ...]:
+    """The scroll bar and the spin button of the position cell."""
+    row = plan.blocks["position"].rows["position"]
+    last = min(plan.rows - 1, 30_000)
+    page = max(1, last // 12)
+    if last < 1:
+        return ()
+    return (
+        Control("scroll", "position scroll bar", Anchor(2, CHARTS, 420, 20), row, VALUE, 0, last, 1, page),
+        Control("spin", "position spin button", Anchor(row, MARGIN, 18, 20), row, VALUE, 0, last, 1, page, False),
+    )

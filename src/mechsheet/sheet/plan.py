@@ -1,0 +1,244 @@
+"""The plan of a workbook: every row of the first sheet and every column of the table, before any cell is written.
+
+Everything that is read by a formula gets its address here; the writers of the sheets only fill in.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from mechsheet.formula.names import folded, safe_name
+from mechsheet.kinematics.equations import Equation, Equations
+from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
+from mechsheet.model import Dimension, Mechanism
+from mechsheet.sheet.addresses import Addresses, Spot
+from mechsheet.sheet.language import Language, words
+from mechsheet.sheet.workbook import Name
+
+SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
+"""Columns of the blocks on the first sheet."""
+
+HEADING_ROWS = 3
+"""Rows over the table: group, symbol with unit, formula as text."""
+
+NUMBER, DRIVER, STATUS, EXISTS = range(4)
+"""First columns of the table: row number, driver as shown, status word, 1 where the position exists."""
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A block of the first sheet: its heading's row and the rows of its entries by symbol (or key)."""
+
+    key: str
+    row: int
+    rows: dict[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class TableColumn:
+    """One column of the table.
+
+    kind   "number", "driver", "status", "exists" for the fixed ones; "equation" (internal units), "shown" (the same in
+           degrees), "blank" (value or nothing: what summaries read, since MAX must not meet #N/A)
+    inner  folded away with the intermediate columns
+    """
+
+    col: int
+    symbol: str
+    kind: Literal["number", "driver", "status", "exists", "equation", "shown", "blank"]
+    group: int
+    inner: bool
+    equation: Equation | None = None
+
+
+@dataclass
+class Plan:
+    """Addresses of everything; see `Addresses` for `at`."""
+
+    mechanism: Mechanism
+    equations: Equations
+    language: Language
+    at: Addresses
+    rows: int
+    driver: list[float]
+    blocks: dict[str, Block] = field(default_factory=dict)
+    columns: list[TableColumn] = field(default_factory=list)
+    names: list[Name] = field(default_factory=list)
+    next_row: int = 0
+
+    def text(self, key: str, **parts: object) -> str:
+        """A word of the workbook in its language."""
+        return words(self.language, key, **parts)
+
+    @property
+    def main(self) -> str:
+        """Title of the first sheet."""
+        return self.at.titles["mechanism"]
+
+    @property
+    def table(self) -> str:
+        """Title of the sheet with the positions."""
+        return self.at.titles["positions"]
+
+    def unit_shown(self, unit: str) -> str:
+        """How a unit of an equation is shown: the length unit, degrees or radians, nothing for a number."""
+        if unit == "length":
+            return self.mechanism.length_unit
+        if unit == "angle":
+            return "°" if self.mechanism.angle_unit == "deg" else "rad"
+        return "" if unit == "number" else unit
+
+    def shown_in_degrees(self, unit: str) -> bool:
+        """True for angles of a mechanism whose angle unit is the degree."""
+        return unit == "angle" and self.mechanism.angle_unit == "deg"
+
+
+def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
+    """The plan of a mechanism's workbook."""
+    language = mechanism.language
+    titles = {
+        key: words(language, f"sheet.{key}")
+        for key in ("mechanism", "positions", "drawing", "checks", "notes", "description")
+    }
+    values = driver_values(mechanism, dimension_values(mechanism))
+    rows = len(values)
+    at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
+    plan = Plan(mechanism, equations, language, at, rows, [float(value) for value in values])
+    _plan_names_and_blocks(plan)
+    _plan_columns(plan)
+    return plan
+
+
+def unit_text(unit: str) -> str:
+    """A dimension's unit as shown."""
+    return {"deg": "°", "1": ""}.get(unit, unit)
+
+
+def _plan_names_and_blocks(plan: Plan) -> None:
+    mechanism = plan.mechanism
+    order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
+    inputs = [dim for dim in mechanism.dimensions if not dim.derived]
+    derived = sorted((dim for dim in mechanism.dimensions if dim.derived), key=lambda dim: order[dim.symbol])
+    taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
+    taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
+    plan.next_row = 3
+    _block(plan, "position", ["position", mechanism.driver.symbol, "status"])
+    _block(plan, "dimensions", [dim.symbol for dim in inputs])
+    if not mechanism.driver.values:
+        _block(plan, "sweep", ["start", "step", "stop"])
+    modes = [group.mode for group in plan.equations.groups if group.mode]
+    if modes:
+        _block(plan, "assembly", modes)
+    variables = [eq.symbol for eq in plan.equations.columns if eq.kind in ("variable", "output")]
+    _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
+    if mechanism.summaries:
+        _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
+    _block(plan, "stands", ["assembles", "gap"])
+    _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
+    for dim in mechanism.dimensions:
+        _place_dimension(plan, dim, taken)
+    for equation in plan.equations.constants:
+        row = plan.blocks["derived"].rows[equation.symbol]
+        _spot(
+            plan, equation.symbol, row, plan.shown_in_degrees(equation.unit), safe_name(equation.symbol, taken), taken
+        )
+    for mode in modes:
+        _spot(plan, mode, plan.blocks["assembly"].rows[mode], False, safe_name(mode, taken), taken)
+    for key in ("start", "step"):
+        if "sweep" in plan.blocks:
+            name = safe_name(plan.text(f"name.{key}"), taken)
+            degrees = mechanism.driver.unit == "deg"
+            _spot(plan, f"#{key}", plan.blocks["sweep"].rows[key], degrees, name, taken)
+    for summary in mechanism.summaries:
+        row = plan.blocks["summary"].rows[summary.symbol]
+        name = summary.cell or safe_name(summary.symbol, taken)
+        _spot(plan, f"#summary {summary.symbol}", row, False, name, taken)
+    name = safe_name(plan.text("name.position"), taken)
+    _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
+
+
+def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
+    block = plan.blocks["derived" if dim.derived else "dimensions"]
+    name = dim.cell or safe_name(dim.symbol, taken)
+    _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit == "deg", name, taken)
+
+
+def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str]) -> None:
+    taken.add(folded(name))
+    spot = Spot(plan.main, row, VALUE, degrees=degrees, name=name)
+    plan.at.spots[symbol] = spot
+    plan.at.shown[symbol] = spot
+    plan.names.append(Name(name, plan.main, row, VALUE))
+
+
+def _block(plan: Plan, key: str, entries: list[str]) -> Block:
+    """Reserve rows for a block: a heading, its entries, one empty row."""
+    first = plan.next_row + 1
+    block = Block(key, plan.next_row, {entry: first + index for index, entry in enumerate(entries)})
+    plan.blocks[key] = block
+    plan.next_row = first + len(entries) + 1
+    return block
+
+
+def _plan_columns(plan: Plan) -> None:
+    mechanism, equations = plan.mechanism, plan.equations
+    symbol = mechanism.driver.symbol
+    columns = plan.columns
+    columns += [
+        TableColumn(NUMBER, "#number", "number", 0, False),
+        TableColumn(DRIVER, symbol, "driver", 0, False),
+        TableColumn(STATUS, "#status", "status", 0, False),
+        TableColumn(EXISTS, "#exists", "exists", 0, True),
+    ]
+    for column in columns:
+        plan.at.spots[column.symbol] = _table_spot(plan, column.col, mechanism.driver.unit == "deg")
+    plan.at.spots["#number"] = _table_spot(plan, NUMBER, False)
+    plan.at.spots["#exists"] = _table_spot(plan, EXISTS, False)
+    plan.at.shown |= {column.symbol: plan.at.spots[column.symbol] for column in columns}
+    if mechanism.driver.unit == "deg":
+        _add_column(plan, symbol, "equation", 0, inner=True, equation=None)
+        plan.at.shown[symbol] = _table_spot(plan, DRIVER, True)
+    for equation in equations.columns:
+        _plan_equation(plan, equation)
+    for of in dict.fromkeys(summary.of for summary in mechanism.summaries):
+        _add_column(plan, of, "blank", -1, inner=True, equation=None)
+
+
+def _plan_equation(plan: Plan, equation: Equation) -> None:
+    inner = equation.kind == "intermediate"
+    degrees = plan.shown_in_degrees(equation.unit)
+    if equation.kind == "output":
+        in_degrees = next(out for out in plan.mechanism.outputs if out.symbol == equation.symbol).unit == "deg"
+        col = _add_column(plan, equation.symbol, "equation", -1, False, equation)
+        spot = _table_spot(plan, col, in_degrees)
+        plan.at.spots[equation.symbol] = plan.at.shown[equation.symbol] = spot
+    elif degrees and equation.kind == "variable":
+        _add_column(plan, equation.symbol, "equation", equation.group, True, equation)
+        col = _add_column(plan, equation.symbol, "shown", equation.group, False, equation)
+        plan.at.shown[equation.symbol] = _table_spot(plan, col, True)
+    else:
+        _add_column(plan, equation.symbol, "equation", equation.group, inner, equation)
+
+
+def _add_column(
+    plan: Plan,
+    symbol: str,
+    kind: Literal["equation", "shown", "blank"],
+    group: int,
+    inner: bool,
+    equation: Equation | None,
+) -> int:
+    col = len(plan.columns)
+    plan.columns.append(TableColumn(col, symbol, kind, group, inner, equation))
+    if kind == "equation":
+        spot = _table_spot(plan, col, False)
+        plan.at.spots[symbol] = spot
+        plan.at.shown[symbol] = spot
+    elif kind == "blank":
+        plan.at.shown[f"#blank {symbol}"] = _table_spot(plan, col, False)
+    return col
+
+
+def _table_spot(plan: Plan, col: int, degrees: bool) -> Spot:
+    return Spot(plan.table, plan.at.first, col, column=True, degrees=degrees)

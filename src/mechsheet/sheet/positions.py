@@ -1,0 +1,295 @@
+"""The table of positions: the driver's column, a block of columns for each group, points and outputs; filled down."""
+
+from __future__ import annotations
+
+import math
+
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text
+from mechsheet.formula.parser import parse_description
+from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.model import Quantity, Words
+from mechsheet.sheet import styles
+from mechsheet.sheet.plan import DRIVER, EXISTS, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
+from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.workbook import (
+    Area,
+    Cell,
+    Column,
+    Comment,
+    Conditional,
+    Fill,
+    Merge,
+    PrintSetup,
+    Sheet,
+    Style,
+)
+
+GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
+COMMENT_LIMIT = 60
+"""Formulas longer than this are shown shortened in the heading; the Notes sheet has them all."""
+
+
+def positions_sheet(plan: Plan) -> Sheet:
+    """The sheet with the table."""
+    cells: list[Cell] = []
+    fills: list[Fill] = []
+    comments: list[Comment] = []
+    for column in plan.columns:
+        label, unit, formula_text = _heading(plan, column)
+        cells.append(Cell(SYMBOL_ROW, column.col, rich(label, f" [{unit}]" if unit else ""), styles.HEAD))
+        cells.append(Cell(FORMULA_ROW, column.col, _shortened(formula_text), styles.FORMULA_TEXT))
+        words = _meaning(plan, column)
+        if words:
+            comments.append(Comment(SYMBOL_ROW, column.col, words))
+        column_cells, column_fills = _column(plan, column)
+        cells += column_cells
+        fills += column_fills
+    merges = _group_headings(plan, cells)
+    first, last, count = plan.at.first, plan.at.last, len(plan.columns)
+    return Sheet(
+        plan.table,
+        tuple(cells),
+        tuple(fills),
+        columns=_widths(plan),
+        row_heights=((SYMBOL_ROW, 30.0), (FORMULA_ROW, 48.0)),
+        merges=tuple(merges),
+        conditionals=_conditionals(plan, Area(first, 0, last, count - 1)),
+        comments=tuple(comments),
+        freeze=(HEADING_ROWS, EXISTS),
+        selected=(first, DRIVER),
+        print_setup=PrintSetup(repeat_rows=(0, HEADING_ROWS - 1), footer=plan.text("footer")),
+        tab_color="2E8B57",
+    )
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= COMMENT_LIMIT else text[: COMMENT_LIMIT - 1] + "…"
+
+
+def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, str]:
+    """(symbol, unit, formula as text) over a column."""
+    driver = plan.mechanism.driver
+    match column.kind:
+        case "number":
+            return plan.text("head.number"), "", ""
+        case "status":
+            return plan.text("head.status"), "", ""
+        case "exists":
+            return plan.text("head.exists"), "", ""
+        case "driver":
+            stepping = f"{plan.text('name.start')} + n·{plan.text('name.step')}"
+            return column.symbol, _driver_unit(plan), "" if driver.values else stepping
+        case "blank":
+            unit = plan.unit_shown(_unit_of(plan, column.symbol))
+            return column.symbol, unit, plan.text("column.blank")
+        case "shown":
+            return column.symbol, plan.unit_shown("angle"), plan.text("column.shown")
+    if column.equation is None:  # the driver in radians
+        return column.symbol, "rad", plan.text("column.radians")
+    unit = column.equation.unit
+    if column.equation.kind == "output":
+        shown = _output_unit(plan, column.symbol)
+    else:
+        shown = "rad" if unit == "angle" else plan.unit_shown(unit)
+    return column.symbol, shown, formula_text(column.equation)
+
+
+def formula_text(equation: Equation) -> str:
+    """`s = sqrt(…)` without the symbol: the right-hand side as people read it."""
+    return print_formula(equation.expression, "text")
+
+
+def _unit_of(plan: Plan, symbol: str) -> str:
+    found = [equation.unit for equation in plan.equations.columns if equation.symbol == symbol]
+    return found[0] if found else "angle"
+
+
+def _output_unit(plan: Plan, symbol: str) -> str:
+    unit = next(output.unit for output in plan.mechanism.outputs if output.symbol == symbol)
+    return {"deg": "°", "1": ""}.get(unit, unit)
+
+
+def _driver_unit(plan: Plan) -> str:
+    return {"deg": "°"}.get(plan.mechanism.driver.unit, plan.mechanism.driver.unit)
+
+
+def _meaning(plan: Plan, column: TableColumn) -> str:
+    if column.equation is None:
+        return ""
+    label: Words = column.equation.label
+    return label.of(plan.language)
+
+
+def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
+    match column.kind:
+        case "number":
+            rows = range(plan.rows)
+            return [Cell(plan.at.first + n, NUMBER, float(n), _decimals(styles.INNER, 0)) for n in rows], []
+        case "driver":
+            return _driver_column(plan)
+        case "status":
+            return [], [_fill(plan, STATUS, _status(plan), styles.STATUS)]
+        case "exists":
+            return [], [_fill(plan, EXISTS, _exists(plan), _decimals(styles.INNER, 0))]
+        case "shown":
+            radians = plan.at.reference(column.symbol, plan.table, plan.at.first)
+            style = _decimals(styles.COLUMN, places(plan, "angle"))
+            return [], [_fill(plan, column.col, Call("DEGREES", (radians,)), style)]
+        case "blank":
+            value = plan.at.reading_shown(column.symbol, plan.table, plan.at.first)
+            node = Call("IF", (Call("ISNUMBER", (value,)), value, Text("")))
+            return [], [_fill(plan, column.col, node, styles.INNER)]
+    if column.equation is None:
+        cell = CellRef(plan.at.first, DRIVER)
+        return [], [_fill(plan, column.col, Call("RADIANS", (cell,)), _decimals(styles.INNER, 4))]
+    return [], _equation_column(plan, column, column.equation)
+
+
+def _fill(plan: Plan, col: int, formula: Node, style: Style, skip: int = 0) -> Fill:
+    return Fill(plan.at.first + skip, col, formula, style, rows=plan.rows - skip)
+
+
+def _equation_column(plan: Plan, column: TableColumn, equation: Equation) -> list[Fill]:
+    first = plan.at.first
+    inner = column.inner
+    unit = equation.unit
+    digits = 4 if unit == "angle" and inner else places(plan, unit)
+    style = _decimals(styles.INNER if inner else styles.COLUMN, digits)
+    expression = equation.expression
+    if equation.kind == "output" and plan.at.spots[column.symbol].degrees:
+        expression = Call("DEGREES", (expression,))
+    if equation.first is None:
+        return [_fill(plan, column.col, plan.at.bind(expression, plan.table, first), style)]
+    start = Fill(first, column.col, plan.at.bind(equation.first, plan.table, first), style)
+    if plan.rows == 1:
+        return [start]
+    return [start, _fill(plan, column.col, plan.at.bind(expression, plan.table, first + 1), style, skip=1)]
+
+
+def _driver_column(plan: Plan) -> tuple[list[Cell], list[Fill]]:
+    """start + n step, filled down: no drift, as a running sum would have; or the listed values as inputs."""
+    driver = plan.mechanism.driver
+    digits = 6 if driver.values else places(plan, "angle" if driver.unit == "deg" else "length")
+    if not driver.values:
+        start = plan.at.reading_shown("#start", plan.table, None)
+        step = plan.at.reading_shown("#step", plan.table, None)
+        formula = Binary("+", start, Binary("*", CellRef(plan.at.first, NUMBER, col_abs=True), step))
+        return [], [_fill(plan, DRIVER, formula, _decimals(styles.COLUMN, digits))]
+    cells: list[Cell] = []
+    fills: list[Fill] = []
+    for index, value in enumerate(driver.values):
+        row = plan.at.first + index
+        if isinstance(value, str):
+            node = plan.at.bind(parse_description(value), plan.table, row)
+            node = Call("DEGREES", (node,)) if driver.unit == "deg" else node
+            fills.append(Fill(row, DRIVER, node, styles.COLUMN))
+        else:
+            cells.append(Cell(row, DRIVER, shown_number(value, driver.unit == "deg"), styles.INPUT))
+    return cells, fills
+
+
+def shown_number(value: Quantity, degrees: bool) -> float:
+    """A number of the model as a person wrote it: 30 for the 0.5235987755982988 that 30 degrees became."""
+    number = float(value)
+    if not degrees:
+        return number
+    shown = math.degrees(number)
+    return round(shown, 10) if math.isclose(shown, round(shown, 10), rel_tol=1e-14, abs_tol=1e-13) else shown
+
+
+def places(plan: Plan, unit: str) -> int:
+    """Decimals that the tolerances justify: with +-0.1 mm one; without tolerances a step finer than 1e-3 of the size."""
+    tolerances = [
+        dim.tolerance for dim in plan.mechanism.dimensions if dim.tolerance and dim.unit not in ("deg", "rad", "1")
+    ]
+    if unit == "angle":
+        return 2 if plan.mechanism.angle_unit == "deg" else 4
+    if unit == "number":
+        return 4
+    sizes = [
+        abs(dim.value)
+        for dim in plan.mechanism.dimensions
+        if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
+    ]
+    finest = min(tolerances) if tolerances else max([*sizes, 1e-9]) / 1e4
+    return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))
+
+
+def _decimals(style: Style, count: int) -> Style:
+    return styles.decimals(style, count)
+
+
+def _closing(plan: Plan, group: Group) -> Node:
+    return Call("ISNUMBER", (plan.at.reference(group.closes, plan.table, plan.at.first),))
+
+
+def _exists(plan: Plan) -> Node:
+    """1 in a row that every group closes, else 0."""
+    tests = tuple(_closing(plan, group) for group in plan.equations.groups)
+    if not tests:
+        return Number(1.0)
+    test = tests[0] if len(tests) == 1 else Call("AND", tests)
+    return Call("IF", (test, Number(1.0), Number(0.0)))
+
+
+def _status(plan: Plan) -> Node:
+    """The first group that does not close, in words; "ok" when all do."""
+    node: Node = Text(plan.text("status.ok"))
+    for group in reversed(plan.equations.groups):
+        node = Call("IF", (_closing(plan, group), node, _status_word(plan, group)))
+    return node
+
+
+def _status_word(plan: Plan, group: Group) -> Node:
+    links = ", ".join(group.links)
+    open_ = Text(plan.text("status.open", links=links))
+    if group.degenerate is None:
+        return open_
+    undetermined = Text(plan.text("status.undetermined", links=links))
+    if not isinstance(group.degenerate, Binary):
+        return open_
+    return Call("IF", (plan.at.bind(group.degenerate, plan.table, plan.at.first), undetermined, open_))
+
+
+def _group_headings(plan: Plan, cells: list[Cell]) -> list[Merge]:
+    """A heading over the columns of each group."""
+    merges = []
+    start = 0
+    for col in range(1, len(plan.columns) + 1):
+        if col < len(plan.columns) and plan.columns[col].group == plan.columns[start].group:
+            continue
+        cells.append(Cell(GROUP_ROW, start, _group_title(plan, plan.columns[start].group), styles.SECTION))
+        cells += [Cell(GROUP_ROW, other, None, styles.SECTION) for other in range(start + 1, col)]
+        if col - start > 1:
+            merges.append(Merge(Area(GROUP_ROW, start, GROUP_ROW, col - 1)))
+        start = col
+    return merges
+
+
+def _group_title(plan: Plan, number: int) -> str:
+    if number == 0:
+        return plan.text("group.driver")
+    if number < 0:
+        return plan.text("group.outputs")
+    group = plan.equations.groups[number - 1]
+    return f"{plan.text('group')} {number} ({group.kind}): {group.label.of(plan.language)}"
+
+
+def _widths(plan: Plan) -> tuple[Column, ...]:
+    fixed = {NUMBER: 5.0, DRIVER: 9.0, STATUS: 16.0}
+    return tuple(
+        Column(column.col, column.col, fixed.get(column.col, 11.0), level=1 if column.inner else 0)
+        for column in plan.columns
+    )
+
+
+def _conditionals(plan: Plan, area: Area) -> tuple[Conditional, ...]:
+    """The row of the position shown stands out; rows without a position are grey."""
+    row = plan.at.first
+    exists = CellRef(row, EXISTS, col_abs=True)
+    here = Binary("=", CellRef(row, NUMBER, col_abs=True), plan.at.reading_shown("#position", plan.table, None))
+    return (
+        Conditional(area, here, styles.CURRENT),
+        Conditional(area, Binary("=", exists, Number(0.0)), styles.MISSING),
+    )

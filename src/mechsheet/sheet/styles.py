@@ -1,0 +1,52 @@
+"""The look of the workbook: one catalogue. Colours differ in lightness too, so they survive print and colour-blindness."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from mechsheet.sheet.workbook import Style
+
+INK, QUIET, RULE = "1F2933", "6B7280", "C5CBD3"
+INPUT_FILL, DERIVED_FILL, HEAD_FILL, BAND_FILL, ROW_FILL = "FFF7D6", "F1F3F5", "1F4E79", "D6E4F0", "FFE7A3"
+INPUT_INK = "0B4FA8"
+GOOD_FILL, WARN_FILL, BAD_FILL, NONE_FILL = "DDF1DD", "FFE9B8", "F9D4D0", "E3E5E8"
+SERIES = ("1F4E79", "C8501E", "2E8B57", "7B3FA0", "B8860B", "00838F", "AD1457", "5D4037")
+"""Colours of curves, in order."""
+
+BASE = Style(color=INK)
+TITLE = Style("mechsheet title", bold=True, size=16, color=HEAD_FILL)
+SUBTITLE = Style("mechsheet subtitle", italic=True, color=QUIET)
+SECTION = Style("mechsheet section", bold=True, size=11, color="FFFFFF", fill=HEAD_FILL)
+HEAD = Style(
+    "mechsheet head", bold=True, color=INK, fill=BAND_FILL, border="bottom", align="center", valign="center", wrap=True
+)
+HEAD_LEFT = replace(HEAD, name="mechsheet head left", align="left")
+FORMULA_TEXT = Style("mechsheet formula text", italic=True, size=7, color=QUIET, align="left", valign="top", wrap=True)
+SYMBOL = Style("mechsheet symbol", color=INK, align="left", border="thin", border_color=RULE)
+LABEL = Style("mechsheet label", color=INK, align="left", border="thin", border_color=RULE)
+UNIT = Style("mechsheet unit", color=QUIET, align="left", border="thin", border_color=RULE)
+NOTE = Style("mechsheet note", color=QUIET, italic=True, valign="top", wrap=True)
+INPUT = Style(
+    "mechsheet input",
+    color=INPUT_INK,
+    fill=INPUT_FILL,
+    border="thin",
+    border_color="B08900",
+    align="right",
+    locked=False,
+)
+RESULT = Style("mechsheet result", color=INK, fill=DERIVED_FILL, border="thin", border_color=RULE, align="right")
+COLUMN = Style("mechsheet column", color=INK, align="right")
+INNER = Style("mechsheet inner column", color=QUIET, align="right")
+STATUS = Style("mechsheet status", color=INK, align="left")
+VERDICT = Style("mechsheet verdict", color=INK, border="thin", border_color=RULE, align="left")
+GOOD = Style("mechsheet good", color="1B5E20", fill=GOOD_FILL, bold=True)
+WARN = Style("mechsheet warning", color="7A4F00", fill=WARN_FILL, bold=True)
+BAD = Style("mechsheet bad", color="8E1B10", fill=BAD_FILL, bold=True)
+MISSING = Style("mechsheet no position", color="9AA0A6", fill=NONE_FILL)
+CURRENT = Style("mechsheet current row", color=INK, fill=ROW_FILL, bold=True)
+
+
+def decimals(style: Style, places: int) -> Style:
+    """The style with a number format of so many decimals; the value below keeps all its digits."""
+    return replace(style, number_format="0." + "0" * places if places > 0 else "0", name="")

@@ -1,0 +1,53 @@
+"""Symbols as people write them: Greek letters and subscripts (theta13 is θ with subscript 13), in cells and in headings."""
+
+from __future__ import annotations
+
+import re
+
+from mechsheet.sheet.workbook import Rich
+
+GREEK = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
+    "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ",
+    "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Gamma": "Γ", "Theta": "Θ", "Phi": "Φ",
+    "Psi": "Ψ", "Omega": "Ω", "Sigma": "Σ",
+}  # fmt: skip
+
+_PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
+
+
+def parts(symbol: str) -> tuple[str, str]:
+    """(letter, subscript): theta13 -> (θ, 13), a2 -> (a, 2), C.x -> (x, C), phi_2 -> (φ, 2), A0B0 stays whole."""
+    point, dot, axis = symbol.partition(".")
+    if dot:
+        return axis, point
+    match = _PARTS.fullmatch(symbol)
+    if not match:
+        return symbol, ""
+    letter, subscript = match.groups()
+    subscript = subscript.strip("_").replace("_", ",")
+    greek = GREEK.get(letter)
+    if greek is None and any(character.isalpha() for character in subscript) and "_" not in symbol:
+        return symbol, ""
+    return greek or letter, subscript
+
+
+def rich(symbol: str, after: str = "") -> Rich | str:
+    """The symbol with its subscript, for a cell; `after` is appended as it is (" [°]")."""
+    letter, subscript = parts(symbol)
+    if not subscript:
+        return letter + after
+    return Rich(tuple(part for part in ((letter, "italic"), (subscript, "sub"), (after, "")) if part[0]))
+
+
+_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+def plain(symbol: str) -> str:
+    """The symbol where no formatting is possible (chart titles): θ₁₃, x_C."""
+    letter, subscript = parts(symbol)
+    if not subscript:
+        return letter
+    if subscript.isdigit():
+        return letter + subscript.translate(_SUBSCRIPTS)
+    return f"{letter}_{subscript}"
