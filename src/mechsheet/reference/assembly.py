@@ -12,6 +12,7 @@ from .wishes import Wishes
 _BEAM = 16
 _TOGETHER = 32
 _FLAT = 1e-6
+_ASIDE = 1e-3
 
 
 def first_row(block: Block, state: Array, value: Array) -> tuple[int | None, Array]:
@@ -43,11 +44,9 @@ def branch(
     det = newton.determinant(block, chosen, value[first : first + 1])[0]
     if abs(det) > _FLAT:
         return float(np.sign(det))
-    rough = wishes.rough_state(chosen)
-    if rough is not None:
-        det = newton.determinant(block, rough, value[first : first + 1])[0]
-        if abs(det) > 1e-3:
-            return float(np.sign(det))
+    side = _side(built, wishes, index, chosen, value[first : first + 1])
+    if side:
+        return side
     for i in range(first + 1, len(state)):
         candidates = branches.solutions(block, state[i : i + 1], value[i : i + 1])[0]
         if len(candidates):
@@ -56,6 +55,19 @@ def branch(
             if abs(det) > _FLAT:
                 return float(np.sign(det))
     return 1.0
+
+
+def _side(built: System, wishes: Wishes, index: int, centre: Array, value: Array) -> float:
+    """Sign of the branch on that side of a dead centre (1, columns) on which the sketch lies; 0 when it says nothing."""
+    block = built.blocks[index]
+    _, change = newton.weakest(block, centre, value)
+    sides = np.repeat(centre, 2, axis=0)
+    sides[:, list(block.columns)] += _ASIDE * np.array([[1.0], [-1.0]]) * change
+    costs = wishes.cost(index, sides)
+    if not abs(costs[0] - costs[1]) > _ASIDE * 1e-6:
+        return 0.0
+    nearer = sides[np.argmin(costs)][None, :]
+    return float(np.sign(newton.determinant(block, nearer, value)[0]))
 
 
 def choose(built: System, wishes: Wishes, index: int, candidates: Array, value: float) -> Array:

@@ -16,6 +16,8 @@ CLOSED = 1e-12
 """Largest residual of a position that exists: rounding, and the miss of links that meet exactly at a dead centre."""
 
 _LONGEST_STEP = 1.0
+_SLACK = 1e-6
+_SHORT = 1e-4
 _PATIENCE = 30
 _MARQUARDT_STEPS = 60
 
@@ -96,8 +98,8 @@ def determinant(block: Block, state: Array, value: Array) -> Array:
 
 
 def _lengths(jacobian: Array) -> Array:
-    lengths = np.sqrt(np.sum(jacobian**2, axis=1))
-    return np.where(lengths > 0, lengths, 1.0)
+    """Lengths (m, k) of columns; not less than _SHORT, because a pin in its own pivot must not look like a long lever."""
+    return np.maximum(np.sqrt(np.sum(jacobian**2, axis=1)), _SHORT)
 
 
 def weakest(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
@@ -142,16 +144,25 @@ def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]
 
 
 def movable(block: Block, state: Array, value: Array) -> bool:
-    """Whether the unknowns can move while everything known stands still: `state` (1, columns) is one of a continuum."""
+    """Whether the unknowns can move while everything known stands still: `state` (1, columns) is one of a continuum.
+
+    It is pushed aside in the weakest direction and brought back in all others; a dead centre does not close there.
+    """
     slack, change = weakest(block, state, value)
-    if slack[0] > 1e-6:
+    if slack[0] > _SLACK:
         return False
     columns = list(block.columns)
     pushed = state.copy()
     pushed[:, columns] += 0.1 * change
-    settled, worst = polish(block, descend(block, pushed, value), value)
-    apart = np.max(np.abs(settled[0, columns] - state[0, columns]))
-    return bool(worst[0] <= 2 * CLOSED and apart > 0.02 and weakest(block, settled, value)[0][0] < 1e-6)
+    for _ in range(8):
+        residuals, jacobian = linearised(block, pushed, value)
+        lengths = _lengths(jacobian)
+        inverse = np.linalg.pinv(jacobian / lengths[:, None, :], rcond=_SLACK)
+        pushed[:, columns] -= _bounded((inverse @ residuals[..., None])[..., 0] / lengths)
+    residuals, _ = linearised(block, pushed, value)
+    apart = np.max(np.abs(pushed[0, columns] - state[0, columns]))
+    closes = np.max(np.abs(residuals)) <= 2 * CLOSED
+    return bool(closes and apart > 0.02 and weakest(block, pushed, value)[0][0] < _SLACK)
 
 
 def starts(block: Block, state: Array, value: Array, count: int) -> tuple[Array, Array]:

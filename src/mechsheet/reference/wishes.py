@@ -116,15 +116,6 @@ class Wishes:
                 return wish.target[-1]
         return None
 
-    def rough_state(self, state: Array) -> Array | None:
-        """The state (1, columns) with the rough poses put in, or None when there are none."""
-        rough = state.copy()
-        for wish in self.entries:
-            if wish.kind == "pose":
-                first = self.system.column(wish.name)
-                rough[:, first : first + 3] = wish.target
-        return rough if any(wish.kind == "pose" for wish in self.entries) else None
-
 
 def _deciding_blocks(system: System) -> list[int]:
     """For each column of the state the block that solves it; -1 for what is fixed."""
