@@ -152,7 +152,13 @@ def points() -> list[tuple[float | None, float | None]]:
 def table() -> Sheet:
     rows = STEPS + 1
     angle = CellRef(FIRST, 0, False, True)
-    gone = Call("AND", (Binary(">=", Call("ROW"), Number(FIRST + LEFT_OUT + 1)), Binary("<=", Call("ROW"), Number(FIRST + LEFT_OUT + 10))))
+    gone = Call(
+        "AND",
+        (
+            Binary(">=", Call("ROW"), Number(FIRST + LEFT_OUT + 1)),
+            Binary("<=", Call("ROW"), Number(FIRST + LEFT_OUT + 10)),
+        ),
+    )
     na = ErrorValue("#N/A")
     xs = [na if x is None else RADIUS * x for x, _ in points()]
     ys = [na if y is None else RADIUS * y for _, y in points()]
@@ -180,7 +186,8 @@ def table() -> Sheet:
         ),
         columns=(Column(0, 0, 10), Column(1, 2, 12), Column(3, 4, 12, level=1), Column(5, 5, 16)),
         conditionals=(
-            Conditional(Area(FIRST, 0, FIRST + STEPS, 5), Binary("=", Binary("-", Call("ROW"), Number(FIRST + 1)), cell(6, 1, FRONT)),
+            Conditional(Area(FIRST, 0, FIRST + STEPS, 5),
+                        Binary("=", Binary("-", Call("ROW"), Number(FIRST + 1)), cell(6, 1, FRONT)),
                         Style(fill="FFE699", bold=True)),
         ),
         freeze=(FIRST, 1),
@@ -230,7 +237,7 @@ def sample() -> Workbook:
     """Two sheets and a hidden one, with all features, in Turkish and with awkward names."""
     source = Sheet(
         "_description",
-        cells=tuple(Cell(i, 0, line) for i, line in enumerate(('[mechanism]', 'name = "=daire"', "R = 40"))),
+        cells=tuple(Cell(i, 0, line) for i, line in enumerate(("[mechanism]", 'name = "=daire"', "R = 40"))),
         hidden=True,
     )
     return Workbook(

@@ -110,10 +110,11 @@ def _typed(value: float | str | bool | ErrorValue) -> tuple[str, str]:
 def can_be_shared(formula: Node) -> bool:
     """Whether cells may refer to this formula instead of repeating it.
 
-    Excel shares no formula that refers to another sheet (its compiled form of a shared formula has no token for that),
-    so we do not either; names may mean cells of other sheets.
+    Excel moves a relative reference to another sheet wrongly when it stands in a shared formula, and cannot save the
+    file (github.com/JanKallman/EPPlus issue 92); absolute ones and names it shares itself.
     """
-    return not any(isinstance(node, CellRef) and node.sheet is not None for node in walk(formula))
+    elsewhere = (node for node in walk(formula) if isinstance(node, CellRef) and node.sheet is not None)
+    return all(reference.row_abs and reference.col_abs for reference in elsewhere)
 
 
 def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:

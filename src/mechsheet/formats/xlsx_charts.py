@@ -54,6 +54,9 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
     def _write_lang(self) -> None:
         self._xml_empty_tag("c:lang", [("val", self.language)])
 
+    def _write_disp_blanks_as(self) -> None:
+        self._xml_empty_tag("c:dispBlanksAs", [("val", "gap")])
+
     def _write_c_smooth(self, smooth: object) -> None:
         self._xml_empty_tag("c:smooth", [("val", 0)])
 
@@ -112,7 +115,6 @@ def new_chart(chart: Chart, language: str) -> StraightScatter:
     made.set_plotarea(plot)
     made.set_chartarea({"border": {"none": True}, "fill": {"color": "#FFFFFF"}})
     made.set_size({"width": chart.anchor.width, "height": chart.anchor.height})
-    made.show_blanks_as("gap")
     made.show_na_as_empty_cell()
     return made
 

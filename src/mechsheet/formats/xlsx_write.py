@@ -46,18 +46,18 @@ def write_xlsx(workbook: Workbook, path: Path) -> None:
     """
     check_workbook(workbook)
     book = _Book(workbook)
+    book._store_workbook()
     with new_archive(path) as archive:
-        book.archive = archive
-        book._store_workbook()
+        book.package.write_parts(archive)
 
 
 class _Book(XlsxWorkbook):  # type: ignore[misc]
-    """XlsxWriter's workbook, filled from ours and stored into our archive."""
+    """XlsxWriter's workbook, filled from ours; storing it only prepares `package`, which writes the parts."""
 
-    archive: Archive
+    package: _Package
 
     def __init__(self, source: Workbook) -> None:
-        # XlsxWriter's own zip file stays empty: the packager below sends every part to the archive.
+        # XlsxWriter's own zip file stays empty and in memory.
         super().__init__(io.BytesIO(), _DEFAULTS)
         self.source = source
         self.styles = StyleTable(self)
@@ -102,7 +102,8 @@ class _Book(XlsxWorkbook):  # type: ignore[misc]
         page.has_vml = page.has_vml or bool(page.controls)
 
     def _get_packager(self) -> Packager:
-        return _Package(self.archive)
+        self.package = _Package()
+        return self.package
 
 
 def _shared_string(cell: Cell) -> str:
@@ -148,12 +149,10 @@ class _CoreProperties(Core):  # type: ignore[misc]
 
 
 class _Package(Packager):  # type: ignore[misc]
-    """The parts of the file, written into the archive one after another."""
+    """The parts of the file, written into an archive one after another."""
 
-    def __init__(self, archive: Archive) -> None:
-        super().__init__()
-        self.archive = archive
-        self.part: TextIO | None = None
+    archive: Archive
+    part: TextIO | None = None
 
     def _filename(self, xml_filename: str) -> _Part:
         self._end_part()
@@ -166,12 +165,17 @@ class _Package(Packager):  # type: ignore[misc]
             self.part = None
 
     def _create_package(self) -> list[Any]:
+        # Called while XlsxWriter holds its own zip file open: nothing may fail here, so nothing is written yet.
+        return []
+
+    def write_parts(self, archive: Archive) -> None:
+        """Write all parts of the prepared workbook."""
+        self.archive = archive
         super()._create_package()
         for page in self.workbook.worksheets():
             for placed in page.controls:
                 self._filename(f"xl/ctrlProps/ctrlProp{placed.number}.xml").write(control_properties(placed))
         self._end_part()
-        return []
 
     def _write_content_types_file(self) -> None:
         content = ContentTypes()
