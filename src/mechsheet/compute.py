@@ -1,0 +1,41 @@
+"""Workbook data and the engine: the adapter between them, and workbooks whose every formula has its value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from mechsheet.formula.book import Book, BookBuilder
+from mechsheet.formula.nodes import CellRef, Scalar
+from mechsheet.sheet.workbook import Rich, Workbook, with_values
+
+
+def book_of(workbook: Workbook) -> Book:
+    """The workbook as the engine sees it: constants, blocks of formulas, names."""
+    builder = BookBuilder()
+    for sheet in workbook.sheets:
+        target = builder.sheet(sheet.title)
+        for cell in sheet.cells:
+            if cell.content is not None:
+                content = cell.content.plain if isinstance(cell.content, Rich) else cell.content
+                target.constant(cell.row, cell.col, content)
+        for fill in sheet.fills:
+            target.block(fill.row, fill.col, fill.rows, fill.cols, fill.formula)
+    for name in workbook.names:
+        builder.name(name.name, CellRef(name.row, name.col, True, True, name.sheet))
+    return builder.build()
+
+
+def computed(workbook: Workbook) -> Workbook:
+    """The workbook with the value of every formula."""
+    from mechsheet.engine import evaluate
+
+    values = evaluate(book_of(workbook))
+
+    def columns() -> Iterator[Sequence[Scalar]]:
+        for sheet in workbook.sheets:
+            for fill in sheet.fills:
+                last = fill.row + fill.rows - 1
+                strips = [values.column(sheet.title, fill.col + col, fill.row, last) for col in range(fill.cols)]
+                yield strips[0] if len(strips) == 1 else [strip[row] for row in range(fill.rows) for strip in strips]
+
+    return with_values(workbook, columns())

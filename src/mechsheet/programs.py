@@ -1,0 +1,180 @@
+"""Other programs as judges: what LibreOffice, gnumeric, formulas and IronCalc compute from a finished file."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from mechsheet.diagnostics import Fault, MissingProgramError, WorkbookError, near_miss, readable_name
+from mechsheet.formula.nodes import ErrorValue, Scalar
+from mechsheet.formula.references import cell_name
+
+TIMEOUT = 600
+"""Seconds that a spreadsheet program may take."""
+
+RECALCULATE = """<?xml version="1.0" encoding="UTF-8"?>
+<oor:items xmlns:oor="http://openoffice.org/2001/registry" xmlns:xs="http://www.w3.org/2001/XMLSchema"
+ xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
+<item oor:path="/org.openoffice.Office.Calc/Formula/Load"><prop oor:name="OOXMLRecalcMode" oor:op="fuse"><value>0</value></prop></item>
+<item oor:path="/org.openoffice.Office.Calc/Formula/Load"><prop oor:name="ODFRecalcMode" oor:op="fuse"><value>0</value></prop></item>
+</oor:items>
+"""
+"""LibreOffice believes the values stored in an .xlsx unless its profile says otherwise."""
+
+
+class Answers:
+    """Values by sheet title, row and column."""
+
+    def __init__(self, find: Callable[[str, int, int], Scalar]) -> None:
+        self._find = find
+
+    def get(self, sheet: str, row: int, col: int) -> Scalar:
+        """The program's value of a cell."""
+        return self._find(sheet, row, col)
+
+
+def answers(program: str, path: Path) -> Answers:
+    """What a program computes from the file. Raises MissingProgramError, or WorkbookError when the program fails."""
+    if program not in PROGRAMS:
+        raise MissingProgramError(
+            Fault(
+                f'no program is called "{program}"',
+                key="--with",
+                hint=near_miss(program, PROGRAMS) or f"programs: {', '.join(PROGRAMS)}",
+            )
+        )
+    return PROGRAMS[program](path)
+
+
+def libreoffice_command() -> str | None:
+    """The command that starts LibreOffice, or None."""
+    return shutil.which("soffice") or shutil.which("libreoffice")
+
+
+def convert_with_libreoffice(paths: list[Path], suffix: str, folder: Path) -> list[Path]:
+    """Recalculate files from scratch and write them into `folder` in another format; one call for all (starting is slow)."""
+    command = libreoffice_command()
+    if command is None:
+        raise MissingProgramError(
+            Fault("LibreOffice Calc is not installed", hint="on Debian: apt-get install libreoffice-calc")
+        )
+    with tempfile.TemporaryDirectory(prefix="mechsheet-office-") as profile:
+        user = Path(profile) / "user"
+        user.mkdir()
+        (user / "registrymodifications.xcu").write_text(RECALCULATE, encoding="utf-8")
+        arguments = [f"-env:UserInstallation={Path(profile).as_uri()}", "--headless", "--convert-to", suffix]
+        _run([command, *arguments, "--outdir", str(folder), *map(str, paths)])
+    results = [folder / f"{path.stem}.{suffix.split(':')[0]}" for path in paths]
+    missing = [path for path, result in zip(paths, results, strict=True) if not result.exists()]
+    if missing:
+        raise WorkbookError(Fault("LibreOffice could not open it", readable_name(missing[0])))
+    return results
+
+
+def _run(command: list[str]) -> None:
+    try:
+        subprocess.run(command, check=True, capture_output=True, timeout=TIMEOUT)
+    except subprocess.TimeoutExpired:
+        raise WorkbookError(f"{Path(command[0]).name} did not answer within {TIMEOUT} s") from None
+    except subprocess.CalledProcessError as error:
+        said = error.stderr.decode(errors="replace").strip().splitlines()
+        raise WorkbookError(f"{Path(command[0]).name} failed: {said[-1] if said else error.returncode}") from None
+
+
+def _stored_values(path: Path) -> Answers:
+    from mechsheet.formats import read
+
+    book = read(path)
+
+    def find(title: str, row: int, col: int) -> Scalar:
+        sheet = book.sheet(title)
+        if sheet is None:
+            return None
+        value = sheet.cached.get(row, col)
+        return sheet.constants.get(row, col) if value is None else value
+
+    return Answers(find)
+
+
+def _libreoffice(path: Path) -> Answers:
+    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+        (result,) = convert_with_libreoffice([path], "xlsx", Path(folder))
+        return _stored_values(result)
+
+
+def _gnumeric(path: Path) -> Answers:
+    command = shutil.which("ssconvert")
+    if command is None:
+        raise MissingProgramError(Fault("gnumeric is not installed", hint="on Debian: apt-get install gnumeric"))
+    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+        result = Path(folder) / "answers.xlsx"
+        _run([command, "--recalc", str(path), str(result)])
+        return _stored_values(result)
+
+
+def _formulas(path: Path) -> Answers:
+    """The `formulas` package: cell by cell, about 2 ms each."""
+    import logging
+    import warnings
+
+    import numpy
+
+    logging.getLogger("formulas").setLevel(logging.ERROR)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        import formulas
+
+        solution = formulas.ExcelModel().loads(str(path)).finish().calculate()
+    values: dict[str, Scalar] = {}
+    for ranges in solution.values():
+        if not hasattr(ranges, "ranges") or len(ranges.ranges) != 1:
+            continue
+        area = ranges.ranges[0]
+        sheet, first_row, first_col = area["sheet"].casefold(), int(area["r1"]), int(area["n1"])
+        for (down, right), value in numpy.ndenumerate(numpy.atleast_2d(ranges.value)):
+            values[f"{sheet}!{cell_name(first_row - 1 + down, first_col - 1 + right)}"] = _plain(value)
+    return Answers(lambda sheet, row, col: values.get(f"{sheet.casefold()}!{cell_name(row, col)}"))
+
+
+def _plain(value: object) -> Scalar:
+    """A value of `formulas` as one of ours: its errors are objects that print as Excel's codes."""
+    import numpy
+
+    if isinstance(value, bool | numpy.bool_):
+        return bool(value)
+    if isinstance(value, int | float | numpy.integer | numpy.floating):
+        return float(value)
+    text = str(value)
+    return ErrorValue(text) if text.startswith("#") else text
+
+
+def _ironcalc(path: Path) -> Answers:
+    try:
+        import ironcalc
+    except ImportError:
+        raise MissingProgramError(
+            Fault("the package ironcalc is not installed", hint="pip install 'mechsheet[ironcalc]'")
+        ) from None
+    model = ironcalc.load_from_xlsx(str(path), "en", "UTC", "en")
+    model.evaluate()
+    sheets = {sheet["name"].casefold(): index for index, sheet in enumerate(model.get_worksheets_properties())}
+
+    def find(title: str, row: int, col: int) -> Scalar:
+        value = model.get_cell_value(sheets[title.casefold()], row + 1, col + 1)
+        if isinstance(value, str) and value.startswith("#"):
+            return ErrorValue(value)
+        return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+    return Answers(find)
+
+
+PROGRAMS: Mapping[str, Callable[[Path], Answers]] = {
+    "libreoffice": _libreoffice,
+    "gnumeric": _gnumeric,
+    "formulas": _formulas,
+    "ironcalc": _ironcalc,
+}
+"""Name on the command line -> how to ask it."""

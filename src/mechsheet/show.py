@@ -1,0 +1,174 @@
+"""What was understood, as text and data: groups, equations, cells, variables."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+
+from mechsheet.build import compile_workbook
+from mechsheet.formula.nodes import ErrorValue, Scalar
+from mechsheet.formula.printer import print_formula
+from mechsheet.formula.references import cell_name
+from mechsheet.kinematics.equations import Equation, Equations
+from mechsheet.kinematics.graph import graph_of
+from mechsheet.kinematics.mobility import mobility
+from mechsheet.kinematics.solve import solve
+from mechsheet.model import Mechanism
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.workbook import Rich, Workbook
+
+
+def overview_text(mechanism: Mechanism) -> str:
+    """Links, mobility, groups with their modes, and what the sketch left open."""
+    equations = solve(mechanism)
+    lines = [
+        mechanism.title.of(mechanism.language),
+        f"links: {', '.join(f'{link.number} {link.name}' for link in mechanism.links)}",
+        f"mobility {mobility(graph_of(mechanism))}, driver {mechanism.driver.symbol}",
+    ]
+    for group in equations.groups:
+        mode = (
+            f"  {group.mode} = {group.mode_value:+d} ({group.mode_words[group.mode_value < 0].en})"
+            if group.mode
+            else ""
+        )
+        lines.append(f"group {group.number} {group.kind}: {group.label.en}{mode}")
+        if group.open:
+            lines.append("    the sketch says nothing about this group: mode +1 was taken")
+    variables = [equation.symbol for equation in equations.columns if equation.kind == "variable"]
+    lines.append(f"variables: {', '.join(variables)}")
+    if mechanism.outputs:
+        lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
+    return "\n".join(lines)
+
+
+def equations_text(mechanism: Mechanism) -> str:
+    """All equations, one a line, by group; constants first."""
+    equations = solve(mechanism)
+    lines = ["constants"]
+    lines += [_line(equation) for equation in equations.constants]
+    group: int | None = None
+    for equation in equations.columns:
+        if equation.group != group:
+            group = equation.group
+            lines += ["", _group_heading(equations, group)]
+        lines.append(_line(equation))
+        if equation.first is not None:
+            lines[-1] += f"    (first row: {print_formula(equation.first, 'text')})"
+    return "\n".join(lines)
+
+
+def _group_heading(equations: Equations, number: int) -> str:
+    if number == 0:
+        return "driver"
+    if number < 0:
+        return "outputs"
+    group = equations.groups[number - 1]
+    return f"group {number} {group.kind}: {group.label.en}"
+
+
+def _line(equation: Equation) -> str:
+    return f"  {equation.symbol} = {print_formula(equation.expression, 'text')}"
+
+
+def equations_json(mechanism: Mechanism) -> str:
+    """The equations as a JSON list."""
+    rows = [
+        {
+            "symbol": equation.symbol,
+            "expression": print_formula(equation.expression, "text"),
+            "kind": equation.kind,
+            "unit": equation.unit,
+            "group": equation.group,
+            "label": {"en": equation.label.en, "tr": equation.label.tr},
+        }
+        for equation in solve(mechanism).all
+    ]
+    return json.dumps(rows, ensure_ascii=False, indent=1)
+
+
+def cells_text(mechanism: Mechanism) -> str:
+    """Every cell and fill of the workbook, with its value."""
+    workbook, _ = compile_workbook(mechanism)
+    return cells_of_workbook(workbook)
+
+
+def cells_of_workbook(workbook: Workbook) -> str:
+    """A stable dump: names, then sheet by sheet the constants and the fills with their first and last value."""
+    lines = [f"name {name.name} = {name.sheet}!{cell_name(name.row, name.col)}" for name in workbook.names]
+    for sheet in workbook.sheets:
+        lines.append(f"sheet {sheet.title}{' (hidden)' if sheet.hidden else ''}")
+        for cell in sorted(sheet.cells, key=lambda cell: (cell.row, cell.col)):
+            if cell.content is not None:
+                content = cell.content.plain if isinstance(cell.content, Rich) else cell.content
+                lines.append(f"  {cell_name(cell.row, cell.col)}: {content!r}")
+        for fill in sorted(sheet.fills, key=lambda fill: (fill.row, fill.col)):
+            area = cell_name(fill.row, fill.col)
+            if fill.rows * fill.cols > 1:
+                area += f":{cell_name(fill.row + fill.rows - 1, fill.col + fill.cols - 1)}"
+            lines.append(f"  {area} = {print_formula(fill.formula, 'excel')}")
+        lines += [f"  chart {chart.title!r}: {len(chart.series)} series" for chart in sheet.charts]
+    return "\n".join(lines)
+
+
+def cells_json(mechanism: Mechanism) -> str:
+    """{"sheet": {"A1": value}} of every cell."""
+    workbook, _ = compile_workbook(mechanism)
+    sheets: dict[str, dict[str, object]] = {}
+    for sheet in workbook.sheets:
+        cells: dict[str, object] = {}
+        for cell in sheet.cells:
+            if cell.content is not None:
+                cells[cell_name(cell.row, cell.col)] = (
+                    cell.content.plain if isinstance(cell.content, Rich) else cell.content
+                )
+        for fill in sheet.fills:
+            for row in range(fill.row, fill.row + fill.rows):
+                for col in range(fill.col, fill.col + fill.cols):
+                    cells[cell_name(row, col)] = json_value(fill.value(row, col))
+        sheets[sheet.title] = cells
+    return json.dumps(sheets, ensure_ascii=False)
+
+
+def json_value(value: Scalar) -> object:
+    """A cell's value as JSON: errors as "#N/A" text."""
+    return str(value) if isinstance(value, ErrorValue) else value
+
+
+def variables_of(mechanism: Mechanism) -> dict[str, list[float | None]]:
+    """Driver, variables, points and outputs, row by row, as people read them (degrees); None where there is no position."""
+    workbook, plan = compile_workbook(mechanism)
+    wanted = [mechanism.driver.symbol]
+    wanted += [eq.symbol for eq in plan.equations.columns if eq.kind in ("variable", "point", "output")]
+    return {symbol: _shown_column(workbook, plan, symbol) for symbol in dict.fromkeys(wanted)}
+
+
+def _shown_column(workbook: Workbook, plan: Plan, symbol: str) -> list[float | None]:
+    spot = plan.at.shown[symbol]
+    sheet = workbook.sheet(spot.sheet)
+    cells: dict[int, Scalar] = {
+        cell.row: cell.content for cell in sheet.cells if cell.col == spot.col and isinstance(cell.content, float)
+    }
+    for fill in sheet.fills:
+        if fill.col <= spot.col < fill.col + fill.cols:
+            cells |= {row: fill.value(row, spot.col) for row in range(fill.row, fill.row + fill.rows)}
+    found = [cells.get(row) for row in range(plan.at.first, plan.at.last + 1)]
+    return [value if isinstance(value, float) and math.isfinite(value) else None for value in found]
+
+
+def variables_json(mechanism: Mechanism) -> str:
+    """{"theta13": [...], "C.x": [...]}."""
+    return json.dumps(variables_of(mechanism), ensure_ascii=False)
+
+
+def variables_csv(mechanism: Mechanism) -> str:
+    """One row per position; empty where it does not exist."""
+    columns = variables_of(mechanism)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    for row in zip(*columns.values(), strict=True):
+        writer.writerow(["" if value is None else repr(value) for value in row])
+    return text.getvalue()

@@ -1,0 +1,78 @@
+"""Who may import whom: the rules of the architecture, read from the sources."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
+
+EVERYBODY = {"diagnostics"}
+ALLOWED = {
+    "diagnostics": set(),
+    "model": set(),
+    "formula": set(),
+    "reference": {"model"},
+    "engine": {"formula"},
+    "description": {"model", "formula"},
+    "kinematics": {"model", "formula"},
+    "sheet": {"model", "formula", "kinematics"},
+    # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
+    "formats": {"formula", "sheet.workbook"},
+}
+PARTS = sorted(ALLOWED)
+
+
+def modules_of(part: str) -> list[Path]:
+    folder = SOURCE / part
+    return sorted(folder.rglob("*.py")) if folder.is_dir() else [SOURCE / f"{part}.py"]
+
+
+def imports(path: Path) -> set[tuple[int, str]]:
+    """(line, module below mechsheet) of every import, also those inside functions."""
+    package = ("mechsheet", *path.relative_to(SOURCE).with_suffix("").parts)
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            base = ".".join(package[: len(package) - node.level]) if node.level else ""
+            module = ".".join(part for part in (base, node.module or "") if part)
+            names = [module] if module != "mechsheet" else [f"mechsheet.{alias.name}" for alias in node.names]
+        else:
+            continue
+        found |= {(node.lineno, name.removeprefix("mechsheet.")) for name in names if name.startswith("mechsheet.")}
+    return found
+
+
+def forbidden(part: str) -> list[str]:
+    allowed = ALLOWED[part] | EVERYBODY | {part}
+    wrong = []
+    for path in modules_of(part):
+        for line, module in sorted(imports(path)):
+            if not any(module == name or module.startswith(f"{name}.") for name in allowed):
+                wrong.append(f"{path.relative_to(SOURCE).as_posix()}:{line}: {part} may not import {module}")
+    return wrong
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_part_imports_only_what_it_may(part):
+    assert modules_of(part)
+    assert forbidden(part) == []
+
+
+def test_nobody_imports_the_command_line():
+    for path in SOURCE.rglob("*.py"):
+        if path.name not in {"cli.py", "__main__.py"}:
+            assert not [line for line, module in imports(path) if module == "cli" or module.startswith("cli.")], path
+
+
+def test_the_rule_can_fail():
+    """The reader of imports sees what it should see."""
+    seen = {module for _, module in imports(SOURCE / "check.py")}
+    assert {"reference", "engine"} <= seen
+
+
+def test_every_folder_has_a_rule():
+    folders = {path.name for path in SOURCE.iterdir() if path.is_dir() and (path / "__init__.py").exists()}
+    assert folders <= set(ALLOWED)
