@@ -1,0 +1,77 @@
+"""The part [dimensions]: inputs, and derived ones in the order in which they can be computed."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.report import BAD
+from mechsheet.description.scope import Scope, circle_message, cycles, words
+from mechsheet.formula.nodes import Node, symbols
+from mechsheet.model import Dimension
+
+
+def declare(data: dict[str, Any], scope: Scope) -> None:
+    """Enter the names and units of all dimensions, so that expressions can be read in any order."""
+    for symbol, entry in data.items():
+        path: Path = ("dimensions", symbol)
+        scope.symbol_is_good(symbol, path)
+        scope.symbols.claim(symbol, "dimension", path)
+        scope.units[symbol] = scope.unit(entry, path) if isinstance(entry, dict) else scope.length_unit
+        scope.kinds[symbol] = scope.kind_of_unit(scope.units[symbol])
+        if not (isinstance(entry, dict) and "formula" in entry):
+            scope.inputs.append(symbol)
+
+
+def read(data: dict[str, Any], scope: Scope) -> tuple[Dimension, ...]:
+    """The dimensions in the order of the file; their values go into `scope.numbers`."""
+    for symbol, entry in data.items():
+        value = entry.get("value", BAD) if isinstance(entry, dict) else entry
+        if value is not BAD:
+            scope.numbers[symbol] = math.radians(value) if scope.units[symbol] == "deg" else value
+    _compute(_formulas(data, scope), scope)
+    return tuple(_dimension(symbol, entry, scope) for symbol, entry in data.items() if entry is not BAD)
+
+
+def _formulas(data: dict[str, Any], scope: Scope) -> dict[str, Node]:
+    """The trees of the derived dimensions that are free of faults."""
+    trees: dict[str, Node] = {}
+    for symbol, entry in data.items():
+        text = entry.get("formula", BAD) if isinstance(entry, dict) and "value" not in entry else BAD
+        path: Path = ("dimensions", symbol, "formula")
+        if text is BAD or (tree := scope.parse(text, path)) is None:
+            continue
+        good = scope.only_dimensions(tree, text, path)
+        if scope.fits(tree, text, scope.kinds[symbol], path) and good:
+            trees[symbol] = tree
+    return trees
+
+
+def _compute(trees: dict[str, Node], scope: Scope) -> None:
+    order, circles = cycles({symbol: symbols(tree) for symbol, tree in trees.items()})
+    for circle in circles:
+        scope.report.at(("dimensions", circle[0], "formula"), circle_message(circle, "the dimensions"))
+    for symbol in order:
+        value = scope.value(trees[symbol], ("dimensions", symbol, "formula"))
+        if value is not None:
+            scope.numbers[symbol] = value
+
+
+def _dimension(symbol: str, entry: Any, scope: Scope) -> Dimension:
+    path: Path = ("dimensions", symbol)
+    unit = scope.units[symbol]
+    if not isinstance(entry, dict):
+        return Dimension(symbol, entry, unit, shown=entry)
+    derived = "formula" in entry
+    tolerance = entry.get("tolerance")
+    return Dimension(
+        symbol=symbol,
+        value=entry["formula"] if derived else scope.numbers.get(symbol, math.nan),
+        unit=unit,
+        derived=derived,
+        label=words(entry.get("label")),
+        cell=scope.cell(entry, path),
+        tolerance=tolerance,
+        shown=None if derived else entry.get("value"),
+    )

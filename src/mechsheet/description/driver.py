@@ -1,0 +1,114 @@
+"""The part [driver]: what is driven, its symbol, and the values it takes."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.joints import Ends
+from mechsheet.description.kinds import ANGLE, LENGTH
+from mechsheet.description.report import BAD, found, quoted, suggestion
+from mechsheet.description.schema import MOST_ROWS
+from mechsheet.description.scope import Scope
+from mechsheet.model import Driver, Joint, Link, Quantity
+
+_LANDS = 1e-9
+"""`stop` counts as reached when the steps miss it by this part of a step."""
+
+
+def read(data: Any, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: Ends, scope: Scope) -> Driver | None:
+    """The driver, when its faults let one be made; its symbol becomes a variable."""
+    if data is BAD:
+        scope.complete = False
+        return None
+    slides = "joint" in data and "link" not in data
+    made = _sliding(data, joints, scope) if slides else _turning(data, links, ends, scope)
+    if made is None:
+        scope.complete = False
+    start, stop, step, values = _values(data, LENGTH if slides else ANGLE, scope)
+    if made is None:
+        return None
+    symbol, link, relative_to, joint = made
+    unit = scope.length_unit if slides else scope.angle_unit
+    return Driver(symbol, unit, link, relative_to, joint, start, stop, step, values)
+
+
+def _sliding(data: dict[str, Any], joints: tuple[Joint, ...], scope: Scope) -> tuple[str, str, str, str] | None:
+    if "relative_to" in data:
+        message = "goes with `link`; a driven joint has its two links already"
+        scope.report.at(("driver", "relative_to"), message)
+    name = data["joint"]
+    joint = next((one for one in joints if one.name == name), None)
+    if joint is None:
+        if name is not BAD and scope.complete:
+            hint = suggestion(name, [one.name for one in joints], "sliding joints")
+            scope.report.at(("driver", "joint"), f"no sliding joint is called {quoted(name)}", hint)
+        return None
+    symbol = data.get("symbol", joint.symbol)
+    if symbol not in (BAD, joint.symbol):
+        message = f"the driven displacement is called {quoted(joint.symbol)} already"
+        hint = "leave it out here, or give the same symbol to the joint"
+        scope.report.at(("driver", "symbol"), message, hint)
+    return joint.symbol, "", "", joint.name
+
+
+def _turning(
+    data: dict[str, Any], links: tuple[Link, ...], ends: Ends, scope: Scope
+) -> tuple[str, str, str, str] | None:
+    ground = links[0].name
+    link, other = data.get("link", BAD), data.get("relative_to", ground)
+    known = ends.has_link(link, ("driver", "link"))
+    known = ends.has_link(other, ("driver", "relative_to")) and known
+    if not known:
+        return None
+    if link == other:
+        message = "it is the ground" if link == ground else "it is `relative_to` as well"
+        scope.report.at(("driver", "link"), f"the link {quoted(link)} cannot turn: {message}")
+        return None
+    if link == ground:
+        message = f"the link {quoted(link)} is the ground"
+        hint = f'drive the other one: link = "{other}", with the opposite sign of the values'
+        scope.report.at(("driver", "link"), message, hint)
+        return None
+    own = next(one.angle_symbol for one in links if one.name == link)
+    default = own if other == ground else ends.pair_symbol("theta", other, link)
+    symbol = data.get("symbol", default)
+    path: Path = ("driver", "symbol") if "symbol" in data else ("driver",)
+    if symbol is BAD or not scope.symbol_is_good(symbol, path):
+        return None
+    if symbol != own or other != ground:
+        scope.add_variable(symbol, ANGLE, "driver", path)
+    return symbol, link, other, ""
+
+
+def _values(data: dict[str, Any], kind: str, scope: Scope) -> tuple[Quantity, Quantity, Quantity, tuple[Quantity, ...]]:
+    """(start, stop, step, values) in internal units."""
+    path: Path = ("driver", "values")
+    if "values" in data:
+        given = data["values"] if data["values"] is not BAD else []
+        values = tuple(scope.quantity(value, kind, (*path, place)) for place, value in enumerate(given))
+        return 0.0, 0.0, 0.0, values
+    start, stop, step = (scope.quantity(data.get(key, BAD), kind, ("driver", key)) for key in ("start", "stop", "step"))
+    _check_sweep(scope.number(start), scope.number(stop), scope.number(step), data, scope)
+    return start, stop, step, ()
+
+
+def _check_sweep(start: float, stop: float, step: float, data: dict[str, Any], scope: Scope) -> None:
+    path: Path = ("driver", "step")
+    if step == 0:
+        scope.report.at(path, "the step is zero")
+    elif not all(math.isfinite(value) for value in (start, stop, step)):
+        return
+    elif (stop - start) * step < 0:
+        sign = "positive" if stop > start else "negative"
+        shown = [_as_written(data[key]) for key in ("start", "stop", "step")]
+        message = f"a step of {shown[2]} never leads from {shown[0]} to {shown[1]}: it must be {sign}"
+        scope.report.at(path, message)
+    elif (rows := math.floor((stop - start) / step + _LANDS) + 1) > MOST_ROWS:
+        message = f"the sweep has {rows:,} rows; a sheet holds at most {MOST_ROWS:,} below its headings"
+        scope.report.at(path, message)
+
+
+def _as_written(value: Any) -> str:
+    return quoted(value) if isinstance(value, str) else found(value)

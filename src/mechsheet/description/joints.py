@@ -1,0 +1,141 @@
+"""The part [[joints]]: sliding joints between links that exist, at points that exist."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.kinds import ANGLE, LENGTH
+from mechsheet.description.links import pair, points_of
+from mechsheet.description.report import BAD, listed, quoted, suggestion
+from mechsheet.description.scope import Scope, Space
+from mechsheet.model import Joint, Link
+
+
+class Ends:
+    """Looks up links and points by the names that joints give."""
+
+    def __init__(self, data: dict[str, Any], links: tuple[Link, ...], scope: Scope) -> None:
+        self.points = {name: points_of(entry) for name, entry in data.items()}
+        self.numbers = {link.name: link.number for link in links}
+        self.scope = scope
+
+    def has_link(self, name: Any, path: Path) -> bool:
+        """True when `name` is a link; reports when it is not."""
+        if name is BAD or name is None:
+            return False
+        if name not in self.numbers:
+            hint = suggestion(name, self.numbers, "links")
+            self.scope.report.at(path, f"no link is called {quoted(name)}", hint)
+        return name in self.numbers
+
+    def has_point(self, link: str, point: str, path: Path) -> bool:
+        """True when `link` lists `point`; reports when it does not (and a fault has not hidden its points)."""
+        points = self.points[link]
+        if points is None:
+            return False
+        if point not in points:
+            message = f"the link {quoted(link)} has no point {quoted(point)}"
+            self.scope.report.at(path, message, suggestion(point, points, f"points of {link}"))
+        return point in points
+
+    def pair_symbol(self, letter: str, on: str, link: str) -> str:
+        """`s14`, `theta34`; with an underscore where a number has two digits, as theta1_10 has."""
+        first, second = self.numbers[on], self.numbers[link]
+        return f"{letter}{first}{'_' if max(first, second) > 9 else ''}{second}"
+
+
+def read(data: list[Any], ends: Ends, scope: Scope) -> tuple[Joint, ...]:
+    """The sliding joints that are free of faults; their displacements become variables."""
+    joints: list[Joint] = []
+    names = Space(scope.report)
+    for place, entry in enumerate(data):
+        joint = None if entry is BAD else _joint(entry, ("joints", place), ends, scope)
+        if joint is None:
+            scope.complete = False
+            continue
+        path: Path = ("joints", place, "name") if "name" in entry else ("joints", place)
+        names.claim(joint.name, "joint", path)
+        joints.append(joint)
+    return tuple(joints)
+
+
+def _joint(entry: dict[str, Any], path: Path, ends: Ends, scope: Scope) -> Joint | None:
+    on, point = entry["on"], entry["point"]
+    on_known = ends.has_link(on, (*path, "on"))
+    link: Any = entry.get("link")
+    link_known = ends.has_link(link, (*path, "link"))
+    prismatic = entry["type"] == "prismatic"
+    if on_known and link == on:
+        scope.report.at((*path, "link"), f"{quoted(on)} cannot slide on itself: `link` and `on` are the same")
+        link_known = False
+    through = _through(entry, path, ends, scope, on if on_known else None)
+    angle = scope.quantity(entry.get("angle", 0), ANGLE, (*path, "angle"))
+    orientation = scope.quantity(entry.get("orientation", 0), ANGLE, (*path, "orientation"))
+    if point is BAD or not on_known:
+        return None
+    if not prismatic and "link" not in entry:
+        link = _first_owner(point, on, path, ends, scope)
+        link_known = link is not None
+    elif link_known:
+        link_known = ends.has_point(link, point, (*path, "point"))
+    if not link_known or not _free_of(on, point, path, ends, scope):
+        return None
+    symbol = _symbol(entry, link, path, ends, scope)
+    if symbol is None or through is None:
+        return None
+    name = entry.get("name", symbol)
+    kind = entry["type"]
+    return Joint(symbol if name is BAD else name, kind, link, on, point, through, angle, orientation, symbol)
+
+
+def _through(entry: dict[str, Any], path: Path, ends: Ends, scope: Scope, on: str | None) -> Any:
+    through, place = entry["through"], (*path, "through")
+    if isinstance(through, list):
+        return pair(through, place, scope)
+    if through is BAD or on is None:
+        return None
+    return through if ends.has_point(on, through, place) else None
+
+
+def _first_owner(point: str, on: str, path: Path, ends: Ends, scope: Scope) -> str | None:
+    """The first link beside `on` that has `point`."""
+    owners = [link for link in scope.points.get(point, ()) if link != on]
+    if owners or any(points is None for points in ends.points.values()):
+        return owners[0] if owners else None
+    if point in scope.points:
+        message = f"the point {quoted(point)} belongs to {quoted(on)} itself: it must be a point of another link"
+        scope.report.at((*path, "point"), message)
+    else:
+        hint = suggestion(point, scope.points, "points")
+        scope.report.at((*path, "point"), f"no link has a point {quoted(point)}", hint)
+    return None
+
+
+def _free_of(on: str, point: str, path: Path, ends: Ends, scope: Scope) -> bool:
+    """True when `on` does not have the sliding point as a point of its own, which would pin it."""
+    if point not in (ends.points[on] or {}):
+        return True
+    message = f"the point {quoted(point)} is a point of {quoted(on)} too, which pins it there: it cannot slide"
+    scope.report.at((*path, "point"), message, f"take it out of the points of {on}")
+    return False
+
+
+def _symbol(entry: dict[str, Any], link: str, path: Path, ends: Ends, scope: Scope) -> str | None:
+    """The displacement's symbol, entered among the variables."""
+    symbol, place = entry.get("symbol"), path
+    if symbol is BAD:
+        return None
+    if symbol is None:
+        owners = [name for name in scope.points.get(entry["point"], ()) if name != entry["on"]]
+        if entry["type"] == "pin-slot" and len(owners) > 1:
+            message = f"is missing: the point {quoted(entry['point'])} belongs to {listed(owners)}"
+            scope.report.at((*path, "symbol"), message, "no default fits; name the displacement")
+            return None
+        symbol = ends.pair_symbol("s", entry["on"], link)
+    else:
+        place = (*path, "symbol")
+        if not scope.symbol_is_good(symbol, place):
+            return None
+    scope.add_variable(symbol, LENGTH, "displacement", place)
+    return str(symbol)

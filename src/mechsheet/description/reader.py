@@ -1,0 +1,149 @@
+"""From TOML text to `model.Mechanism`: the parts in the order in which they need one another, all faults at once."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Mapping
+from pathlib import Path as FilePath
+from typing import Any
+
+from mechsheet.description import dimensions, driver, joints, links, results
+from mechsheet.description.overrides import with_language, with_values
+from mechsheet.description.report import BAD, Report, quoted
+from mechsheet.description.schema import DESCRIPTION, FORMAT
+from mechsheet.description.scope import Scope, words
+from mechsheet.description.shape import fit
+from mechsheet.description.source import Source, parse, read_text
+from mechsheet.diagnostics import DescriptionError, Fault, readable_name
+from mechsheet.model import Mechanism, Words
+
+LANGUAGES = ("en", "tr")
+_DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
+
+
+def load(path: str | FilePath, overrides: Mapping[str, str] | None = None, language: str | None = None) -> Mechanism:
+    """The mechanism that a file describes.
+
+    path       a description, format 1
+    overrides  dimension -> number as text, in the dimension's own unit: {"a1": "65"}
+    language   "en" or "tr", in place of the description's own
+
+    Raises DescriptionError with every fault found, each with file, line and key. `Mechanism.text` is the file with the
+    overrides written into it, so that reading it again gives the same mechanism.
+    """
+    return loads(read_text(path), readable_name(path), overrides, language)
+
+
+def loads(
+    text: str,
+    file: str = "<text>",
+    overrides: Mapping[str, str] | None = None,
+    language: str | None = None,
+) -> Mechanism:
+    """The mechanism that a text describes; `file` is what messages call it. See `load`."""
+    source = parse(text, file)
+    faults: list[Fault] = []
+    if language is not None and language not in LANGUAGES:
+        faults.append(Fault(f"unknown language {quoted(language)}", hint='languages: "en", "tr"'))
+    if overrides:
+        changed, faults_of_values = with_values(source, overrides)
+        faults += faults_of_values
+        source = parse(changed, file)
+    _check_format(source)
+    report = Report(source)
+    mechanism = _read(source, report)
+    faults += report.in_order()
+    if faults or mechanism is None:
+        raise DescriptionError(faults)
+    if language is None or language == mechanism.language:
+        return mechanism
+    return loads(with_language(source, language), file)
+
+
+def _check_format(source: Source) -> None:
+    """Another version is one fault: what else differs would only be noise."""
+    version = source.data.get("format", FORMAT)
+    if isinstance(version, int) and version != FORMAT:
+        raise DescriptionError(
+            source.fault(("format",), f"format {str(version).lower()} is not known: this program reads format {FORMAT}")
+        )
+
+
+def _read(source: Source, report: Report) -> Mechanism | None:
+    data = fit(source.data, DESCRIPTION, (), report)
+    scope = Scope(report)
+    head = _part(data, "mechanism", {})
+    scope.length_unit = _length_unit(head, report)
+    scope.angle_unit = _choice(head, "angle_unit", "deg")
+    given, bodies = _part(data, "dimensions", {}), _part(data, "links", {})
+    outputs, summary = _part(data, "outputs", {}), _part(data, "summary", {})
+
+    dimensions.declare(given, scope)
+    bare_links = links.declare(bodies, scope)
+    scope.outputs.extend(outputs)  # known by name in messages, before they are entered after all variables
+    table = dimensions.read(given, scope)
+    made = links.read(bodies, bare_links, scope)
+    ends = joints.Ends(bodies, made, scope)
+    sliding = joints.read(_part(data, "joints", []), ends, scope)
+    driven = driver.read(data["driver"], made, sliding, ends, scope) if made else None
+    if made and report.sound("links", "joints"):
+        links.check_connected(made, sliding, scope)
+
+    results.declare(outputs, summary, scope)
+    workbook = _part(data, "workbook", {})
+    parts: dict[str, Any] = {
+        "sketch": results.sketch(_part(data, "assembly", {}), scope),
+        "outputs": results.outputs(outputs, scope),
+        "summaries": results.summaries(summary, scope),
+        "charts": results.charts(_part(data, "charts", []), scope),
+        "tables": results.tables(_part(data, "tables", []), driven.symbol if driven else None, scope),
+        "language": _choice(workbook, "language", "en"),
+        "references": _choice(workbook, "references", "names"),
+    }
+    name = _name(head, report)
+    if report.faults or driven is None:
+        return None
+    return Mechanism(
+        name=name,
+        title=words(head.get("title")) or Words(name, name),
+        source=words(head.get("source")) or Words("", ""),
+        length_unit=scope.length_unit,
+        angle_unit="rad" if scope.angle_unit == "rad" else "deg",
+        dimensions=table,
+        links=made,
+        joints=sliding,
+        driver=driven,
+        text=source.text,
+        **parts,
+    )
+
+
+def _part(data: dict[str, Any], key: str, empty: Any) -> Any:
+    value = data.get(key, BAD)
+    return empty if value is BAD else value
+
+
+def _choice(table: dict[str, Any], key: str, default: str) -> str:
+    value = table.get(key, default)
+    return default if value is BAD else str(value)
+
+
+def _length_unit(head: dict[str, Any], report: Report) -> str:
+    unit = _choice(head, "length_unit", "mm")
+    if unit in ("deg", "rad", "1") or unit != unit.strip():
+        report.at(("mechanism", "length_unit"), f"{quoted(unit)} cannot be the unit of lengths")
+        return "mm"
+    return unit
+
+
+def _name(head: dict[str, Any], report: Report) -> str:
+    """The stem of the files: legal on every system."""
+    name = _choice(head, "name", "")
+    path = ("mechanism", "name")
+    fits = all(sign in "-_" or unicodedata.category(sign)[0] == "L" or sign.isdecimal() for sign in name)
+    if not fits or name.startswith("-"):
+        message = f"{quoted(name)} must begin with a letter, a digit or _ and go on with letters, digits, - and _"
+        report.at(path, message, "it becomes the stem of file names")
+    elif name.lower() in _DEVICES:
+        report.at(path, f"{quoted(name)} cannot be the stem of a file: Windows keeps that name for a device")
+    return name

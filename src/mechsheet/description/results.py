@@ -1,0 +1,198 @@
+"""The parts that speak about variables: [assembly], [outputs], [summary], [[charts]] and [[tables]]."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.kinds import ANY
+from mechsheet.description.links import pair
+from mechsheet.description.report import BAD, quoted, suggestion
+from mechsheet.description.scope import Scope, words
+from mechsheet.formula.nodes import symbols
+from mechsheet.model import ChartRequest, Output, Quantity, Sketch, Summary, TableRequest
+
+
+def sketch(data: dict[str, Any], scope: Scope) -> Sketch:
+    """The rough first position: points by [x, y], angles and displacements by a number."""
+    points: dict[str, tuple[Quantity, Quantity]] = {}
+    values: dict[str, Quantity] = {}
+    for name, value in data.items():
+        path: Path = ("assembly", name)
+        if isinstance(value, list):
+            if name not in scope.points:
+                hint = suggestion(name, scope.points, "points")
+                scope.report.at(path, f"no link has a point {quoted(name)}", hint)
+            points[name] = pair(value, path, scope)
+        elif value is not BAD and name in scope.variables:
+            values[name] = scope.quantity(value, scope.kinds[name], path)
+        elif value is not BAD and name in scope.points:
+            scope.report.at(path, f"the point {quoted(name)} is sketched as [x, y]")
+        elif value is not BAD and scope.complete:
+            message = f"no point, link angle or displacement is called {quoted(name)}"
+            if name in scope.units or name in scope.outputs:
+                message = f"{quoted(name)} is no point, link angle or displacement"
+            names = [*scope.points, *scope.variables]
+            scope.report.at(path, message, suggestion(name, names, "allowed"))
+    return Sketch(points, values)
+
+
+def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) -> None:
+    """Enter the names of outputs and summaries."""
+    for table, what, names in (("outputs", "output", outputs), ("summary", "summary", summaries)):
+        for name in names:
+            path: Path = (table, name)
+            if scope.symbol_is_good(name, path):
+                scope.symbols.claim(name, what, path)
+
+
+def outputs(data: dict[str, Any], scope: Scope) -> tuple[Output, ...]:
+    """The further quantities of every row."""
+    result = []
+    for name, entry in data.items():
+        if entry is BAD:
+            continue
+        path: Path = ("outputs", name)
+        unit = entry.get("unit", scope.length_unit)
+        unit = scope.length_unit if unit is BAD else unit
+        text = entry["formula"]
+        if text is not BAD:
+            _check_output(text, unit, (*path, "formula"), scope)
+        cell = scope.cell(entry, path)
+        result.append(Output(name, text, unit, words(entry.get("label")), cell))
+    return tuple(result)
+
+
+def _check_output(text: str, unit: str, path: Path, scope: Scope) -> None:
+    tree = scope.parse(text, path)
+    if tree is None:
+        return
+    names = symbols(tree)
+    good = [name in scope.units or _is_known(name, text, path, scope) for name in names]
+    scope.fits(tree, text, scope.kind_of_unit(unit) if unit != "1" else ANY, path)
+    if all(good) and all(name in scope.numbers for name in names):
+        scope.value(tree, path)
+
+
+def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
+    """True when a formula's symbol is a variable or a coordinate; reports what else it is."""
+    where = "" if name == text.strip() else f"in {quoted(text)}: "
+    if name in scope.variables or _is_coordinate(name, path, scope, where):
+        return True
+    if "." in name or not scope.complete:
+        return False
+    if name in scope.outputs:
+        scope.report.at(path, f"{where}{quoted(name)} is an output; only variables and dimensions are allowed")
+        return False
+    hint = suggestion(name, [*scope.variables, *_coordinates(scope), *scope.units], "allowed")
+    scope.report.at(path, f"{where}{quoted(name)} is not a variable or dimension", hint)
+    return False
+
+
+def _is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
+    """True for `C.x` and `C.y` of a known point; reports other names with a dot."""
+    point, dot, axis = name.partition(".")
+    if not dot:
+        return False
+    if point not in scope.points:
+        hint = suggestion(point, scope.points, "points")
+        scope.report.at(path, f"{where}no point is called {quoted(point)}", hint)
+    elif axis not in ("x", "y"):
+        hint = f"write {point}.x or {point}.y"
+        scope.report.at(path, f"{where}a point has no {quoted(axis)}", hint)
+    return point in scope.points and axis in ("x", "y")
+
+
+def _coordinates(scope: Scope) -> list[str]:
+    return [f"{point}.{axis}" for point in scope.points for axis in "xy"]
+
+
+def _check_column(name: Any, path: Path, scope: Scope) -> None:
+    """`name` must be a variable, a coordinate or an output: something with a value in every row."""
+    if name is BAD or name in scope.variables or name in scope.outputs:
+        return
+    if _is_coordinate(name, path, scope) or "." in name or not scope.complete:
+        return
+    hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope)], "allowed")
+    message = f"no variable or output is called {quoted(name)}"
+    if name in scope.units:
+        message = f"{quoted(name)} is a dimension, the same in every row; a variable or an output is needed"
+    scope.report.at(path, message, hint)
+
+
+def summaries(data: dict[str, Any], scope: Scope) -> tuple[Summary, ...]:
+    """Single numbers from a whole sweep."""
+    result = []
+    for name, entry in data.items():
+        if entry is BAD:
+            continue
+        path: Path = ("summary", name)
+        _check_column(entry["of"], (*path, "of"), scope)
+        cell = scope.cell(entry, path)
+        result.append(Summary(name, entry["of"], entry["take"], words(entry.get("label")), cell))
+    return tuple(result)
+
+
+def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
+    """The charts asked for."""
+    result = []
+    for place, entry in enumerate(data):
+        if entry is BAD:
+            continue
+        path: Path = ("charts", place)
+        x, y, paths = (entry.get(key, default) for key, default in (("x", ""), ("y", []), ("paths", [])))
+        y, paths = ([] if y is BAD else y), ([] if paths is BAD else paths)
+        if x:
+            _check_column(x, (*path, "x"), scope)
+        for number, name in enumerate(y):
+            _check_column(name, (*path, "y", number), scope)
+        for number, name in enumerate(paths):
+            if name is not BAD and name not in scope.points:
+                hint = suggestion(name, scope.points, "points")
+                scope.report.at((*path, "paths", number), f"no point is called {quoted(name)}", hint)
+        for key, names in (("y", y), ("paths", paths)):
+            _check_twice(names, (*path, key), scope)
+        result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths)))
+    return tuple(result)
+
+
+def _check_twice(names: list[Any], path: Path, scope: Scope) -> None:
+    for number, name in enumerate(names):
+        if name is not BAD and name in names[:number]:
+            scope.report.at((*path, number), f"{quoted(name)} is listed twice")
+
+
+def tables(data: list[Any], driver: str | None, scope: Scope) -> tuple[TableRequest, ...]:
+    """The two-way tables asked for; `driver` is the driver's symbol, None when a fault hides it."""
+    result = []
+    for place, entry in enumerate(data):
+        if entry is BAD:
+            continue
+        path: Path = ("tables", place)
+        rows = entry["rows"]
+        if driver is not None and rows not in (BAD, driver):
+            message = f"expected the driver's symbol {quoted(driver)}, found {quoted(rows)}"
+            scope.report.at((*path, "rows"), message)
+        _check_column(entry["value"], (*path, "value"), scope)
+        column, values = _columns(entry["columns"], (*path, "columns"), scope)
+        result.append(TableRequest(rows, column, values, entry["value"], words(entry.get("title"))))
+    return tuple(result)
+
+
+def _columns(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Quantity, ...]]:
+    """The input that differs from column to column, and its values in internal units."""
+    if data is BAD:
+        return "", ()
+    name, values = next(iter(data.items()))
+    if name not in scope.units:
+        message = f"no dimension is called {quoted(name)}"
+        scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
+    elif name not in scope.inputs:
+        message = f"the dimension {quoted(name)} is derived; only an input can differ from column to column"
+        scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
+    elif values is not BAD:
+        unit, kind = scope.units[name], scope.kinds[name]
+        return name, tuple(
+            scope.quantity(value, kind, (*path, name, number), unit) for number, value in enumerate(values)
+        )
+    return name, ()

@@ -1,0 +1,294 @@
+"""Format 1 of the description as data: every key, what it may hold, and what it means.
+
+`shape.py` checks a text against it; the manual's table of keys and a JSON Schema can be made from it. What cannot be said
+of one key alone (names that must exist, circles, rows) is checked by the modules that read the parts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
+
+FORMAT = 1
+HEADING_ROWS = 20
+"""Rows of a sheet that are kept for headings when the length of a sweep is judged."""
+MOST_ROWS = MAX_ROWS - HEADING_ROWS
+MOST_SERIES = 255
+"""Curves in one chart: the limit of spreadsheet programs."""
+MOST_COLUMNS = MAX_COLUMNS - HEADING_ROWS
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A plain number; `least` is the smallest allowed."""
+
+    least: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Integer:
+    """A whole number from `least` to `most`."""
+
+    least: int
+    most: int
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number in the file's own units, or an expression in quotes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A text.
+
+    choices  the only texts allowed, when there are any;  later: further ones that are reserved
+    names    what the text is the name of ("link", "point" ...), for documentation
+    longest  number of characters;  lines: more than one line is allowed
+    """
+
+    choices: tuple[str, ...] = ()
+    later: tuple[str, ...] = ()
+    names: str = ""
+    longest: int = 255
+    lines: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """One text, or one in each language: `{ en = "…", tr = "…" }`."""
+
+    longest: int = 255
+    lines: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Items:
+    """A list (or an array of tables) of `least` to `most` items."""
+
+    item: Shape
+    least: int = 0
+    most: int = MOST_ROWS
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A table whose keys are names that the description gives; `what` they name."""
+
+    item: Shape
+    what: str
+    least: int = 0
+    most: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """One key of a table."""
+
+    shape: Shape
+    note: str
+    required: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table with fixed keys.
+
+    ways     alternatives: exactly one group must be there, whole: (("start", "stop", "step"), ("values",))
+    later    keys reserved for later versions, refused by name
+    """
+
+    keys: Mapping[str, Key]
+    ways: tuple[tuple[tuple[str, ...], ...], ...] = ()
+    later: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Kinds:
+    """A table whose text `key` says which other keys it has; `later` are kinds reserved for later versions."""
+
+    key: str
+    tables: Mapping[str, Table]
+    later: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Either:
+    """One of several shapes, told apart by their TOML type."""
+
+    shapes: tuple[Shape, ...]
+
+
+Shape: TypeAlias = (
+    "Number | Integer | Quantity | Text | Words | Items | Named | Table | Kinds | Either"  # a string: it is recursive
+)
+
+PAIR = Items(Quantity(), 2, 2, "[x, y]")
+_LABEL = Key(Words(), "what it is called, in one language or both")
+_CELL = Key(Text(), "the name of its cell in the workbook")
+_UNIT = Key(Text(longest=20), '"deg", "rad", "1" for a plain number, or the length unit (the default)')
+_ANGLE = Key(Quantity(), "direction of the line in the frame of `on`; default 0")
+_SYMBOL = Key(Text(), "the displacement: signed distance from `through` to `point` along the line")
+
+MECHANISM = Table(
+    {
+        "name": Key(Text(longest=100), 'stem of the files that are built: letters, digits, "-" and "_"', True),
+        "title": Key(Words(), "title of the workbook; the name by default"),
+        "source": Key(Words(4000, lines=True), "where the numbers come from; printed in the workbook"),
+        "length_unit": Key(Text(longest=20), 'label of all lengths; default "mm"'),
+        "angle_unit": Key(Text(("deg", "rad")), 'unit of every plain number that is an angle; default "deg"'),
+    }
+)
+
+DIMENSION = Table(
+    {
+        "value": Key(Number(), "an input, in the dimension's own unit"),
+        "formula": Key(Text(longest=8000), "an expression over other dimensions"),
+        "unit": _UNIT,
+        "label": _LABEL,
+        "cell": _CELL,
+        "tolerance": Key(Number(0), "in the unit shown"),
+    },
+    ways=((("value",), ("formula",)),),
+)
+
+POINT = Table(
+    {
+        "r": Key(Quantity(), "distance from the frame's origin"),
+        "angle": Key(Quantity(), "direction from the frame's x axis"),
+        "distances": Key(Named(Quantity(), "point", 2, 2), "distances from two points of the same link"),
+        "side": Key(Text(("left", "right")), "side of the line from the first point to the second"),
+    },
+    ways=((("r", "angle"), ("distances", "side")),),
+)
+
+LINK = Table(
+    {
+        "points": Key(Named(Either((PAIR, POINT)), "point"), "its points, in its own frame", True),
+        "label": _LABEL,
+        "number": Key(Integer(1, 999), "overrides the counting; the ground is 1"),
+    },
+    later=("mass", "center", "inertia"),
+)
+
+_TYPE = Key(Text(), "kind of the joint", True)
+_NAME = Key(Text(), "what the driver calls it; the symbol by default")
+_ON = Key(Text(names="link"), "the link that carries the line", True)
+_THROUGH = Key(
+    Either((Text(names="point"), PAIR)), "a point of the line: a point of `on`, or [x, y] in its frame", True
+)
+
+JOINT = Kinds(
+    "type",
+    {
+        "prismatic": Table(
+            {
+                "type": _TYPE,
+                "name": _NAME,
+                "link": Key(Text(names="link"), "the link that slides", True),
+                "on": _ON,
+                "point": Key(Text(names="point"), "the point of `link` that stays on the line", True),
+                "through": _THROUGH,
+                "angle": _ANGLE,
+                "orientation": Key(Quantity(), "angle of `link`'s x axis from the line; default 0"),
+                "symbol": _SYMBOL,
+            }
+        ),
+        "pin-slot": Table(
+            {
+                "type": _TYPE,
+                "name": _NAME,
+                "link": Key(Text(names="link"), "the link whose point moves; the first with `point` by default"),
+                "on": _ON,
+                "point": Key(Text(names="point"), "the point, of some other link, that moves along the line", True),
+                "through": _THROUGH,
+                "angle": _ANGLE,
+                "symbol": _SYMBOL,
+            }
+        ),
+    },
+    later=("gear",),
+)
+
+DRIVER = Table(
+    {
+        "link": Key(Text(names="link"), "the link that turns"),
+        "relative_to": Key(Text(names="link"), "the link it turns against; the ground by default"),
+        "joint": Key(Text(names="joint"), "or the sliding joint whose displacement is given"),
+        "symbol": Key(Text(), "default: the link's angle, the joint's displacement"),
+        "start": Key(Quantity(), "first value"),
+        "stop": Key(Quantity(), "last value, when the steps land on it"),
+        "step": Key(Quantity(), "from row to row"),
+        "values": Key(Items(Quantity(), 1), "or all values one by one"),
+    },
+    ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",))),
+    later=("speed", "acceleration"),
+)
+
+OUTPUT = Table(
+    {
+        "formula": Key(Text(longest=8000), "an expression over variables and dimensions", True),
+        "unit": Key(Text(longest=20), 'as for a dimension, or any label; "deg": the formula yields radians'),
+        "label": _LABEL,
+        "cell": _CELL,
+    }
+)
+
+TAKES = ("max", "min", "range", "first", "last", "mean")
+
+SUMMARY = Table(
+    {
+        "of": Key(Text(names="variable or output"), "what is looked at over the whole sweep", True),
+        "take": Key(Text(TAKES), "which number is taken", True),
+        "label": _LABEL,
+        "cell": _CELL,
+    }
+)
+
+CHART = Table(
+    {
+        "title": Key(Words(), "title of the chart"),
+        "x": Key(Text(names="variable or output"), "the horizontal axis"),
+        "y": Key(Items(Text(names="variable or output"), 1, MOST_SERIES), "the curves"),
+        "paths": Key(Items(Text(names="point"), 1, MOST_SERIES), "curves of points, x and y at the same scale"),
+    },
+    ways=((("x", "y"), ("paths",)),),
+)
+
+TABLE = Table(
+    {
+        "title": Key(Words(), "title of the table"),
+        "rows": Key(Text(names="driver"), "the driver's symbol", True),
+        "columns": Key(Named(Items(Quantity(), 1, MOST_COLUMNS), "dimension", 1, 1), "one input and its values", True),
+        "value": Key(Text(names="variable or output"), "what stands in the cells", True),
+    }
+)
+
+WORKBOOK = Table(
+    {
+        "language": Key(Text(("en", "tr")), "language of sheet names, headings and notes; default en"),
+        "references": Key(Text(("names", "anchors")), "how formulas name a dimension; default names"),
+    }
+)
+
+DESCRIPTION = Table(
+    {
+        "format": Key(Integer(FORMAT, FORMAT), "version of this format", True),
+        "mechanism": Key(MECHANISM, "what is described", True),
+        "dimensions": Key(Named(Either((Number(), DIMENSION)), "dimension"), "named constants, one cell each"),
+        "links": Key(Named(LINK, "link", 2), "rigid links; the first is the ground", True),
+        "joints": Key(Items(JOINT), "sliding joints"),
+        "driver": Key(DRIVER, "what is driven, and its values", True),
+        "assembly": Key(Named(Either((PAIR, Quantity())), "point or variable"), "a rough first position"),
+        "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
+        "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
+        "charts": Key(Items(CHART), "charts; sensible ones are chosen when left out"),
+        "tables": Key(Items(TABLE), "two-way tables"),
+        "workbook": Key(WORKBOOK, "how the workbook is written"),
+    },
+    later=("drivers", "loads"),
+)

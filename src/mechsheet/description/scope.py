@@ -1,0 +1,259 @@
+"""What the names of a description mean while it is read: units, values of dimensions, variables; and its expressions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, unit_kind
+from mechsheet.description.report import BAD, Report, listed, quoted, suggestion
+from mechsheet.diagnostics import FormulaError
+from mechsheet.formula.names import folded, name_fault
+from mechsheet.formula.nodes import Node, children, symbols
+from mechsheet.formula.scalar import evaluate
+from mechsheet.model import FUNCTIONS, Quantity, Words
+
+DEEPEST = 200
+"""Operators below one another in one expression; a workbook formula of more would not fit a cell anyway."""
+
+REPORTED = math.nan
+"""Stands for a quantity whose fault has been reported. It never leaves: a description with faults makes no model."""
+
+
+@dataclass(slots=True)
+class Space:
+    """Names that must differ by more than case. `taken`: folded name -> (name, what it is, where)."""
+
+    report: Report
+    taken: dict[str, tuple[str, str, Path]] = field(default_factory=dict)
+
+    def claim(self, name: str, what: str, path: Path) -> None:
+        """Take `name` for `what` ("dimension"), or report the clash with both places."""
+        owner = self.taken.setdefault(folded(name), (name, what, path))
+        if owner[2] == path:
+            return
+        other, other_what, other_path = owner
+        spot = self.report.source.spots.get(other_path)
+        line = f" (line {spot.line})" if spot else ""
+        message = f"the name {quoted(name)} is taken by the {other_what} {quoted(other)}{line}"
+        case = "names must differ by more than case and the dots of i and ı" if other != name else ""
+        self.report.at(path, message, case)
+
+
+@dataclass(slots=True)
+class Scope:
+    """Everything that has a name, as far as it has been read.
+
+    units      dimension -> its unit;  inputs: the dimensions that are not derived
+    numbers    dimension -> its value in internal units, where it has one
+    kinds      dimension or variable -> ANGLE, LENGTH or ANY
+    variables  symbols of angles, displacements and the driver
+    points     point -> the links that name it
+    outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
+    """
+
+    report: Report
+    length_unit: str = "mm"
+    angle_unit: str = "deg"
+    units: dict[str, str] = field(default_factory=dict)
+    inputs: list[str] = field(default_factory=list)
+    numbers: dict[str, float] = field(default_factory=dict)
+    kinds: dict[str, str] = field(default_factory=dict)
+    variables: list[str] = field(default_factory=list)
+    points: dict[str, list[str]] = field(default_factory=dict)
+    outputs: list[str] = field(default_factory=list)
+    complete: bool = True
+    symbols: Space = field(init=False)
+    cells: Space = field(init=False)
+    trees: dict[str, Node] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.symbols = Space(self.report)
+        self.cells = Space(self.report)
+
+    # ---- names
+
+    def add_variable(self, symbol: str, kind: str, what: str, path: Path) -> None:
+        """A new variable, whose name must be free."""
+        self.symbols.claim(symbol, what, path)
+        self.variables.append(symbol)
+        self.kinds.setdefault(symbol, kind)
+
+    def symbol_is_good(self, name: str, path: Path) -> bool:
+        """True when `name` can stand in an expression; reports why not."""
+        reason = symbol_fault(name)
+        if reason:
+            self.report.at(path, f"the name {quoted(name)} {reason}")
+        return not reason
+
+    def cell(self, table: dict[str, Any], path: Path) -> str | None:
+        """The cell name that `table` gives, checked."""
+        name, place = table.get("cell"), (*path, "cell")
+        if name is None or name is BAD:
+            return None
+        reason = name_fault(name)
+        if reason:
+            self.report.at(place, f"the cell name {quoted(name)} {reason}")
+        self.cells.claim(name, "cell", place)
+        return str(name)
+
+    # ---- expressions
+
+    def parse(self, text: str, path: Path) -> Node | None:
+        """The tree of an expression; None when it does not parse."""
+        try:
+            # Imported here: a description without expressions must not pay for the parser.
+            from mechsheet.formula.parser import parse_description
+
+            tree = parse_description(text)
+        except FormulaError as error:
+            for fault in error.faults:
+                self.report.at(path, f"in {quoted(text)}: {fault.message}", fault.hint)
+            return None
+        if _deeper_than(tree, DEEPEST):
+            self.report.at(path, f"the expression has more than {DEEPEST} operators below one another")
+            return None
+        return tree
+
+    def only_dimensions(self, tree: Node, text: str, path: Path) -> bool:
+        """True when all symbols are dimensions; reports the others."""
+        others = [name for name in symbols(tree) if name not in self.units]
+        for name in others:
+            point, dot, _ = name.partition(".")
+            if name in self.variables or name in self.outputs or (dot and point in self.points):
+                message = f"{quoted(name)} differs from row to row; only dimensions are allowed here"
+            else:
+                message = f"{quoted(name)} is not a dimension"
+            where = "" if name == text.strip() else f"in {quoted(text)}: "
+            self.report.at(path, where + message, suggestion(name, self.units, "dimensions"))
+        return not others
+
+    def value(self, tree: Node, path: Path) -> float | None:
+        """The value of an expression over dimensions, or None; reports why there is none."""
+        names = symbols(tree)
+        if any(name not in self.numbers for name in names):
+            return None  # a dimension without a value has been reported already
+        try:
+            return evaluate(tree, self.numbers)
+        except (ArithmeticError, ValueError) as error:
+            used = ", ".join(f"{name} = {self.in_unit(name)}" for name in names)
+            self.report.at(path, f"has no value: {error}", f"with {used}" if used else "")
+            return None
+
+    def in_unit(self, dimension: str) -> str:
+        """The value of a dimension as a person reads it."""
+        unit, number = self.units[dimension], self.numbers[dimension]
+        shown = math.degrees(number) if unit == "deg" else number
+        return f"{shown:.6g}" + ("" if unit == "1" else f" {unit}")
+
+    def fits(self, tree: Node, text: str, wanted: str, path: Path) -> bool:
+        """True unless the expression surely is of another kind than `wanted`."""
+        kind = kind_of(tree, self.kinds)
+        if ANY in (kind, wanted) or kind == wanted:
+            return True
+        hint = "expressions compute in radians: leave degrees() out" if kind == DEGREES and wanted == ANGLE else ""
+        article = "an" if kind == ANGLE else "a"
+        needed = "an angle" if wanted == ANGLE else "a length"
+        self.report.at(path, f"{quoted(text)} is {article} {kind} where {needed} is needed", hint)
+        return False
+
+    def quantity(self, value: Any, wanted: str, path: Path, unit: str = "") -> Quantity:
+        """A number or expression over dimensions as the model holds it, in internal units; REPORTED if it is faulty.
+
+        A plain number that is an angle is in `unit`, or in the file's angle unit.
+        """
+        if value is BAD:
+            return REPORTED
+        if not isinstance(value, str):
+            return math.radians(value) if wanted == ANGLE and (unit or self.angle_unit) == "deg" else float(value)
+        tree = self.parse(value, path)
+        if tree is None or not self.only_dimensions(tree, value, path):
+            return REPORTED
+        if not self.fits(tree, value, wanted, path):
+            return REPORTED
+        known = all(name in self.numbers for name in symbols(tree))
+        if known and self.value(tree, path) is None:
+            return REPORTED
+        self.trees[value] = tree
+        return value
+
+    def number(self, quantity: Quantity) -> float:
+        """The value of what `quantity` returned; nan where it is not known."""
+        if not isinstance(quantity, str):
+            return quantity
+        tree = self.trees[quantity]
+        return evaluate(tree, self.numbers) if all(name in self.numbers for name in symbols(tree)) else REPORTED
+
+    def unit(self, table: dict[str, Any], path: Path) -> str:
+        """The unit of a dimension: "deg", "rad", "1" or the length unit (the default)."""
+        unit = table.get("unit", self.length_unit)
+        choices = ("deg", "rad", "1", self.length_unit)
+        if unit is BAD or unit in choices:
+            return self.length_unit if unit is BAD else str(unit)
+        hint = suggestion(unit, choices, "units")
+        self.report.at((*path, "unit"), f"unknown unit {quoted(unit)}", hint)
+        return "1"  # fits everywhere
+
+    def kind_of_unit(self, unit: str) -> str:
+        """ANGLE, LENGTH or ANY."""
+        return unit_kind(unit, self.length_unit)
+
+
+def symbol_fault(name: str) -> str:
+    """Why `name` cannot stand in an expression, as the end of a sentence; "" when it can."""
+    if not name or not name[0].isalpha() or not all(sign.isalnum() or sign == "_" for sign in name):
+        return "must begin with a letter and go on with letters, digits and _"
+    if len(name) > 60:
+        return "is longer than 60 characters"
+    if name in FUNCTIONS or name == "pi":
+        return "means something else in expressions"
+    return ""
+
+
+def words(value: Any) -> Words | None:
+    """A text in both languages, from data that fits the schema."""
+    if not isinstance(value, dict):
+        return None
+    return Words(str(value["en"]), str(value["tr"]))
+
+
+def cycles(edges: dict[str, Iterable[str]]) -> tuple[list[str], list[list[str]]]:
+    """(an order in which every name comes after those it needs, circles among the others)."""
+    remaining = {name: [other for other in needs if other in edges] for name, needs in edges.items()}
+    order: list[str] = []
+    done: set[str] = set()
+    while ready := [name for name in remaining if all(other in done for other in remaining[name])]:
+        order += ready
+        done.update(ready)
+        remaining = {name: needs for name, needs in remaining.items() if name not in done}
+    circles: list[list[str]] = []
+    seen: set[str] = set()
+    for start in remaining:
+        trail: list[str] = []
+        name = start
+        while name not in seen and name not in trail:
+            trail.append(name)
+            name = next(other for other in remaining[name] if other not in done)
+        if name in trail:
+            circles.append(trail[trail.index(name) :])
+        seen.update(trail)
+    return order, circles
+
+
+def circle_message(members: list[str], what: str) -> str:
+    """`a1, b1 and c1 depend on one another in a circle`."""
+    if len(members) == 1:
+        return f"{quoted(members[0])} depends on itself"
+    return f"{what} {listed(members)} depend on one another in a circle"
+
+
+def _deeper_than(tree: Node, most: int) -> bool:
+    level = [tree]
+    for _ in range(most):
+        level = [child for node in level for child in children(node)]
+        if not level:
+            return False
+    return True

@@ -1,0 +1,219 @@
+"""Checks data against the schema, key by key, and hands on what is usable.
+
+Values that do not fit are reported once and replaced by BAD; so are required keys that are missing. What comes back has
+only known keys, and every value in it has the shape the schema promises, or is BAD.
+"""
+
+from __future__ import annotations
+
+import math
+import unicodedata
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.report import BAD, Report, found, listed, quoted, suggestion
+from mechsheet.description.schema import (
+    Either,
+    Integer,
+    Items,
+    Kinds,
+    Named,
+    Number,
+    Quantity,
+    Shape,
+    Table,
+    Text,
+    Words,
+)
+
+LARGEST, SMALLEST = 1e100, 1e-100
+"""Sizes of numbers that can be multiplied a few times without leaving what a spreadsheet can hold."""
+
+
+def fit(value: Any, shape: Shape, path: Path, report: Report) -> Any:
+    """`value` as far as it fits `shape`; BAD (and a fault) where it does not."""
+    if not _same_type(value, shape):
+        report.at(path, f"expected {allowed(shape)}, found {found(value)}", _type_hint(value, shape, path))
+        return BAD
+    match shape:
+        case Either(shapes):
+            return fit(value, next(one for one in shapes if _same_type(value, one)), path, report)
+        case Number() | Quantity() | Integer() if not isinstance(value, str):
+            return _number(value, shape, path, report)
+        case Text():
+            return _text(value, shape, path, report)
+        case Words(longest, lines):
+            return _words(value, Text(longest=longest, lines=lines), path, report)
+        case Items():
+            return _items(value, shape, path, report)
+        case Named():
+            return _named(value, shape, path, report)
+        case Table():
+            return _table(value, shape, path, report)
+        case Kinds():
+            return _kinds(value, shape, path, report)
+    return value
+
+
+def _same_type(value: Any, shape: Shape) -> bool:
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    match shape:
+        case Either(shapes):
+            return any(_same_type(value, one) for one in shapes)
+        case Number():
+            return number
+        case Integer():
+            return number and isinstance(value, int)
+        case Quantity():
+            return number or isinstance(value, str)
+        case Text():
+            return isinstance(value, str)
+        case Words():
+            return isinstance(value, str | dict)
+        case Items():
+            return isinstance(value, list)
+        case _:
+            return isinstance(value, dict)
+
+
+def allowed(shape: Shape) -> str:
+    """What a shape allows, in words."""
+    match shape:
+        case Either(shapes):
+            return " or ".join(allowed(one) for one in shapes)
+        case Number():
+            return "a number"
+        case Integer(least, most):
+            return f"the whole number {least}" if least == most else f"a whole number from {least} to {most}"
+        case Quantity():
+            return "a number or an expression in quotes"
+        case Text(choices):
+            return listed(choices, "or") if choices else "a text in quotes"
+        case Words():
+            return 'a text in quotes or { en = "…", tr = "…" }'
+        case Items(Table() | Kinds()):
+            return "tables with a heading in double brackets"
+        case Items(_, _, _, note):
+            return note or "a list"
+        case _:
+            return "a table"
+
+
+def _type_hint(value: Any, shape: Shape, path: Path) -> str:
+    match shape:
+        case Items(Table() | Kinds()) if isinstance(value, dict):
+            return f"write [[{path[-1]}]] instead of [{path[-1]}]"
+        case Either((Number(), Table())) if isinstance(value, str):
+            return 'a derived dimension is written { formula = "…" }'
+    return ""
+
+
+def _number(value: Any, shape: Number | Quantity | Integer, path: Path, report: Report) -> Any:
+    if isinstance(value, float) and not math.isfinite(value):
+        report.at(path, f"expected a finite number, found {value}")
+    elif value and not SMALLEST <= abs(value) <= LARGEST:
+        report.at(path, f"{found(value)} is out of range: sizes from {SMALLEST:g} to {LARGEST:g} are allowed")
+    elif isinstance(shape, Integer):
+        if shape.least <= value <= shape.most:
+            return value
+        report.at(path, f"expected {allowed(shape)}, found {value}")
+    elif isinstance(shape, Number) and shape.least is not None and value < shape.least:
+        report.at(path, f"expected a number from {shape.least:g} on, found {found(value)}")
+    else:
+        return float(value)
+    return BAD
+
+
+def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
+    if value in shape.later:
+        report.at(path, f"{quoted(value)} is not supported yet: it is reserved for a later version")
+    elif shape.choices and value not in shape.choices:
+        report.at(
+            path, f"expected {allowed(shape)}, found {quoted(value)}", suggestion(value, shape.choices, "allowed")
+        )
+    elif not value.strip():
+        report.at(path, "the text is empty")
+    elif len(value) > shape.longest:
+        report.at(path, f"the text has {len(value)} characters; at most {shape.longest} are allowed")
+    elif unfit := [sign for sign in value if _unfit(sign) and not (shape.lines and sign == "\n")]:
+        report.at(path, f"the text holds a character that a workbook cannot carry: U+{ord(unfit[0]):04X}")
+    else:
+        return value
+    return BAD
+
+
+def _unfit(sign: str) -> bool:
+    """Control characters and line breaks, lone surrogates, and the two that XML forbids."""
+    return unicodedata.category(sign) in ("Cc", "Cs", "Zl", "Zp") or sign in "\ufffe\uffff"
+
+
+def _words(value: Any, text: Text, path: Path, report: Report) -> Any:
+    if isinstance(value, str):
+        one = _text(value, text, path, report)
+        return BAD if one is BAD else {"en": one, "tr": one}
+    for key in value:
+        if key not in ("en", "tr"):
+            report.at((*path, key), "unknown language", suggestion(key, ("en", "tr"), "languages"))
+    if absent := [key for key in ("en", "tr") if key not in value]:
+        report.at(path, f"{listed(absent)} is missing", "one text in quotes serves both languages")
+        return BAD
+    return {key: fit(value[key], text, (*path, key), report) for key in ("en", "tr")}
+
+
+def _items(value: list[Any], shape: Items, path: Path, report: Report) -> Any:
+    if not shape.least <= len(value) <= shape.most:
+        count = f"{shape.least}" if shape.least == shape.most else f"{shape.least} to {shape.most:,}"
+        wanted = f"{count} item{'s' * (count != '1')}" if not shape.note else shape.note
+        report.at(path, f"expected {wanted}, found {found(value)}")
+        return BAD
+    return [fit(item, shape.item, (*path, place), report) for place, item in enumerate(value)]
+
+
+def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> Any:
+    if len(value) < shape.least or (shape.most is not None and len(value) > shape.most):
+        count = "exactly" if shape.least == shape.most else "at least"
+        names = f": {listed(value)}" if value else ""
+        report.at(
+            path, f"expected {count} {shape.least} {shape.what}{'s' * (shape.least > 1)}, found {len(value)}{names}"
+        )
+        if shape.most is not None:
+            return BAD
+    return {key: fit(item, shape.item, (*path, key), report) for key, item in value.items()}
+
+
+def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> Any:
+    result = {}
+    for key, item in value.items():
+        if key in shape.keys:
+            result[key] = fit(item, shape.keys[key].shape, (*path, key), report)
+        elif key in shape.later:
+            report.at((*path, key), f'"{key}" is not supported yet: it is reserved for a later version')
+        else:
+            report.at((*path, key), "unknown key", suggestion(key, shape.keys, "keys"))
+    for key, rule in shape.keys.items():
+        if rule.required and key not in value:
+            report.at((*path, key), f"is missing: {rule.note}")
+            result[key] = BAD
+    for groups in shape.ways:
+        _one_way(value, groups, path, report)
+    return result
+
+
+def _one_way(value: dict[str, Any], groups: tuple[tuple[str, ...], ...], path: Path, report: Report) -> None:
+    begun = [group for group in groups if any(key in value for key in group)]
+    choice = ", or ".join(listed(group) for group in groups)
+    if not begun:
+        report.at(path, f"is not complete: give {choice}")
+    elif len(begun) > 1:
+        both = listed(key for group in begun for key in group if key in value)
+        report.at(path, f"{both} exclude each other: give {choice}")
+    elif absent := [key for key in begun[0] if key not in value]:
+        report.at(path, f"{listed(absent)} {'are' if len(absent) > 1 else 'is'} missing: give {choice}")
+
+
+def _kinds(value: dict[str, Any], shape: Kinds, path: Path, report: Report) -> Any:
+    if shape.key not in value:
+        report.at((*path, shape.key), f"is missing: {listed(shape.tables, 'or')}")
+        return BAD
+    kind = fit(value[shape.key], Text(tuple(shape.tables), shape.later), (*path, shape.key), report)
+    return BAD if kind is BAD else _table(value, shape.tables[kind], path, report)

@@ -1,0 +1,130 @@
+"""The text of a description: read from disk, parsed, and able to say where each key stands."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+import unicodedata
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path as FilePath
+from typing import Any
+
+from mechsheet.description.index import Path, Spot, index
+from mechsheet.diagnostics import DescriptionError, Fault, readable_name
+
+MAX_BYTES = 1_000_000
+"""A description is written by hand; a larger file is something else."""
+
+_POSITION = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A description as text, as TOML data, and as an index of places. Line ends are `\\n`, a byte-order mark is gone."""
+
+    text: str
+    file: str
+    data: dict[str, Any]
+    spots: Mapping[Path, Spot]
+    lines: tuple[str, ...] = field(repr=False)
+
+    def fault(self, path: Path, message: str, hint: str = "") -> Fault:
+        """A fault at `path`, or at the nearest table around it when the key itself is not written."""
+        place = path
+        while place and place not in self.spots:
+            place = place[:-1]
+        line = self.spots[place].line if place else None
+        shown = _shortened(self.lines[line - 1]) if line else ""
+        return Fault(message, self.file, line, dotted(path), shown, hint)
+
+
+def dotted(path: Path) -> str:
+    """`joints[2].on`: list elements count from 1 here, as people count."""
+    text = ""
+    for key in path:
+        if isinstance(key, int):
+            text += f"[{key + 1}]"
+        else:
+            text += ("." if text else "") + (key if _BARE.fullmatch(key) else f'"{_shortened(printable(key))}"')
+    return text
+
+
+def printable(text: str) -> str:
+    """The text with everything that could disturb a terminal written as an escape."""
+    return "".join(sign if sign.isprintable() else repr(sign)[1:-1] for sign in text)
+
+
+def _shortened(text: str, most: int = 160) -> str:
+    return printable(text.expandtabs(4)) if len(text) <= most else printable(text[: most - 1]) + "…"
+
+
+def read_text(path: str | FilePath) -> str:
+    """The text of a file. Raises DescriptionError when it is missing, a directory, too large, or not UTF-8 text."""
+    name = readable_name(path)
+    try:
+        with FilePath(path).open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        raise _refusal(name, "there is no such file") from None
+    except IsADirectoryError:
+        raise _refusal(name, "this is a directory; name a description, a .toml file") from None
+    except (OSError, ValueError) as error:  # ValueError: a null character in the path
+        if FilePath(path).is_dir():  # Windows answers "permission denied" for a directory
+            raise _refusal(name, "this is a directory; name a description, a .toml file") from None
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise _refusal(name, f"cannot be read: {reason}") from None
+    if len(content) > MAX_BYTES:
+        raise _refusal(name, f"larger than {MAX_BYTES:,} bytes: this is no description")
+    if b"\0" in content:
+        hint = "a workbook carries its description inside; name the .toml file here" if content[:2] == b"PK" else ""
+        raise _refusal(name, "a binary file, not a description (TOML text)", hint)
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        message = f"not UTF-8 text: byte {content[error.start]:#04x} fits nowhere"
+        raise _refusal(name, message, 'save the file with the encoding "UTF-8"', line) from None
+
+
+def parse(text: str, file: str) -> Source:
+    """The source of a TOML text. Raises DescriptionError when it is empty, too large, or broken TOML.
+
+    The whole text is brought into Unicode's normal form C first, so that a name typed with combining marks in one
+    place and with composed letters in another is one name.
+    """
+    if len(text) > MAX_BYTES:
+        raise _refusal(file, f"larger than {MAX_BYTES:,} characters: this is no description")
+    text = unicodedata.normalize("NFC", text.removeprefix("\ufeff").replace("\r\n", "\n"))
+    if not text.strip():
+        raise _refusal(file, "the description is empty", 'begin with "mechsheet new"')
+    lines = tuple(text.split("\n"))
+    try:
+        text.encode("utf-8")
+        data = tomllib.loads(text)
+        return Source(text, file, data, index(text), lines)
+    except UnicodeEncodeError as error:
+        raise _refusal(file, "not Unicode text", "", text.count("\n", 0, error.start) + 1) from None
+    except RecursionError:
+        raise _refusal(file, "lists or tables stand too deep inside one another") from None
+    except ValueError as error:  # TOMLDecodeError, and numbers or dates that Python refuses
+        raise DescriptionError(_broken(str(error), file, lines)) from None
+
+
+def _broken(reason: str, file: str, lines: tuple[str, ...]) -> Fault:
+    found = _POSITION.search(reason)
+    reason = _POSITION.sub("", reason)
+    line, column = None, ""
+    if found and found[1]:
+        line, column = int(found[1]), f" (column {found[2]})"
+    elif found:
+        line = len(lines)
+        while line > 1 and not lines[line - 1].strip():
+            line -= 1
+    message = f"broken TOML: {printable(reason[:1].lower() + reason[1:])}{column}"
+    return Fault(message, file, line, source=_shortened(lines[line - 1]) if line else "")
+
+
+def _refusal(file: str, message: str, hint: str = "", line: int | None = None) -> DescriptionError:
+    return DescriptionError(Fault(message, file, line, hint=hint))
