@@ -1,0 +1,6 @@
+"""Recalculates any workbook: knows formulas and cells, nothing of mechanisms."""
+
+from .plan import Plan, compile_book, evaluate
+from .results import Values
+
+__all__ = ["Plan", "Values", "compile_book", "evaluate"]

@@ -19,7 +19,6 @@ from .nodes import (
     Number,
     RangeRef,
     Text,
-    Unary,
 )
 from .precedence import Parser, number_value
 from .references import COLUMN, ROW, column_index, parse_reference

@@ -1,0 +1,48 @@
+"""What part of a block is being computed, what a reference means there, and why that may not work."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Frame(NamedTuple):
+    """The cells being computed: their first cell, how many, and how far that is from the block's first cell."""
+
+    sheet: int
+    row: int
+    col: int
+    rows: int
+    cols: int
+    down: int = 0
+    right: int = 0
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of a full operand."""
+        if self.cols > 1:
+            return (self.cols, self.rows)
+        return (self.rows,) if self.rows > 1 else ()
+
+    def cell(self, down: int, right: int) -> Frame:
+        """One cell of the frame."""
+        return Frame(self.sheet, self.row + down, self.col + right, 1, 1, self.down + down, self.right + right)
+
+
+class Span(NamedTuple):
+    """What a reference means all over a frame: where it starts, its size, and whether it moves with rows and columns."""
+
+    sheet: int
+    row: int
+    col: int
+    height: int
+    width: int
+    moves_down: bool
+    moves_right: bool
+
+
+class VaryingSizeError(Exception):
+    """A range whose size differs from cell to cell (`A$1:A5` filled down): to be evaluated cell by cell."""
+
+
+class UnsupportedError(Exception):
+    """Something that a kernel cannot do; the message says what."""

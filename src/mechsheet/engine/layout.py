@@ -1,0 +1,252 @@
+"""Where the cells of a book lie in one flat array, and how a rectangle of cells is read from it.
+
+Cells that touch in a column lie side by side, whatever filled them, so a column is a slice. A block of several columns
+lies as one array of its own.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from ..diagnostics import Fault, WorkbookError
+from ..formula.book import Block, Book
+from ..formula.references import cell_address
+from .values import Cells, Codes, Numbers, Texts
+
+
+class Area(NamedTuple):
+    """A rectangle of cells of one sheet (by index)."""
+
+    sheet: int
+    row: int
+    col: int
+    rows: int
+    cols: int
+
+
+class Piece(NamedTuple):
+    """Consecutive cells of one column filled by one producer: a block, or a run of constants."""
+
+    row: int
+    rows: int
+    producer: int
+
+
+class Band(NamedTuple):
+    """Consecutive cells of one column that lie side by side from `offset` on."""
+
+    row: int
+    rows: int
+    offset: int
+
+
+@dataclass(slots=True)
+class Column:
+    """One column: what fills it and where it lies, both from the top down."""
+
+    pieces: list[Piece] = field(default_factory=list)
+    bands: list[Band] = field(default_factory=list)
+
+    def band_at(self, row: int) -> Band | None:
+        """The band that holds a row."""
+        index = bisect_right(self.bands, row, key=lambda band: band.row) - 1
+        if index >= 0 and row < self.bands[index].row + self.bands[index].rows:
+            return self.bands[index]
+        return None
+
+    def bands_in(self, row: int, rows: int) -> Iterator[Band]:
+        """The bands that touch rows [row, row + rows)."""
+        index = max(0, bisect_right(self.bands, row, key=lambda band: band.row) - 1)
+        for band in self.bands[index:]:
+            if band.row >= row + rows:
+                break
+            if band.row + band.rows > row:
+                yield band
+
+    def producers_in(self, row: int, rows: int) -> Iterator[int]:
+        """What fills any of the rows [row, row + rows)."""
+        index = max(0, bisect_right(self.pieces, row, key=lambda piece: piece.row) - 1)
+        for piece in self.pieces[index:]:
+            if piece.row >= row + rows:
+                break
+            if piece.row + piece.rows > row:
+                yield piece.producer
+
+
+@dataclass(slots=True)
+class Constants:
+    """A run of constants: its place in the flat array and its encoded values."""
+
+    sheet: int
+    row: int
+    col: int
+    numbers: Numbers
+    codes: Codes | None
+    offset: int = -1
+
+
+@dataclass(slots=True)
+class Layout:
+    """The whole book in one flat array of `size` cells."""
+
+    titles: list[str]
+    columns: list[dict[int, Column]]
+    blocks: list[Block]
+    block_sheets: list[int]
+    constants: list[Constants]
+    block_offsets: list[int]
+    texts: Texts
+    size: int = 0
+    used_rows: list[int] = field(default_factory=list)
+
+    def block_area(self, number: int) -> Area:
+        """The cells that a block fills."""
+        block = self.blocks[number]
+        return Area(self.block_sheets[number], block.row, block.col, block.rows, block.cols)
+
+    def clipped(self, area: Area) -> Area:
+        """The area without the rows below and the columns right of everything in its sheet; at least one cell."""
+        sheet, row, col, rows, cols = area
+        rows = max(1, min(rows, self.used_rows[sheet] - row))
+        cols = max(1, min(cols, max(self.columns[sheet], default=0) + 1 - col))
+        return Area(sheet, row, col, rows, cols)
+
+    def producers(self, area: Area) -> set[int]:
+        """What fills any cell of the area: numbers of blocks, then len(blocks) + number of a run of constants."""
+        found: set[int] = set()
+        columns = self.columns[area.sheet]
+        for col in _columns_in(columns, area):
+            found.update(columns[col].producers_in(area.row, area.rows))
+        return found
+
+    def place(self, sheet: int, row: int, col: int) -> int:
+        """Where a cell lies in the flat array, -1 when it is empty."""
+        column = self.columns[sheet].get(col)
+        band = column.band_at(row) if column is not None else None
+        return -1 if band is None else band.offset + row - band.row
+
+    def read(self, area: Area, numbers: Numbers, codes: Codes) -> Cells:
+        """The cells of an area, shape (cols, rows); a view where they lie side by side."""
+        place = self._contiguous(area)
+        if place >= 0:
+            end = place + area.rows * area.cols
+            found, kinds = numbers[place:end], codes[place:end]
+            return Cells(
+                found.reshape(area.cols, area.rows), kinds.reshape(area.cols, area.rows) if kinds.any() else None
+            )
+        found = np.zeros((area.cols, area.rows))
+        kinds = np.ones((area.cols, area.rows), np.uint8)  # BLANK
+        columns = self.columns[area.sheet]
+        for col in _columns_in(columns, area):
+            for band in columns[col].bands_in(area.row, area.rows):
+                first, last = max(band.row, area.row), min(band.row + band.rows, area.row + area.rows)
+                source = slice(band.offset + first - band.row, band.offset + last - band.row)
+                target = slice(first - area.row, last - area.row)
+                found[col - area.col, target] = numbers[source]
+                kinds[col - area.col, target] = codes[source]
+        return Cells(found, kinds if kinds.any() else None)
+
+    def _contiguous(self, area: Area) -> int:
+        """Where the area lies as one piece of the flat array, -1 when it does not."""
+        columns = self.columns[area.sheet]
+        first = self.place(area.sheet, area.row, area.col)
+        if first < 0:
+            return -1
+        for index in range(area.cols):
+            column = columns.get(area.col + index)
+            band = column.band_at(area.row) if column is not None else None
+            if band is None or area.row + area.rows > band.row + band.rows:
+                return -1
+            if band.offset + area.row - band.row != first + index * area.rows:
+                return -1
+        return first
+
+
+def _columns_in(columns: dict[int, Column], area: Area) -> list[int]:
+    """The used columns of an area, from the left."""
+    if area.cols < len(columns):
+        return [col for col in range(area.col, area.col + area.cols) if col in columns]
+    return sorted(col for col in columns if area.col <= col < area.col + area.cols)
+
+
+def make_layout(book: Book) -> Layout:
+    """Give every cell its place. Raises WorkbookError when two things fill the same cell."""
+    texts = Texts()
+    layout = Layout([sheet.title for sheet in book.sheets], [{} for _ in book.sheets], [], [], [], [], texts)
+    for index, sheet in enumerate(book.sheets):
+        for block in sheet.blocks:
+            layout.blocks.append(block)
+            layout.block_sheets.append(index)
+    for index, sheet in enumerate(book.sheets):
+        for col, runs in sorted(sheet.constants.columns.items()):
+            for run in runs:
+                layout.constants.append(_encoded(index, run.row, col, run.values, texts))
+    _fill_columns(layout, book)
+    _give_places(layout)
+    return layout
+
+
+def _encoded(sheet: int, row: int, col: int, values: object, texts: Texts) -> Constants:
+    if not isinstance(values, list):
+        return Constants(sheet, row, col, np.array(values, np.float64), None)
+    pairs = [texts.encode(value) for value in values]
+    codes = np.array([code for _, code in pairs], np.uint8)
+    return Constants(sheet, row, col, np.array([n for n, _ in pairs], np.float64), codes if codes.any() else None)
+
+
+def _fill_columns(layout: Layout, book: Book) -> None:
+    for number, block in enumerate(layout.blocks):
+        columns = layout.columns[layout.block_sheets[number]]
+        for col in range(block.col, block.col + block.cols):
+            columns.setdefault(col, Column()).pieces.append(Piece(block.row, block.rows, number))
+    for number, run in enumerate(layout.constants, len(layout.blocks)):
+        column = layout.columns[run.sheet].setdefault(run.col, Column())
+        column.pieces.append(Piece(run.row, len(run.numbers), number))
+    faults = []
+    for index, columns in enumerate(layout.columns):
+        for col, column in columns.items():
+            column.pieces.sort()
+            for above, below in zip(column.pieces, column.pieces[1:], strict=False):
+                if above.row + above.rows > below.row:
+                    place = cell_address(book.sheets[index].title, below.row, col)
+                    faults.append(Fault("a cell that is filled twice", file=book.source, key=place))
+        ends = (column.pieces[-1].row + column.pieces[-1].rows for column in columns.values())
+        layout.used_rows.append(max(ends, default=1))
+    if faults:
+        raise WorkbookError(faults)
+
+
+def _give_places(layout: Layout) -> None:
+    """Blocks of several columns first; then, in each column, runs of touching pieces side by side."""
+    count = len(layout.blocks)
+    layout.block_offsets = [-1] * count
+    for number, block in enumerate(layout.blocks):
+        if block.cols > 1:
+            layout.block_offsets[number] = layout.size
+            layout.size += block.rows * block.cols
+    for columns in layout.columns:
+        for col in sorted(columns):
+            column = columns[col]
+            for piece in column.pieces:
+                wide = piece.producer < count and layout.blocks[piece.producer].cols > 1
+                if wide:
+                    block = layout.blocks[piece.producer]
+                    offset = layout.block_offsets[piece.producer] + (col - block.col) * block.rows
+                    column.bands.append(Band(piece.row, piece.rows, offset))
+                    continue
+                offset = layout.size
+                layout.size += piece.rows
+                if piece.producer < count:
+                    layout.block_offsets[piece.producer] = offset
+                else:
+                    layout.constants[piece.producer - count].offset = offset
+                last = column.bands[-1] if column.bands else None
+                if last and last.row + last.rows == piece.row and last.offset + last.rows == offset:
+                    column.bands[-1] = Band(last.row, last.rows + piece.rows, last.offset)
+                else:
+                    column.bands.append(Band(piece.row, piece.rows, offset))

@@ -1,0 +1,63 @@
+"""The values of a recalculated book."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..formula.nodes import Scalar
+from .layout import Area, Layout
+from .values import BOOLEAN, NUMBER, Codes, Numbers, Texts
+
+
+class Values:
+    """What every cell shows: constants and results alike."""
+
+    def __init__(self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts) -> None:
+        self._layout = layout
+        self._numbers = numbers
+        self._codes = codes
+        self._texts = texts
+        self._sheets = {title.casefold(): index for index, title in enumerate(layout.titles)}
+
+    def get(self, sheet: str, row: int, col: int) -> Scalar:
+        """A cell's value, None when it is empty. Raises KeyError for a sheet that does not exist."""
+        place = self._layout.place(self._sheet(sheet), row, col)
+        return None if place < 0 else self._texts.decode(float(self._numbers[place]), int(self._codes[place]))
+
+    def column(self, sheet: str, col: int, first_row: int, last_row: int) -> list[Scalar]:
+        """The values of a column's rows first_row..last_row, both included."""
+        numbers, codes = self._read(sheet, col, first_row, last_row)
+        return [self._texts.decode(n, c) for n, c in zip(numbers.tolist(), codes.tolist(), strict=True)]
+
+    def arrays(self, sheet: str, col: int, first_row: int, last_row: int) -> tuple[Numbers, Codes]:
+        """The same rows as (float64 array, uint8 codes): NaN wherever the cell holds no number or truth value.
+
+        Codes: 0 number, 1 blank, 2 text, 3 truth value, from 16 on errors in the order of `values.ERROR_NAMES`.
+        """
+        numbers, codes = self._read(sheet, col, first_row, last_row)
+        return np.where((codes == NUMBER) | (codes == BOOLEAN), numbers, np.nan), codes
+
+    def items(self, sheet: str) -> Iterator[tuple[int, int, Scalar]]:
+        """(row, col, value) of every cell of a sheet that is not empty, column by column."""
+        index = self._sheet(sheet)
+        for col, column in sorted(self._layout.columns[index].items()):
+            for band in column.bands:
+                place = slice(band.offset, band.offset + band.rows)
+                pairs = zip(self._numbers[place].tolist(), self._codes[place].tolist(), strict=True)
+                for down, (number, code) in enumerate(pairs):
+                    yield band.row + down, col, self._texts.decode(number, code)
+
+    def _sheet(self, title: str) -> int:
+        found = self._sheets.get(title.casefold())
+        if found is None:
+            raise KeyError(f"no sheet called {title}")
+        return found
+
+    def _read(self, sheet: str, col: int, first_row: int, last_row: int) -> tuple[Numbers, Codes]:
+        area = Area(self._sheet(sheet), first_row, col, last_row - first_row + 1, 1)
+        found = self._layout.read(area, self._numbers, self._codes)
+        numbers = np.array(found.numbers[0])
+        codes = np.zeros(len(numbers), np.uint8) if found.codes is None else np.array(found.codes[0])
+        return numbers, codes

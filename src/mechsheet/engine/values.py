@@ -1,0 +1,163 @@
+"""What the engine computes with: float64 arrays, each with an array of codes beside it that says what a number stands for.
+
+A text is a number into a table of texts, a truth value is 0 or 1, a blank is 0, an error is NaN. So columns of any kind
+pass through the same array operations, and a column of plain numbers needs no codes at all (None).
+
+Arrays of a block have one of four shapes, which numpy broadcasts against each other: () the same in all its cells,
+(rows,) along its rows, (cols, 1) along its columns, (cols, rows) both. An array value (a range, a literal) has two axes
+more in front: (height, width, cols or 1, rows or 1).
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..formula.nodes import ErrorValue, Scalar
+
+Numbers: TypeAlias = NDArray[np.float64]
+Codes: TypeAlias = NDArray[np.uint8]
+Mask: TypeAlias = NDArray[np.bool_]
+
+NUMBER, BLANK, TEXT, BOOLEAN = 0, 1, 2, 3
+ERROR = 16
+"""Codes from here on are errors."""
+
+ERROR_NAMES = (
+    "#NULL!", "#DIV/0!", "#VALUE!", "#REF!", "#NAME?", "#NUM!", "#N/A", "#SPILL!", "#CALC!",
+    "#FIELD!", "#BLOCKED!", "#UNKNOWN!", "#CONNECT!", "#BUSY!", "#EXTERNAL!", "#PYTHON!", "#GETTING_DATA",
+)  # fmt: skip
+NULL, DIV0, VALUE, REF, NAME, NUM, NA, SPILL, CALC = range(ERROR, ERROR + 9)
+
+_ERROR_VALUES = tuple(ErrorValue(name) for name in ERROR_NAMES)
+_ERROR_CODES = {name: ERROR + index for index, name in enumerate(ERROR_NAMES)}
+
+
+def error_code(name: str) -> int:
+    """The code of an error's text; anything that is no error's text is #VALUE!."""
+    return _ERROR_CODES.get(name.upper(), VALUE)
+
+
+class Cells(NamedTuple):
+    """Numbers and their codes (None: all of them plain numbers), shaped as the module says."""
+
+    numbers: Any
+    codes: Any = None
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The common shape of numbers and codes."""
+        shape: tuple[int, ...] = np.shape(self.numbers)
+        return shape if self.codes is None else np.broadcast_shapes(shape, np.shape(self.codes))
+
+
+class Texts:
+    """The table of texts of one evaluation: text <-> its number. Texts differ by case here and compare without it."""
+
+    def __init__(self, base: Texts | None = None) -> None:
+        self._texts: list[str] = list(base._texts) if base else []
+        self._numbers: dict[str, int] = dict(base._numbers) if base else {}
+
+    def number(self, text: str) -> int:
+        """The number of a text, new or known."""
+        found = self._numbers.get(text)
+        if found is None:
+            found = self._numbers[text] = len(self._texts)
+            self._texts.append(text)
+        return found
+
+    def text(self, number: float) -> str:
+        """The text of a number."""
+        return self._texts[int(number)]
+
+    def encode(self, value: Scalar) -> tuple[float, int]:
+        """(number, code) of a scalar."""
+        match value:
+            case None:
+                return 0.0, BLANK
+            case bool():
+                return float(value), BOOLEAN
+            case str():
+                return float(self.number(value)), TEXT
+            case ErrorValue(name):
+                return np.nan, error_code(name)
+            case _:
+                return float(value), NUMBER
+
+    def decode(self, number: float, code: int) -> Scalar:
+        """The scalar of (number, code)."""
+        if code == NUMBER:
+            return float(number)
+        if code == TEXT:
+            return self._texts[int(number)]
+        if code == BOOLEAN:
+            return bool(number)
+        return None if code == BLANK else _ERROR_VALUES[code - ERROR]
+
+    def constant(self, value: Scalar) -> Cells:
+        """A scalar as cells of shape ()."""
+        number, code = self.encode(value)
+        return Cells(np.float64(number), None if code == NUMBER else np.uint8(code))
+
+
+def error(code: int) -> Cells:
+    """One error, shape ()."""
+    return Cells(np.float64(np.nan), np.uint8(code))
+
+
+def boolean(mask: Any) -> Cells:
+    """Truth values."""
+    return Cells(np.asarray(mask, np.float64), np.uint8(BOOLEAN))
+
+
+def finished(numbers: Any, codes: Any = None) -> Cells:
+    """A numeric result: `codes` holds errors (0 elsewhere) or is None; what is not finite beside them becomes #NUM!."""
+    bad = ~np.isfinite(numbers)
+    if codes is None:
+        if not bad.any():
+            return Cells(numbers)
+        return Cells(np.where(bad, np.nan, numbers), np.where(bad, np.uint8(NUM), np.uint8(NUMBER)))
+    if not np.any(codes) and not bad.any():
+        return Cells(numbers)
+    codes = np.where(codes != 0, codes, np.where(bad, np.uint8(NUM), np.uint8(0)))
+    return Cells(np.where(codes != 0, np.nan, numbers), codes)
+
+
+def errors_of(cells: Cells) -> Any:
+    """The error codes of cells, 0 where there is none; None when there is none at all."""
+    if cells.codes is None:
+        return None
+    found = cells.codes >= ERROR
+    return np.where(found, cells.codes, np.uint8(0)) if np.any(found) else None
+
+
+def first_error(*codes: Any) -> Any:
+    """Per cell the first error from the left among arrays of error codes (None: none), or None."""
+    result = None
+    for part in codes:
+        if part is not None:
+            result = part if result is None else np.where(result != 0, result, part)
+    return result
+
+
+def choose(mask: Any, then: Cells, otherwise: Cells) -> Cells:
+    """`then` where the mask holds, else `otherwise`."""
+    numbers = np.where(mask, then.numbers, otherwise.numbers)
+    if then.codes is None and otherwise.codes is None:
+        return Cells(numbers)
+    zero = np.uint8(NUMBER)
+    return Cells(
+        numbers,
+        np.where(
+            mask,
+            zero if then.codes is None else then.codes,
+            zero if otherwise.codes is None else otherwise.codes,
+        ),
+    )
+
+
+def codes_of(cells: Cells) -> Any:
+    """The codes as an array, also where they are all NUMBER."""
+    return np.zeros(np.shape(cells.numbers), np.uint8) if cells.codes is None else cells.codes

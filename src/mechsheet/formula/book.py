@@ -1,0 +1,214 @@
+"""A workbook as the engine sees it, plain data: constants, blocks of equal formulas, names, the values stored in the file.
+
+A *block* is a rectangle filled with one formula, as fill-down and fill-right make it; a formula that stands alone is a block
+of one cell. Nothing here evaluates anything: readers fill a book, the engine recalculates it.
+"""
+
+from __future__ import annotations
+
+from array import array
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from .nodes import MAX_COLUMNS, MAX_ROWS, Node, Scalar
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """`rows` x `cols` cells from (row, col) on, filled with `formula`, which is written as seen from the first of them."""
+
+    row: int
+    col: int
+    rows: int
+    cols: int
+    formula: Node
+
+    def __post_init__(self) -> None:
+        inside = 0 <= self.row <= self.row + self.rows - 1 < MAX_ROWS
+        if not (inside and 0 <= self.col <= self.col + self.cols - 1 < MAX_COLUMNS):
+            raise ValueError(f"a block outside the sheet: {self.row, self.col, self.rows, self.cols}")
+
+
+@dataclass(slots=True)
+class Run:
+    """Cells of one column without a gap, from `row` on. Numbers alone are held as an array of 8 bytes each."""
+
+    row: int
+    values: array[float] | list[Scalar]
+
+    @property
+    def end(self) -> int:
+        """The row after the last one."""
+        return self.row + len(self.values)
+
+
+class CellStore:
+    """Values of single cells, column by column, in runs. Filling down a column in order is the cheap way to fill it."""
+
+    def __init__(self) -> None:
+        self._columns: dict[int, list[Run]] = {}
+
+    def put(self, row: int, col: int, value: Scalar) -> None:
+        """Set one cell; a cell that is set twice keeps the last value."""
+        self.extend(row, col, (value,))
+
+    def extend(self, row: int, col: int, values: Sequence[Scalar]) -> None:
+        """Set the cells from (row, col) down."""
+        for offset, value in enumerate(values):
+            self._put(row + offset, self._columns.setdefault(col, []), value)
+
+    @staticmethod
+    def _put(row: int, runs: list[Run], value: Scalar) -> None:
+        number = type(value) is float or type(value) is int
+        if runs:
+            last = runs[-1]
+            if row >= last.end:
+                if row == last.end and isinstance(last.values, array) == number:
+                    last.values.append(value)  # type: ignore[arg-type]
+                    return
+            else:
+                CellStore._replace(row, runs, value)
+                return
+        runs.append(Run(row, array("d", (value,)) if number else [value]))  # type: ignore[arg-type]
+
+    @staticmethod
+    def _replace(row: int, runs: list[Run], value: Scalar) -> None:
+        """Set a cell above the end: split the run it stands in, or stand between two."""
+        number = type(value) is float or type(value) is int
+        index = bisect_right(runs, row, key=lambda run: run.row) - 1
+        new = Run(row, array("d", (value,)) if number else [value])  # type: ignore[arg-type]
+        if index >= 0 and row < runs[index].end:
+            run = runs[index]
+            at = row - run.row
+            parts = [Run(run.row, run.values[:at]), new, Run(row + 1, run.values[at + 1 :])]
+            runs[index : index + 1] = [part for part in parts if part.values]
+        else:
+            runs.insert(index + 1, new)
+
+    def get(self, row: int, col: int) -> Scalar:
+        """The value of a cell, None where nothing was put."""
+        runs = self._columns.get(col)
+        if not runs:
+            return None
+        index = bisect_right(runs, row, key=lambda run: run.row) - 1
+        if index < 0 or row >= runs[index].end:
+            return None
+        return runs[index].values[row - runs[index].row]
+
+    @property
+    def columns(self) -> Mapping[int, Sequence[Run]]:
+        """Column -> its runs from the top down."""
+        return self._columns
+
+    def items(self) -> Iterator[tuple[int, int, Scalar]]:
+        """(row, col, value) of every cell, column by column."""
+        for col in sorted(self._columns):
+            for run in self._columns[col]:
+                for offset, value in enumerate(run.values):
+                    yield run.row + offset, col, value
+
+    def copy(self) -> CellStore:
+        """A store that can be changed apart from this one."""
+        new = CellStore()
+        new._columns = {col: [Run(run.row, run.values[:]) for run in runs] for col, runs in self._columns.items()}
+        return new
+
+
+@dataclass(slots=True)
+class BookSheet:
+    """One sheet: what was typed (`constants`), what is computed (`blocks`), and the values stored for it (`cached`)."""
+
+    title: str
+    constants: CellStore = field(default_factory=CellStore)
+    blocks: list[Block] = field(default_factory=list)
+    cached: CellStore = field(default_factory=CellStore)
+
+    def constant(self, row: int, col: int, value: Scalar) -> None:
+        """A cell that holds a value."""
+        self.constants.put(row, col, value)
+
+    def column_constants(self, row: int, col: int, values: Sequence[Scalar]) -> None:
+        """Cells that hold values, from (row, col) down."""
+        self.constants.extend(row, col, values)
+
+    def block(self, row: int, col: int, rows: int, cols: int, formula: Node) -> None:
+        """A rectangle filled with one formula, written as seen from its first cell."""
+        self.blocks.append(Block(row, col, rows, cols, formula))
+
+    def formula_at(self, row: int, col: int) -> Block | None:
+        """The block that a cell belongs to, None for a constant or an empty cell."""
+        for block in self.blocks:
+            if block.row <= row < block.row + block.rows and block.col <= col < block.col + block.cols:
+                return block
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class DefinedName:
+    """A name for a formula, mostly a cell's reference; `sheet` is the title of the sheet it belongs to, None for the book's.
+
+    Relative references in it are written as seen from cell A1.
+    """
+
+    name: str
+    formula: Node
+    sheet: str | None = None
+
+
+@dataclass(slots=True)
+class Book:
+    """A workbook. Titles of sheets and names are found without regard to case, as spreadsheet programs do."""
+
+    sheets: list[BookSheet]
+    names: list[DefinedName] = field(default_factory=list)
+    date1904: bool = False
+    source: str = ""
+
+    def sheet(self, title: str) -> BookSheet | None:
+        """The sheet of that title, None when there is none."""
+        folded = title.casefold()
+        return next((sheet for sheet in self.sheets if sheet.title.casefold() == folded), None)
+
+    def name(self, name: str, sheet: str | None = None) -> DefinedName | None:
+        """What a name means in `sheet`: the sheet's own name before the book's."""
+        folded = name.casefold()
+        found = None
+        for defined in self.names:
+            if defined.name.casefold() == folded:
+                if defined.sheet is None:
+                    found = found or defined
+                elif sheet is not None and defined.sheet.casefold() == sheet.casefold():
+                    return defined
+        return found
+
+
+class BookBuilder:
+    """Fills a book sheet by sheet: `sheet(title).constant(...)`, `.column_constants(...)`, `.block(...)`, then `build()`."""
+
+    def __init__(self, source: str = "") -> None:
+        self._book = Book([], source=source)
+
+    def sheet(self, title: str) -> BookSheet:
+        """A new sheet after the others."""
+        if self._book.sheet(title) is not None:
+            raise ValueError(f"two sheets called {title}")
+        self._book.sheets.append(BookSheet(title))
+        return self._book.sheets[-1]
+
+    def name(self, name: str, formula: Node, sheet: str | None = None) -> None:
+        """A defined name, of the whole book or of the sheet of that title."""
+        self._book.names.append(DefinedName(name, formula, sheet))
+
+    def build(self) -> Book:
+        """The book as filled so far."""
+        return self._book
+
+
+def cells_of(book: Book) -> Iterable[tuple[str, int, int]]:
+    """(sheet, row, col) of every formula's cell, block by block."""
+    for sheet in book.sheets:
+        for block in sheet.blocks:
+            for row in range(block.row, block.row + block.rows):
+                for col in range(block.col, block.col + block.cols):
+                    yield sheet.title, row, col
