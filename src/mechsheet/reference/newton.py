@@ -17,7 +17,6 @@ CLOSED = 1e-12
 
 _LONGEST_STEP = 1.0
 _SLACK = 1e-6
-_SHORT = 1e-4
 _PATIENCE = 30
 _MARQUARDT_STEPS = 60
 
@@ -92,22 +91,17 @@ def descend(block: Block, state: Array, value: Array) -> Array:
 
 
 def determinant(block: Block, state: Array, value: Array) -> Array:
-    """Determinant (m,) of the block's Jacobian with columns of length one: its sign is the branch, 0 a dead centre."""
+    """Determinant (m,) of the block's Jacobian, angles times their reach: its sign is the branch, 0 a dead centre."""
     _, jacobian = linearised(block, state, value)
-    return np.asarray(np.linalg.det(jacobian / _lengths(jacobian)[:, None, :]))
-
-
-def _lengths(jacobian: Array) -> Array:
-    """Lengths (m, k) of columns; not less than _SHORT, because a pin in its own pivot must not look like a long lever."""
-    return np.maximum(np.sqrt(np.sum(jacobian**2, axis=1)), _SHORT)
+    return np.asarray(np.linalg.det(jacobian / np.array(block.reach)))
 
 
 def weakest(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
     """Least singular value (m,) of that Jacobian, and the change of the unknowns (m, k) that it resists least."""
     _, jacobian = linearised(block, state, value)
-    lengths = _lengths(jacobian)
-    _, singular, right = np.linalg.svd(jacobian / lengths[:, None, :])
-    change = right[:, -1, :] / lengths
+    reach = np.array(block.reach)
+    _, singular, right = np.linalg.svd(jacobian / reach)
+    change = right[:, -1, :] / reach
     return singular[:, -1], change / np.max(np.abs(change), axis=1, keepdims=True)
 
 
@@ -125,11 +119,10 @@ def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]
     best, worst = current, np.inf
     for _ in range(12):
         residuals, jacobian = linearised(block, current, value)
-        lengths = _lengths(jacobian)
         around = np.repeat(current, 2 * k + 1, axis=0)
         around[: 2 * k, columns] += probes
         _, nearby = linearised(block, around, np.repeat(value, 2 * k + 1))
-        dets = np.linalg.det(nearby / lengths[:, None, :])
+        dets = np.linalg.det(nearby / np.array(block.reach))
         slope = (dets[:k] - dets[k : 2 * k]) / (2 * step)
         now = max(float(np.max(np.abs(residuals))), 0.0)
         error = now + abs(float(dets[-1]))
@@ -156,9 +149,8 @@ def movable(block: Block, state: Array, value: Array) -> bool:
     pushed[:, columns] += 0.1 * change
     for _ in range(8):
         residuals, jacobian = linearised(block, pushed, value)
-        lengths = _lengths(jacobian)
-        inverse = np.linalg.pinv(jacobian / lengths[:, None, :], rcond=_SLACK)
-        pushed[:, columns] -= _bounded((inverse @ residuals[..., None])[..., 0] / lengths)
+        inverse = np.linalg.pinv(jacobian / np.array(block.reach), rcond=_SLACK)
+        pushed[:, columns] -= _bounded((inverse @ residuals[..., None])[..., 0] / np.array(block.reach))
     residuals, _ = linearised(block, pushed, value)
     apart = np.max(np.abs(pushed[0, columns] - state[0, columns]))
     closes = np.max(np.abs(residuals)) <= 2 * CLOSED

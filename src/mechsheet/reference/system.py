@@ -57,6 +57,8 @@ class Block:
     """Equations solved together for the state's `columns`.
 
     slots   for each equation the pairs (slot of its gradient, position in `columns`)
+    reach   length of the lever that each unknown angle turns here, 1 for a coordinate: dividing a column of the Jacobian
+            by it makes short links count like long ones
     linear  no product of unknowns: one solution, no assembly mode
     large   more than one loop: more than two solutions, so that the sign of the determinant alone names none
     """
@@ -64,6 +66,7 @@ class Block:
     equations: tuple[Equation, ...]
     columns: tuple[int, ...]
     slots: tuple[tuple[tuple[int, int], ...], ...]
+    reach: tuple[float, ...]
     linear: bool
     large: bool
 
@@ -234,9 +237,22 @@ def _block(equations: Sequence[Equation], columns: Sequence[int]) -> Block:
         equations=tuple(equations),
         columns=tuple(columns),
         slots=slots,
+        reach=tuple(_reach(equations, column) for column in columns),
         linear=angles == 0 or set(kinds) == {"angle"},
         large=loop_unknowns > 2,
     )
+
+
+def _reach(equations: Sequence[Equation], column: int) -> float:
+    """Farthest point of a body that meets another. The lever of a slide changes with the position: it counts as 1."""
+    if column % 3 != 2:
+        return 1.0
+    body = column // 3
+    touching = [equation for equation in equations if body in (equation.body, equation.on)]
+    if any(equation.kind in ("line", "displacement") for equation in touching):
+        return 1.0
+    levers = [math.hypot(*(e.point if e.body == body else e.place)) for e in touching if e.kind != "angle"]
+    return max((lever for lever in levers if lever > 0), default=1.0)
 
 
 def residual(equation: Equation, state: Array, value: Array) -> tuple[Array, tuple[Array | float, ...]]:
