@@ -325,7 +325,7 @@ def _judged(plan: Plan) -> list[str]:
 
 def _column(plan: Plan, values: Any, symbol: str) -> Array:
     """A column of the table in internal units, NaN where it holds no number."""
-    spot = plan.at.spots[symbol]
+    spot = plan.at.shown[symbol]
     cells = values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)
     found = np.array([cell if isinstance(cell, float) else math.nan for cell in cells], dtype=float)
     return np.radians(found) if spot.degrees else found
@@ -342,7 +342,7 @@ def _closed_rows(mechanism: Mechanism, solution: Any, ours: Mapping[str, Array])
 def _compare_column(
     plan: Plan, tally: Tally, symbol: str, ours: Array, theirs: Array, size: float, closed: NDArray[np.bool_]
 ) -> None:
-    spot = plan.at.spots[symbol]
+    spot = plan.at.shown[symbol]
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
     unit = plan.equations.of(symbol).unit if symbol != plan.mechanism.driver.symbol else ""
     is_angle = unit == "angle" or (unit == "" and plan.mechanism.driver.unit in ("deg", "rad"))

@@ -39,6 +39,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "head.status": ("Position", "Konum"),
     "head.exists": ("exists", "var mı"),
     "column.shown": ("the same in degrees", "aynısı, derece olarak"),
+    "column.guarded": ("the same, in rows that exist", "aynısı, var olan satırlarda"),
     "column.radians": ("the driver in radians", "tahrik, radyan olarak"),
     "column.blank": ("value or nothing, for the summaries", "değer ya da boş, özetler için"),
     "stands.assembles": ("assembles in", "montaj olan satırlar"),

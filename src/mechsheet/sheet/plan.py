@@ -206,19 +206,37 @@ def _plan_columns(plan: Plan) -> None:
 
 
 def _plan_equation(plan: Plan, equation: Equation) -> None:
-    inner = equation.kind == "intermediate"
-    degrees = plan.shown_in_degrees(equation.unit)
+    """One column, or two: what formulas read (folded away), and what people read (in degrees; #N/A in rows that do not exist)."""
     if equation.kind == "output":
         in_degrees = next(out for out in plan.mechanism.outputs if out.symbol == equation.symbol).unit == "deg"
         col = _add_column(plan, equation.symbol, "equation", -1, False, equation)
         spot = _table_spot(plan, col, in_degrees)
         plan.at.spots[equation.symbol] = plan.at.shown[equation.symbol] = spot
-    elif degrees and equation.kind == "variable":
+        return
+    inner = equation.kind == "intermediate"
+    degrees = plan.shown_in_degrees(equation.unit)
+    if not inner and (degrees or needs_guard(plan, equation.symbol)):
         _add_column(plan, equation.symbol, "equation", equation.group, True, equation)
         col = _add_column(plan, equation.symbol, "shown", equation.group, False, equation)
-        plan.at.shown[equation.symbol] = _table_spot(plan, col, True)
-    else:
-        _add_column(plan, equation.symbol, "equation", equation.group, inner, equation)
+        plan.at.shown[equation.symbol] = _table_spot(plan, col, degrees)
+        return
+    _add_column(plan, equation.symbol, "equation", equation.group, inner, equation)
+
+
+def needs_guard(plan: Plan, symbol: str) -> bool:
+    """True for a quantity that stays a number where some group cannot be closed: the crank's pin, another branch's points.
+
+    A row that does not exist must show no number at all, so such a column is shown through IF(exists, ...).
+    """
+    missing = {group.closes for group in plan.equations.groups}
+    reads = {equation.symbol: equation.reads for equation in plan.equations.columns}
+    stack, seen = [symbol], {symbol}
+    while stack:
+        for name in reads.get(stack.pop(), ()):
+            if name not in seen:
+                seen.add(name)
+                stack.append(name)
+    return not missing <= seen
 
 
 def _add_column(

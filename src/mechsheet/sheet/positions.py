@@ -10,7 +10,7 @@ from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.model import Quantity, Words
 from mechsheet.sheet import styles
-from mechsheet.sheet.plan import DRIVER, EXISTS, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
+from mechsheet.sheet.plan import DRIVER, EXISTS, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn, needs_guard
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import (
     Area,
@@ -84,7 +84,9 @@ def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, str]:
             unit = plan.unit_shown(_unit_of(plan, column.symbol))
             return column.symbol, unit, plan.text("column.blank")
         case "shown":
-            return column.symbol, plan.unit_shown("angle"), plan.text("column.shown")
+            unit = _unit_of(plan, column.symbol)
+            key = "column.shown" if plan.at.shown[column.symbol].degrees else "column.guarded"
+            return column.symbol, plan.unit_shown(unit), plan.text(key)
     if column.equation is None:  # the driver in radians
         return column.symbol, "rad", plan.text("column.radians")
     unit = column.equation.unit
@@ -133,9 +135,7 @@ def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
         case "exists":
             return [], [_fill(plan, EXISTS, _exists(plan), _decimals(styles.INNER, 0))]
         case "shown":
-            radians = plan.at.reference(column.symbol, plan.table, plan.at.first)
-            style = _decimals(styles.COLUMN, places(plan, "angle"))
-            return [], [_fill(plan, column.col, Call("DEGREES", (radians,)), style)]
+            return [], [_fill(plan, column.col, _shown(plan, column), _shown_style(plan, column))]
         case "blank":
             value = plan.at.reading_shown(column.symbol, plan.table, plan.at.first)
             node = Call("IF", (Call("ISNUMBER", (value,)), value, Text("")))
@@ -144,6 +144,24 @@ def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
         cell = CellRef(plan.at.first, DRIVER)
         return [], [_fill(plan, column.col, Call("RADIANS", (cell,)), _decimals(styles.INNER, 4))]
     return [], _equation_column(plan, column, column.equation)
+
+
+def _shown(plan: Plan, column: TableColumn) -> Node:
+    """What people read: the angle in degrees, and no number in a row that does not exist."""
+    value = plan.at.reference(column.symbol, plan.table, plan.at.first)
+    if plan.at.shown[column.symbol].degrees:
+        value = Call("DEGREES", (value,))
+    return _guarded(plan, value) if needs_guard(plan, column.symbol) else value
+
+
+def _guarded(plan: Plan, value: Node) -> Node:
+    exists = CellRef(plan.at.first, EXISTS, col_abs=True)
+    return Call("IF", (Binary("=", exists, Number(1.0)), value, Call("NA")))
+
+
+def _shown_style(plan: Plan, column: TableColumn) -> Style:
+    unit = column.equation.unit if column.equation else "angle"
+    return _decimals(styles.COLUMN, places(plan, unit))
 
 
 def _fill(plan: Plan, col: int, formula: Node, style: Style, skip: int = 0) -> Fill:
@@ -159,6 +177,8 @@ def _equation_column(plan: Plan, column: TableColumn, equation: Equation) -> lis
     expression = equation.expression
     if equation.kind == "output" and plan.at.spots[column.symbol].degrees:
         expression = Call("DEGREES", (expression,))
+    if equation.kind == "output" and needs_guard(plan, column.symbol):
+        expression = _guarded(plan, expression)
     if equation.first is None:
         return [_fill(plan, column.col, plan.at.bind(expression, plan.table, first), style)]
     start = Fill(first, column.col, plan.at.bind(equation.first, plan.table, first), style)
