@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TypeAlias
 
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
-from mechsheet.sheet.workbook import PLAIN, Cell, Fill, Sheet
+from mechsheet.sheet.workbook import PLAIN, Area, Cell, Fill, Sheet
+
+Place: TypeAlias = tuple[int, int]
+"""Row and column of a cell."""
 
 BAND_ROWS = 1024
 """Most rows of a band: a few megabytes of text at a time."""
@@ -24,25 +28,30 @@ class Band:
     fills: tuple[Fill, ...]
 
 
-def bands(sheet: Sheet) -> Iterator[Band]:
+def bands(sheet: Sheet, areas: Iterable[Area] = (), places: Iterable[Place] = ()) -> Iterator[Band]:
     """The sheet from top to bottom; rows without cells are left out unless they have a height of their own.
 
     The first row of a fill is a band of its own: the cell that carries a shared formula stands there.
+    areas   rectangles that begin and end with a band, and whose rows are not left out
+    places  cells that stand in a band of one row, and that are made when there is nothing in them
     """
-    cells = _cells_by_row(sheet)
+    cells = _cells_by_row(sheet, places)
     starts: dict[int, list[Fill]] = {}
     cuts: set[int] = set()
     for fill in sheet.fills:
         starts.setdefault(fill.row, []).append(fill)
         cuts |= {fill.row, fill.row + 1, fill.row + fill.rows}
-    for row in [*cells, *(row for row, _ in sheet.row_heights)]:
-        cuts |= {row, row + 1}
     heights = {row for row, _ in sheet.row_heights}
+    for row in cells.keys() | heights | {row for row, _ in places}:
+        cuts |= {row, row + 1}
+    covered = [(area.first_row, area.last_row + 1) for area in areas]
+    cuts |= {row for rows in covered for row in rows}
     running: list[Fill] = []
     ordered = sorted(cuts)
     for first, end in pairwise(ordered):
         running = [fill for fill in running if fill.row + fill.rows > first] + starts.get(first, [])
-        if not (running or first in cells or first in heights):
+        in_area = any(start <= first < stop for start, stop in covered)
+        if not (running or first in cells or first in heights or in_area):
             continue
         fills = tuple(sorted(running, key=lambda fill: fill.col))
         _refuse_overlap(sheet, Band(first, end, cells.get(first, ()), fills))
@@ -50,8 +59,8 @@ def bands(sheet: Sheet) -> Iterator[Band]:
             yield Band(row, min(row + BAND_ROWS, end), cells.get(first, ()), fills)
 
 
-def _cells_by_row(sheet: Sheet) -> dict[int, tuple[Cell, ...]]:
-    """Constants row by row, sorted by column, with the empty cells that a merged area's borders need."""
+def _cells_by_row(sheet: Sheet, places: Iterable[Place]) -> dict[int, tuple[Cell, ...]]:
+    """Constants row by row, sorted by column, with the empty cells that merged areas and `places` need."""
     taken = {(cell.row, cell.col): cell for cell in sheet.cells}
     if len(taken) != len(sheet.cells):
         raise ValueError(f"{sheet.title}: two constants in one cell")
@@ -64,6 +73,9 @@ def _cells_by_row(sheet: Sheet) -> dict[int, tuple[Cell, ...]]:
             for col in range(area.first_col, area.last_col + 1):
                 if (row, col) not in styles:
                     taken.setdefault((row, col), Cell(row, col, None, style))
+    for row, col in places:
+        if not any(0 <= row - f.row < f.rows and 0 <= col - f.col < f.cols for f in sheet.fills):
+            taken.setdefault((row, col), Cell(row, col, None))
     rows: dict[int, list[Cell]] = {}
     for cell in taken.values():
         rows.setdefault(cell.row, []).append(cell)

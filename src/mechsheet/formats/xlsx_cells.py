@@ -12,6 +12,7 @@ from mechsheet.formula.references import area_name, cell_address, column_letters
 from mechsheet.sheet.workbook import Cell, Fill, Rich, Sheet, Style
 
 from .bands import Band, bands, column_values
+from .moving import texts_down
 from .xml_text import number, numbers, ooxml_escaped, plain_value
 
 MAX_FORMULA = 8192
@@ -76,8 +77,9 @@ class SheetData:
         if fill.rows * fill.cols == 1:
             return [f"<f>{self.texts[start]}</f>"]
         if not can_be_shared(fill.formula):
-            moved = (shifted(fill.formula, row - fill.row, col - fill.col) for row in range(band.first, band.last))
-            return [f"<f>{ooxml_escaped(print_formula(node, 'excel'))}</f>" for node in moved]
+            first = shifted(fill.formula, 0, col - fill.col)
+            rows = range(band.first - fill.row, band.last - fill.row)
+            return [f"<f>{text}</f>" for text in texts_down(first, rows, "excel", ooxml_escaped)]
         index = self.shared.setdefault(start, len(self.shared))
         if (band.first, col) == start:
             area = area_name(fill.row, fill.col, fill.rows, fill.cols)

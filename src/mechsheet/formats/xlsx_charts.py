@@ -14,6 +14,7 @@ from mechsheet.formula.references import column_letters
 from mechsheet.sheet.workbook import Area, Axis, Chart, Rich, Series, SeriesRef, Sheet
 
 from .bands import column_values
+from .looks import AXIS_COLOR, GRID_COLOR, HAIR_LINE, TEXT_COLOR, TEXT_SIZE, TITLE_SIZE
 from .xml_text import legal, number
 
 MAX_CACHED_POINTS = 4096
@@ -22,8 +23,7 @@ MAX_CACHED_POINTS = 4096
 EMU = 9525
 """English Metric Units in a pixel at 96 dpi."""
 
-TITLE_SIZE, TEXT_SIZE = 11, 9
-_GRID, _AXIS, _TEXT = "#D9D9D9", "#7F7F7F", "#404040"
+_GRID, _AXIS, _TEXT = f"#{GRID_COLOR}", f"#{AXIS_COLOR}", f"#{TEXT_COLOR}"
 _DASHES = {"solid": "solid", "dash": "dash", "dot": "round_dot"}
 
 
@@ -56,6 +56,10 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
 
     def _write_disp_blanks_as(self) -> None:
         self._xml_empty_tag("c:dispBlanksAs", [("val", "gap")])
+
+    def _write_plot_vis_only(self) -> None:
+        # Folding helper columns away must not empty the charts.
+        self._xml_empty_tag("c:plotVisOnly", [("val", 0)])
 
     def _write_c_smooth(self, smooth: object) -> None:
         self._xml_empty_tag("c:smooth", [("val", 0)])
@@ -128,8 +132,8 @@ def _axis(axis: Axis, other: Axis) -> dict[str, Any]:
         "max": axis.high,
         "major_unit": axis.step,
         "visible": axis.visible,
-        "line": {"color": _AXIS, "width": 0.75},
-        "major_gridlines": {"visible": axis.gridlines, "line": {"color": _GRID, "width": 0.75}},
+        "line": {"color": _AXIS, "width": HAIR_LINE},
+        "major_gridlines": {"visible": axis.gridlines, "line": {"color": _GRID, "width": HAIR_LINE}},
     }
     if other.crosses_low:
         options["crossing"] = "min"

@@ -12,6 +12,7 @@ from mechsheet.formula.nodes import Node
 from mechsheet.formula.printer import print_formula, quote_sheet
 from mechsheet.sheet.workbook import Anchor, Area, Control, PrintSetup, Sheet, Validation
 
+from .looks import NOTE_PIXELS, TEXT_SIZE, note_height
 from .xlsx_cells import SheetData
 from .xlsx_charts import OneCellDrawing, cached_values, new_chart
 from .xlsx_controls import PlacedControl, controls_element
@@ -19,7 +20,6 @@ from .xlsx_styles import conditional_properties
 from .xml_text import legal
 
 _A4 = 9
-_LINE_CHARACTERS, _LINE_PIXELS, _NOTE_WIDTH = 34, 15, 220
 _TITLE_LENGTH, _MESSAGE_LENGTH = 32, 255
 
 
@@ -170,9 +170,7 @@ def _short(text: str, length: int) -> str:
 
 
 def _note_look(text: str, author: str) -> dict[str, Any]:
-    """A note large enough for its text."""
-    lines = sum(1 + len(line) // _LINE_CHARACTERS for line in text.split("\n"))
-    return {"author": author, "width": _NOTE_WIDTH, "height": (lines + 1) * _LINE_PIXELS, "font_size": 9}
+    return {"author": author, "width": NOTE_PIXELS, "height": note_height(text), "font_size": TEXT_SIZE}
 
 
 def _url(target: str) -> Url:

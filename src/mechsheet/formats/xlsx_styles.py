@@ -9,10 +9,8 @@ from xlsxwriter.styles import Styles, XFormatType
 
 from mechsheet.sheet.workbook import PLAIN, Rich, Style
 
+from .looks import FONT
 from .xml_text import attribute, number, ooxml_escaped
-
-FONT = "Arial"
-"""Installed or replaced by a font of the same widths wherever a spreadsheet program runs."""
 
 _BUILTIN_STYLES = {
     "Title": 15, "Heading 1": 16, "Heading 2": 17, "Heading 3": 18, "Heading 4": 19, "Input": 20, "Output": 21,

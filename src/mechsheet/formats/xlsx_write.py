@@ -22,19 +22,18 @@ from mechsheet.sheet.workbook import Cell, Control, Rich, Sheet, Workbook
 
 from .archive import FIXED_TIME, Archive, new_archive
 from .limits import check_workbook
+from .looks import COLUMN_PIXELS, FONT, FONT_SIZE, ROW_PIXELS, locale
 from .xlsx_cells import SheetData, formula_texts
 from .xlsx_controls import CONTENT_TYPE, ControlVml, control_properties
 from .xlsx_sheet import DataWorksheet, fill_sheet, place_control
-from .xlsx_styles import FONT, NamedStyles, StyleTable, rich_text
+from .xlsx_styles import NamedStyles, StyleTable, rich_text
 from .xml_text import legal, ooxml_escaped
 
 _DEFAULTS = {
-    "default_format_properties": {"font_name": FONT, "font_size": 10},
-    "default_row_height": 17,
-    "default_column_width": 64,
+    "default_format_properties": {"font_name": FONT, "font_size": FONT_SIZE},
+    "default_row_height": ROW_PIXELS,
+    "default_column_width": COLUMN_PIXELS,
 }
-"""The default font and the pixels that a row and a column without a size of their own have in it."""
-_LOCALES = {"en": "en-US", "tr": "tr-TR"}
 
 
 def write_xlsx(workbook: Workbook, path: Path) -> None:
@@ -91,8 +90,7 @@ class _Book(XlsxWorkbook):  # type: ignore[misc]
             self.styles.index(style)
         page.data = SheetData(sheet, self.styles.index, strings, formula_texts(sheet))
         properties = self.source.properties
-        language = _LOCALES.get(properties.language, properties.language)
-        fill_sheet(page, sheet, self, language, legal(properties.author))
+        fill_sheet(page, sheet, self, locale(properties.language), legal(properties.author))
         placed = sum(len(other.buttons_list) for other in self.worksheets())
         page.controls = [
             place_control(page, control, _position(sheet, control), placed + i)
