@@ -7,9 +7,12 @@ that drawing (rounded), and the drawing as its sketch.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
+
+Line = tuple[tuple[float, float], tuple[float, float]]
 
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
@@ -96,7 +99,14 @@ class Grower:
         length = self._uniform(8, 30)
         self._point(crank.x + length * math.cos(crank.angle), crank.y + length * math.sin(crank.angle), crank)
 
-    def _slide(self, mover: Body, carrier: Body, through: tuple[float, float], point: tuple[float, float], kind: str = "prismatic") -> None:
+    def _slide(
+        self,
+        mover: Body,
+        carrier: Body,
+        through: tuple[float, float],
+        point: tuple[float, float],
+        kind: str = "prismatic",
+    ) -> None:
         """A joint: `point` (world) of `mover` on the line of `carrier` through `through` (world)."""
         name = self._point(*point, mover)
         direction = math.atan2(point[1] - through[1], point[0] - through[0])
@@ -158,21 +168,38 @@ class Grower:
             self._slide(first, second, near_q, near_p)
         self._remember(self._point(*self._spot(), first))
 
+    def _crossing(self, spots: Callable[[], tuple[Line, Line]]) -> tuple[Line, Line]:
+        """Two lines, each (through, point), drawn until they cross at a fair angle."""
+        while True:
+            one, other = spots()
+            (ax, ay), (bx, by) = one
+            (cx, cy), (dx, dy) = other
+            sine = ((bx - ax) * (dy - cy) - (by - ay) * (dx - cx)) / max(math.dist(*one) * math.dist(*other), 1e-9)
+            if abs(sine) > 0.3:
+                return one, other
+
+    def _around(self, spot: tuple[float, float], size: float) -> tuple[float, float]:
+        return (spot[0] + self._uniform(-size, size), spot[1] + self._uniform(-size, size))
+
     def _prp(self) -> None:
         i, j = self._two_bodies()
         r = self._spot()
         first, second = self._new_body(r), self._new_body(r)
         self._remember(self._point(*r, first, second))
-        self._either_way(first, i, self._near(i), (r[0] + self._uniform(-9, 9), r[1] + self._uniform(-9, 9)))
-        self._either_way(second, j, self._near(j), (r[0] + self._uniform(-9, 9), r[1] + self._uniform(-9, 9)))
+        one, other = self._crossing(lambda: ((self._near(i), self._around(r, 9)), (self._near(j), self._around(r, 9))))
+        self._either_way(first, i, *one)
+        self._either_way(second, j, *other)
 
     def _rpp(self) -> None:
         i, j = self._two_bodies()
         p = self._near(i)
         first, second = self._new_body(p), self._new_body(self._spot())
         self._point(*p, i, first)
-        self._either_way(first, second, self._near(second), self._near(first))
-        self._either_way(second, j, self._near(j), self._near(second))
+        one, other = self._crossing(
+            lambda: ((self._near(second), self._near(first)), (self._near(j), self._near(second)))
+        )
+        self._either_way(first, second, *one)
+        self._either_way(second, j, *other)
 
     # --- writing ------------------------------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Collection
+from itertools import chain, count
 
 from mechsheet.formula.functions import FUNCTIONS
 
@@ -50,6 +51,6 @@ def safe_name(symbol: str, taken: Collection[str]) -> str:
     """A legal cell name like `symbol` (a1 becomes a_1) that differs from all of `taken` (folded names)."""
     plain = unicodedata.normalize("NFC", symbol).replace(".", "_")
     plain = re.sub(r"[^\w.]", "_", plain) or "_"
-    candidates = [plain, re.sub(r"(?<=[^\W\d])(\d+)$", r"_\1", plain), f"{plain}_"]
-    candidates += [f"_{plain}"] + [f"{plain}_{count}" for count in range(2, 10_000)]
-    return next(name for name in candidates if not name_fault(name) and folded(name) not in taken)
+    candidates = [plain, re.sub(r"(?<=[^\W\d])(\d+)$", r"_\1", plain), f"{plain}_", f"_{plain}"]
+    further = (f"{plain}_{number}" for number in count(2))
+    return next(name for name in chain(candidates, further) if not name_fault(name) and folded(name) not in taken)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import chain, count
 
 import numpy as np
 
@@ -44,9 +45,9 @@ class Ledger:
     def reserve(self, base: str) -> str:
         """A name like `base` that nothing else has: `phi`, in the second group `phi_2`."""
         group = max(self.group, 1)
-        candidates = [base] if group == 1 else []
-        candidates += [f"{base}_{group}"] + [f"{base}_{group}_{count}" for count in range(2, 10_000)]
-        name = next(name for name in candidates if folded(name) not in self._taken)
+        first = [base, f"{base}_1"] if group == 1 else [f"{base}_{group}"]
+        further = (f"{base}_{group}_{number}" for number in count(2))
+        name = next(name for name in chain(first, further) if folded(name) not in self._taken)
         self._taken.add(folded(name))
         return name
 

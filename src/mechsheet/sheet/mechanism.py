@@ -63,11 +63,12 @@ class Writer:
         """A formula, already bound."""
         self.fills.append(Fill(row, col, node, style))
 
-    def line(self, row: int, symbol: Content, unit: str, meaning: str) -> None:
-        """The fixed parts of an entry: everything but its value."""
+    def line(self, row: int, symbol: Content, unit: str, meaning: str | None) -> None:
+        """The fixed parts of an entry: everything but its value (and its meaning, when that is a formula: None)."""
         self.put(row, SYMBOL, symbol, styles.SYMBOL)
         self.put(row, UNIT, unit, styles.UNIT)
-        self.put(row, MEANING, meaning, styles.LABEL)
+        if meaning is not None:
+            self.put(row, MEANING, meaning, styles.LABEL)
 
     def heading(self, key: str) -> None:
         """The heading of a block, across its columns."""
@@ -225,7 +226,7 @@ def _assembly(writer: Writer) -> None:
         if not group.mode:
             continue
         row = plan.blocks["assembly"].rows[group.mode]
-        writer.line(row, rich(group.mode), "", "")
+        writer.line(row, rich(group.mode), "", None)
         writer.put(row, VALUE, float(group.mode_value), styles.INPUT)
         writer.formula(row, MEANING, _mode_words(plan, group, row), styles.LABEL)
         writer.validations.append(
@@ -381,7 +382,7 @@ def _stands(writer: Writer) -> None:
     exists = _fixed_column(plan, EXISTS)
     count = Call("SUM", (exists,))
     row = rows["assembles"]
-    writer.line(row, plan.text("stands.assembles"), "", "")
+    writer.line(row, plan.text("stands.assembles"), "", None)
     writer.formula(row, VALUE, count, styles.decimals(styles.RESULT, 0))
     everything = Binary("=", CellRef(row, VALUE, True, True), Number(float(plan.rows)))
     verdict = Call("IF", (everything, Text(plan.text("stands.all", rows=plan.rows)), Text(plan.text("stands.some"))))
