@@ -70,12 +70,12 @@ class Writer:
         if meaning is not None:
             self.put(row, MEANING, meaning, styles.LABEL)
 
-    def heading(self, key: str) -> None:
-        """The heading of a block, across its columns."""
+    def heading(self, key: str, over_tolerance: str | None = None) -> None:
+        """The heading of a block, across its columns; a block may use the tolerance's column for something else."""
         row = self.plan.blocks[key].row
         self.put(row, SYMBOL, self.plan.text(f"block.{key}"), styles.SECTION)
         for col in range(SYMBOL + 1, MEANING + 1):
-            self.put(row, col, None, styles.SECTION)
+            self.put(row, col, over_tolerance if col == TOLERANCE else None, styles.SECTION)
 
 
 def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[Control, ...] = ()) -> Sheet:
@@ -127,7 +127,7 @@ def _first_input(plan: Plan) -> tuple[int, int]:
 
 def _dimensions(writer: Writer) -> None:
     plan = writer.plan
-    writer.heading("dimensions")
+    writer.heading("dimensions", plan.text("head.tolerance"))
     for dim in plan.mechanism.dimensions:
         if dim.derived:
             continue
@@ -314,9 +314,7 @@ def _summaries(writer: Writer) -> None:
     plan = writer.plan
     if "summary" not in plan.blocks:
         return
-    writer.heading("summary")
-    head = plan.blocks["summary"].row
-    writer.put(head, TOLERANCE, plan.text("head.at"), styles.SECTION)
+    writer.heading("summary", plan.text("head.at"))
     for summary in plan.mechanism.summaries:
         row = plan.blocks["summary"].rows[summary.symbol]
         label = (
