@@ -1,3 +1,60 @@
-"""mechsheet: a planar mechanism in, a proven spreadsheet workbook out."""
+"""mechsheet: a planar mechanism in, a proven spreadsheet workbook out.
+
+>>> import mechsheet
+>>> mechanism = mechsheet.load("templates/four-bar.toml")     # doctest: +SKIP
+>>> mechsheet.build(mechanism, "workbooks")                   # doctest: +SKIP
+>>> mechsheet.check("workbooks/four-bar.xlsx").agrees         # doctest: +SKIP
+True
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 __version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from mechsheet.building import build, compile_workbook
+    from mechsheet.checking import Comparison, Report, check
+    from mechsheet.description import load, loads
+    from mechsheet.diagnostics import MechsheetError
+    from mechsheet.model import Mechanism
+    from mechsheet.recalculation import Result, recalc
+
+_HOMES = {
+    "build": "building",
+    "compile_workbook": "building",
+    "check": "checking",
+    "Comparison": "checking",
+    "Report": "checking",
+    "load": "description",
+    "loads": "description",
+    "MechsheetError": "diagnostics",
+    "Mechanism": "model",
+    "recalc": "recalculation",
+    "Result": "recalculation",
+}
+"""Name -> module: imported when first used, so that `mechsheet --help` need not load numpy."""
+
+__all__ = [
+    "Comparison",
+    "Mechanism",
+    "MechsheetError",
+    "Report",
+    "Result",
+    "__version__",
+    "build",
+    "check",
+    "compile_workbook",
+    "load",
+    "loads",
+    "recalc",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'mechsheet' has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(f"mechsheet.{_HOMES[name]}"), name)

@@ -136,8 +136,8 @@ def build(
     mechsheet build four-bar.toml
     mechsheet build *.toml -o workbooks --format xlsx,ods --set a1=65
     """
-    from mechsheet.build import FORMATS
-    from mechsheet.build import build as build_workbooks
+    from mechsheet.building import FORMATS
+    from mechsheet.building import build as build_workbooks
     from mechsheet.description import load
 
     wanted = [part.strip() for part in formats.split(",") if part.strip()]
@@ -169,7 +169,7 @@ def check(files: tuple[Path, ...], programs: str, as_json: bool) -> None:
 
     Exit code 0: all agree; 1: something differs; 2: cannot be read.
     """
-    from mechsheet.check import check as check_file
+    from mechsheet.checking import check as check_file
 
     judges = [part.strip() for part in programs.split(",") if part.strip()]
     reports = []
@@ -213,7 +213,7 @@ def recalc(workbook: Path, settings: tuple[str, ...], output: Path | None, as_js
     \b
     mechsheet recalc four-bar.xlsx --set a1=65 --json
     """
-    from mechsheet.recalc import recalc as recalculate
+    from mechsheet.recalculation import recalc as recalculate
 
     result = recalculate(workbook, _settings(settings))
     if output is not None:

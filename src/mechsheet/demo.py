@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from mechsheet.build import FORMATS, build
-from mechsheet.check import Report, check
+from mechsheet.building import FORMATS, build
+from mechsheet.checking import Report, check
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.solve import dimension_values, driver_values

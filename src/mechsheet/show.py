@@ -7,7 +7,7 @@ import io
 import json
 import math
 
-from mechsheet.build import compile_workbook
+from mechsheet.building import compile_workbook
 from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name

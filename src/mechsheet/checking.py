@@ -153,7 +153,7 @@ def _check_description(path: Path, programs: Sequence[str], say: Callable[[str],
     """Build the workbook aside and judge that file."""
     import tempfile
 
-    from mechsheet.build import build
+    from mechsheet.building import build
     from mechsheet.description import load
     from mechsheet.formats import read
 
