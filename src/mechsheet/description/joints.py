@@ -123,7 +123,7 @@ def _free_of(on: str, point: str, path: Path, ends: Ends, scope: Scope) -> bool:
 
 def _symbol(entry: dict[str, Any], link: str, path: Path, ends: Ends, scope: Scope) -> str | None:
     """The displacement's symbol, entered among the variables."""
-    symbol, place = entry.get("symbol"), path
+    symbol, place, hint = entry.get("symbol"), path, ""
     if symbol is BAD:
         return None
     if symbol is None:
@@ -133,9 +133,10 @@ def _symbol(entry: dict[str, Any], link: str, path: Path, ends: Ends, scope: Sco
             scope.report.at((*path, "symbol"), message, "no default fits; name the displacement")
             return None
         symbol = ends.pair_symbol("s", entry["on"], link)
+        hint = "this is the default; give the joint a `symbol` of its own"
     else:
         place = (*path, "symbol")
         if not scope.symbol_is_good(symbol, place):
             return None
-    scope.add_variable(symbol, LENGTH, "displacement", place)
+    scope.add_variable(symbol, LENGTH, "displacement of a joint", place, hint)
     return str(symbol)

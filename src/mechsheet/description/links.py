@@ -38,7 +38,7 @@ def declare(data: dict[str, Any], scope: Scope) -> tuple[Link, ...]:
         links.append(Link(name, last, {}, words(table.get("label"))))
     for link in links[1:]:
         if numbers[link.number] == link.name:
-            scope.add_variable(link.angle_symbol, ANGLE, "angle of the link " + link.name, ("links", link.name))
+            scope.add_variable(link.angle_symbol, ANGLE, "angle of a link", ("links", link.name))
     _declare_points(data, scope)
     return tuple(links)
 

@@ -78,8 +78,8 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     given, bodies = _part(data, "dimensions", {}), _part(data, "links", {})
     outputs, summary = _part(data, "outputs", {}), _part(data, "summary", {})
 
+    bare_links = links.declare(bodies, scope)  # first: a dimension that takes an angle's name is the one to rename
     dimensions.declare(given, scope)
-    bare_links = links.declare(bodies, scope)
     scope.outputs.extend(outputs)  # known by name in messages, before they are entered after all variables
     table = dimensions.read(given, scope)
     made = links.read(bodies, bare_links, scope)

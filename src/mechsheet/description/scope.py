@@ -19,6 +19,8 @@ from mechsheet.model import FUNCTIONS, Quantity, Words
 DEEPEST = 200
 """Operators below one another in one expression; a workbook formula of more would not fit a cell anyway."""
 
+_CASE = "names must differ by more than case and the dots of i and ı"
+
 REPORTED = math.nan
 """Stands for a quantity whose fault has been reported. It never leaves: a description with faults makes no model."""
 
@@ -30,7 +32,7 @@ class Space:
     report: Report
     taken: dict[str, tuple[str, str, Path]] = field(default_factory=dict)
 
-    def claim(self, name: str, what: str, path: Path) -> None:
+    def claim(self, name: str, what: str, path: Path, hint: str = "") -> None:
         """Take `name` for `what` ("dimension"), or report the clash with both places."""
         owner = self.taken.setdefault(folded(name), (name, what, path))
         if owner[2] == path:
@@ -38,9 +40,10 @@ class Space:
         other, other_what, other_path = owner
         spot = self.report.source.spots.get(other_path)
         line = f" (line {spot.line})" if spot else ""
-        message = f"the name {quoted(name)} is taken by the {other_what} {quoted(other)}{line}"
-        case = "names must differ by more than case and the dots of i and ı" if other != name else ""
-        self.report.at(path, message, case)
+        message = f"the name {quoted(name)} is taken by the {other_what}{line}"
+        if other != name:
+            message = f"the name {quoted(name)} differs too little from {quoted(other)}, the {other_what}{line}"
+        self.report.at(path, message, hint or _CASE * (other != name))
 
 
 @dataclass(slots=True)
@@ -76,9 +79,9 @@ class Scope:
 
     # ---- names
 
-    def add_variable(self, symbol: str, kind: str, what: str, path: Path) -> None:
+    def add_variable(self, symbol: str, kind: str, what: str, path: Path, hint: str = "") -> None:
         """A new variable, whose name must be free."""
-        self.symbols.claim(symbol, what, path)
+        self.symbols.claim(symbol, what, path, hint)
         self.variables.append(symbol)
         self.kinds.setdefault(symbol, kind)
 

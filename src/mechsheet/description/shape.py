@@ -25,6 +25,7 @@ from mechsheet.description.schema import (
     Text,
     Words,
 )
+from mechsheet.diagnostics import near_miss
 
 LARGEST, SMALLEST = 1e100, 1e-100
 """Sizes of numbers that can be multiplied a few times without leaving what a spreadsheet can hold."""
@@ -128,9 +129,7 @@ def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
     if value in shape.later:
         report.at(path, f"{quoted(value)} is not supported yet: it is reserved for a later version")
     elif shape.choices and value not in shape.choices:
-        report.at(
-            path, f"expected {allowed(shape)}, found {quoted(value)}", suggestion(value, shape.choices, "allowed")
-        )
+        report.at(path, f"expected {allowed(shape)}, found {quoted(value)}", near_miss(value, shape.choices))
     elif not value.strip():
         report.at(path, "the text is empty")
     elif len(value) > shape.longest:
@@ -162,9 +161,9 @@ def _words(value: Any, text: Text, path: Path, report: Report) -> Any:
 
 def _items(value: list[Any], shape: Items, path: Path, report: Report) -> Any:
     if not shape.least <= len(value) <= shape.most:
-        count = f"{shape.least}" if shape.least == shape.most else f"{shape.least} to {shape.most:,}"
-        wanted = f"{count} item{'s' * (count != '1')}" if not shape.note else shape.note
-        report.at(path, f"expected {wanted}, found {found(value)}")
+        count = f"a list of {shape.least}" if value else "at least one item"
+        count = f"at most {shape.most:,} items" if len(value) > shape.most else count
+        report.at(path, f"expected {shape.note or count}, found {found(value)}")
         return BAD
     return [fit(item, shape.item, (*path, place), report) for place, item in enumerate(value)]
 
@@ -201,7 +200,8 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
 
 def _one_way(value: dict[str, Any], groups: tuple[tuple[str, ...], ...], path: Path, report: Report) -> None:
     begun = [group for group in groups if any(key in value for key in group)]
-    choice = ", or ".join(listed(group) for group in groups)
+    single = all(len(group) == 1 for group in groups)
+    choice = (" or " if single else ", or ").join(listed(group) for group in groups)
     if not begun:
         report.at(path, f"is not complete: give {choice}")
     elif len(begun) > 1:

@@ -17,6 +17,12 @@ MAX_BYTES = 1_000_000
 """A description is written by hand; a larger file is something else."""
 
 _POSITION = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
+_PLAINER = {r"illegal character '\n'": "the line ends inside a text"}
+_HINTS = {
+    r"illegal character '\n'": "a quotation mark is missing",
+    "invalid value": "texts and expressions stand in quotes",
+}
+"""By what the standard reader says, in small letters."""
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -108,8 +114,10 @@ def parse(text: str, file: str) -> Source:
         raise _refusal(file, "not Unicode text", "", text.count("\n", 0, error.start) + 1) from None
     except RecursionError:
         raise _refusal(file, "lists or tables stand too deep inside one another") from None
-    except ValueError as error:  # TOMLDecodeError, and numbers or dates that Python refuses
+    except tomllib.TOMLDecodeError as error:
         raise DescriptionError(_broken(str(error), file, lines)) from None
+    except ValueError:  # Python refuses to convert whole numbers of thousands of digits
+        raise _refusal(file, "a number has too many digits") from None
 
 
 def _broken(reason: str, file: str, lines: tuple[str, ...]) -> Fault:
@@ -122,8 +130,12 @@ def _broken(reason: str, file: str, lines: tuple[str, ...]) -> Fault:
         line = len(lines)
         while line > 1 and not lines[line - 1].strip():
             line -= 1
-    message = f"broken TOML: {printable(reason[:1].lower() + reason[1:])}{column}"
-    return Fault(message, file, line, source=_shortened(lines[line - 1]) if line else "")
+    shown = lines[line - 1] if line else ""
+    hint = _HINTS.get(reason.lower(), "")
+    if reason.startswith(("Expected '='", "Invalid statement")) and not shown.isascii():
+        hint = 'a key with letters beyond a-z stands in quotes: "ş1" = 20'
+    reason = _PLAINER.get(reason.lower(), reason[:1].lower() + reason[1:])
+    return Fault(f"broken TOML: {printable(reason)}{column}", file, line, source=_shortened(shown), hint=hint)
 
 
 def _refusal(file: str, message: str, hint: str = "", line: int | None = None) -> DescriptionError:
