@@ -29,6 +29,8 @@ class Values:
     def column(self, sheet: str, col: int, first_row: int, last_row: int) -> list[Scalar]:
         """The values of a column's rows first_row..last_row, both included."""
         numbers, codes = self._read(sheet, col, first_row, last_row)
+        if not codes.any():
+            return list(numbers.tolist())
         return [self._texts.decode(n, c) for n, c in zip(numbers.tolist(), codes.tolist(), strict=True)]
 
     def arrays(self, sheet: str, col: int, first_row: int, last_row: int) -> tuple[Numbers, Codes]:

@@ -8,10 +8,21 @@ from pathlib import Path
 from typing import cast
 
 from mechsheet.diagnostics import Fault, OutputError, readable_name
+from mechsheet.formula.book import Book
 from mechsheet.sheet.workbook import Workbook
+
+READERS = {".xlsx": "xlsx_read:read_xlsx", ".xlsm": "xlsx_read:read_xlsx"}
+"""Suffix -> module and function, imported when first used."""
 
 WRITERS = {".xlsx": "xlsx_write:write_xlsx", ".ods": "ods_write:write_ods"}
 """Suffix -> module and function; imported when first used, because a writer brings its library along."""
+
+
+def read(path: Path) -> Book:
+    """The workbook in a file, read by the reader of its suffix (an unknown suffix as .xlsx). Raises WorkbookError."""
+    module, name = READERS.get(path.suffix.lower(), READERS[".xlsx"]).split(":")
+    reader = cast("Callable[[Path], Book]", getattr(import_module(f"{__name__}.{module}"), name))
+    return reader(path)
 
 
 def write(workbook: Workbook, path: Path) -> None:

@@ -55,7 +55,11 @@ def parse_cell(text: str) -> tuple[int, int] | None:
 
 
 def parse_reference(text: str, sheet: str | None = None) -> CellRef | None:
-    """`$C9` -> the reference with its anchors; None when it is not a cell of a sheet."""
+    """`$C9` or `Sheet1!C9` -> the reference with its anchors; None when it is not a cell of a sheet."""
+    before, mark, cell = text.rpartition("!")
+    if mark:
+        quoted = len(before) > 1 and before.startswith("'") and before.endswith("'")
+        text, sheet = cell, before[1:-1].replace("''", "'") if quoted else before
     match = CELL.fullmatch(text)
     if match is None:
         return None

@@ -1,0 +1,155 @@
+"""Formulas read cell by cell, gathered into blocks: one parse for a run, however long.
+
+A file that repeats the full text in every row costs a comparison of texts a cell: the text that fill-down would have
+written in the next row is predicted from the first one. Columns with the same formula side by side become one block.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from mechsheet.diagnostics import FormulaError
+from mechsheet.formula.book import Block
+from mechsheet.formula.lexer import tokenise
+from mechsheet.formula.nodes import MAX_ROWS, Node, shifted
+from mechsheet.formula.references import CELL, ROW
+
+
+class Template:
+    """A formula's text as pieces between the relative row numbers, and how far those rows are from the formula's own."""
+
+    __slots__ = ("level", "offsets", "pieces")
+
+    def __init__(self, text: str, row: int) -> None:
+        self.pieces: list[str] = []
+        self.offsets: list[int] = []
+        done = 0
+        for start, end in _relative_rows(text):
+            self.pieces.append(text[done:start])
+            self.offsets.append(int(text[start:end]) - 1 - row)
+            done = end
+        self.pieces.append(text[done:])
+        self.level = not any(self.offsets)
+
+    def text(self, row: int) -> str:
+        """What fill-down writes in `row`."""
+        if self.level:
+            return str(row + 1).join(self.pieces)
+        parts = [self.pieces[0]]
+        for offset, piece in zip(self.offsets, self.pieces[1:], strict=True):
+            parts.append(str(row + 1 + offset))
+            parts.append(piece)
+        return "".join(parts)
+
+
+def _relative_rows(text: str) -> list[tuple[int, int]]:
+    """Where in a formula the row numbers without `$` stand."""
+    found: list[tuple[int, int]] = []
+    try:
+        tokens = tokenise(text, "excel")
+    except FormulaError:
+        return found
+    for token in tokens:
+        start = token.column - 1
+        if token.kind == "cell":
+            match = CELL.fullmatch(token.text)
+            if match and not match[3] and int(match[4]) <= MAX_ROWS:
+                found.append((start + match.start(4), start + match.end(4)))
+        elif token.kind == "rows":
+            for part in (ROW.match(token.text), ROW.match(token.text, token.text.index(":") + 1)):
+                if part and not part[1]:
+                    found.append((start + part.start(2), start + part.end(2)))
+    return found
+
+
+class Run:
+    """Cells of one column that hold the same formula as far as read. `shared` is the key of a shared formula, or None."""
+
+    __slots__ = ("end", "first", "shared", "template", "text")
+
+    def __init__(self, first: int, text: str, shared: str | None) -> None:
+        self.first = first
+        self.end = first + 1
+        self.text = text
+        self.shared = shared
+        self.template: Template | None = None
+
+    def predicts(self, row: int, text: str) -> bool:
+        """Whether `text` is what fill-down from this run writes in `row`."""
+        if self.template is None:
+            if len(self.text) + 1 < len(text):  # a row number grows by one digit at most
+                grown = sum(character.isdigit() for character in text)
+                if len(self.text) + grown < len(text):
+                    return False
+            self.template = Template(self.text, self.first)
+        return self.template.text(row) == text
+
+
+class FormulaRuns:
+    """The formulas of one sheet while it is read, and the blocks they make."""
+
+    def __init__(self, parse: Callable[[str, int, int], Node]) -> None:
+        self._parse = parse
+        self._open: dict[int, Run] = {}
+        self._closed: list[tuple[int, Run]] = []
+        self._masters: dict[str, tuple[int, int, str]] = {}
+
+    def text(self, row: int, col: int, text: str) -> None:
+        """A cell with its own text."""
+        run = self._open.get(col)
+        if run is not None and run.end == row and run.shared is None and run.predicts(row, text):
+            run.end += 1
+            return
+        self._start(row, col, Run(row, text, None))
+
+    def master(self, row: int, col: int, key: str, text: str) -> None:
+        """The cell that holds the text of a shared formula."""
+        self._masters[key] = row, col, text
+        self._start(row, col, Run(row, text, key))
+
+    def member(self, row: int, col: int, key: str) -> bool:
+        """A cell of a shared formula without a text; False when the formula is not known."""
+        if key not in self._masters:
+            return False
+        run = self._open.get(col)
+        if run is not None and run.end == row and run.shared == key:
+            run.end += 1
+        else:
+            self._start(row, col, Run(row, "", key))
+        return True
+
+    def _start(self, row: int, col: int, run: Run) -> None:
+        del row
+        old = self._open.get(col)
+        if old is not None:
+            self._closed.append((col, old))
+        self._open[col] = run
+
+    def blocks(self) -> list[Block]:
+        """All formulas as blocks, in the order of rows and columns; equal columns side by side are one."""
+        runs = sorted([*self._closed, *self._open.items()], key=lambda item: (item[1].first, item[0]))
+        masters: dict[str, Node] = {}
+        found: list[Block] = []
+        for col, run in runs:
+            block = Block(run.first, col, run.end - run.first, 1, self._formula(run, col, masters))
+            if found and _continues(found[-1], block):
+                last = found[-1]
+                found[-1] = Block(last.row, last.col, last.rows, last.cols + 1, last.formula)
+            else:
+                found.append(block)
+        return found
+
+    def _formula(self, run: Run, col: int, masters: dict[str, Node]) -> Node:
+        if run.shared is None:
+            return self._parse(run.text, run.first, col)
+        row, master_col, text = self._masters[run.shared]
+        if run.shared not in masters:
+            masters[run.shared] = self._parse(text, row, master_col)
+        return shifted(masters[run.shared], run.first - row, col - master_col)
+
+
+def _continues(last: Block, block: Block) -> bool:
+    """Whether `block` is the next column of `last`: the same rows, and what fill-right would write there."""
+    if (last.row, last.rows, last.col + last.cols) != (block.row, block.rows, block.col):
+        return False
+    return shifted(last.formula, 0, last.cols) == block.formula

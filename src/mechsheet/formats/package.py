@@ -1,0 +1,168 @@
+"""Zip files that come from anywhere: opened with care, read in pieces, refused with one clear sentence."""
+
+from __future__ import annotations
+
+import re
+import zipfile
+import zlib
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path, PurePosixPath
+from typing import Any
+from xml.parsers import expat
+
+from mechsheet.diagnostics import Fault, WorkbookError, readable_name
+
+MAX_PARTS = 10_000
+MAX_SIZE = 4 << 30
+"""Most bytes of all parts together, unpacked: a full sheet of a million rows takes half of it."""
+MAX_RATIO = 300
+"""Most bytes unpacked from one: sheets reach 100, what is packed to burst reaches 1,000."""
+_ESCAPE = re.compile("_x([0-9A-Fa-f]{4})_")
+_SMALL = 32 << 20
+_PIECE = 1 << 16
+
+_OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+_ENCRYPTED = "EncryptedPackage".encode("utf-16-le")
+
+
+class Package:
+    """An open zip file with its parts by name."""
+
+    def __init__(self, file: zipfile.ZipFile, name: str) -> None:
+        self._zip = file
+        self.name = name
+        self._parts = {info.filename.lstrip("/").casefold(): info for info in file.infolist()}
+
+    def __contains__(self, part: str) -> bool:
+        return part.lstrip("/").casefold() in self._parts
+
+    def fault(self, message: str, part: str = "") -> WorkbookError:
+        """The error that refuses the file."""
+        return WorkbookError(Fault(message, file=self.name, key=part))
+
+    def pieces(self, part: str) -> Iterator[bytes]:
+        """The bytes of a part, piece by piece."""
+        info = self._parts.get(part.lstrip("/").casefold())
+        if info is None:
+            raise self.fault("the part is missing", part)
+        if info.flag_bits & 1:
+            raise self.fault("the part is encrypted with a password", part)
+        try:
+            with self._zip.open(info) as stream:
+                while piece := stream.read(_PIECE):
+                    yield piece
+        except (zipfile.BadZipFile, zlib.error, EOFError, OSError, NotImplementedError) as problem:
+            raise self.fault(f"the file is damaged ({problem})", part) from problem
+
+    def parse(self, part: str, parser: expat.XMLParserType) -> None:
+        """Run an XML parser over a part. Document types and entities are refused: no workbook has any."""
+        parser.StartDoctypeDeclHandler = self._refuse_doctype(part)
+        parser.EntityDeclHandler = self._refuse_doctype(part)
+        try:
+            for piece in self.pieces(part):
+                parser.Parse(piece, False)
+            parser.Parse(b"", True)
+        except expat.ExpatError as problem:
+            raise self.fault(f"the part is no proper XML ({problem})", part) from problem
+
+    def _refuse_doctype(self, part: str) -> Callable[..., Any]:
+        def refuse(*_: object) -> None:
+            raise self.fault("the part declares a document type, which no workbook does", part)
+
+        return refuse
+
+
+@contextmanager
+def open_package(path: Path) -> Iterator[Package]:
+    """Open a zip file. Raises WorkbookError when it is none, or one that would unpack beyond all measure."""
+    name = readable_name(path)
+    try:
+        _check_head(path, name)
+        with zipfile.ZipFile(path) as file:
+            _check_sizes(file, name)
+            yield Package(file, name)
+    except zipfile.BadZipFile as problem:
+        raise WorkbookError(Fault(f"the file is damaged or cut off ({problem})", file=name)) from problem
+    except OSError as problem:
+        reason = problem.strerror or str(problem)
+        raise WorkbookError(Fault(f"cannot be read: {reason}", file=name)) from problem
+
+
+def _check_head(path: Path, name: str) -> None:
+    """Say what a file is that is no zip."""
+    if path.is_dir():
+        raise WorkbookError(Fault("this is a folder, not a workbook", file=name))
+    with path.open("rb") as stream:
+        head = stream.read(1 << 16)
+    if head.startswith(b"PK"):
+        return
+    if head.startswith(_OLE):
+        message = "the workbook is protected by a password" if _ENCRYPTED in head else "an .xls of the old kind"
+        raise WorkbookError(Fault(message, file=name, hint="save it as .xlsx without a password"))
+    message = "the file is empty" if not head else "not a workbook: this is no zip file"
+    hint = "" if not head or b"\0" in head else "a table as text (.csv)? save it as .xlsx first"
+    raise WorkbookError(Fault(message, file=name, hint=hint))
+
+
+def _check_sizes(file: zipfile.ZipFile, name: str) -> None:
+    infos = file.infolist()
+    if len(infos) > MAX_PARTS:
+        raise WorkbookError(Fault(f"{len(infos)} parts, at most {MAX_PARTS} are read", file=name))
+    # The reader of a part never gives more than the size declared here, so these sums hold.
+    if sum(info.file_size for info in infos) > MAX_SIZE:
+        raise WorkbookError(Fault(f"unpacks to more than {MAX_SIZE >> 30} GiB", file=name))
+    for info in infos:
+        if info.file_size > _SMALL and info.file_size > MAX_RATIO * max(info.compress_size, 1):
+            message = f"packed more than {MAX_RATIO} to 1: this is no workbook"
+            raise WorkbookError(Fault(message, file=name, key=info.filename))
+
+
+def unescaped(text: str) -> str:
+    """A text without OOXML's `_x000D_` for characters that XML cannot hold."""
+    return _ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) if "_x" in text else text
+
+
+def local_name(tag: str) -> str:
+    """A tag without its prefix."""
+    return tag.rpartition(":")[2]
+
+
+def attribute(attributes: Mapping[str, str], name: str) -> str | None:
+    """An attribute by its name without prefix (`id` finds `r:id`)."""
+    found = attributes.get(name)
+    if found is not None:
+        return found
+    return next((value for key, value in attributes.items() if local_name(key) == name), None)
+
+
+def relationships(package: Package, part: str) -> dict[str, tuple[str, str]]:
+    """Id -> (last word of the type, the part meant) of a part's relationships; {} when it has none."""
+    place = PurePosixPath(part)
+    rels = str(place.parent / "_rels" / f"{place.name}.rels")
+    found: dict[str, tuple[str, str]] = {}
+    if rels not in package:
+        return found
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        if local_name(tag) == "Relationship" and attributes.get("TargetMode") != "External":
+            kind = attributes.get("Type", "").rpartition("/")[2]
+            found[attributes.get("Id", "")] = kind, _target(place, attributes.get("Target", ""))
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = start
+    package.parse(rels, parser)
+    return found
+
+
+def _target(part: PurePosixPath, target: str) -> str:
+    """Where a relationship of `part` leads, from the package's root."""
+    if target.startswith("/"):
+        return target.lstrip("/")
+    steps: list[str] = []
+    for step in (part.parent / target).parts:
+        if step == "..":
+            steps = steps[:-1]
+        elif step != ".":
+            steps.append(step)
+    return "/".join(steps)

@@ -1,0 +1,151 @@
+"""Reads .xlsx files of any origin into a book: constants, formulas in blocks, names, and the values stored in the file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+from xml.parsers import expat
+
+from mechsheet.diagnostics import Fault, FormulaError, WorkbookError
+from mechsheet.formula.book import Book, BookSheet, DefinedName
+from mechsheet.formula.parser import parse_formula
+
+from .package import Package, attribute, local_name, open_package, relationships, unescaped
+from .sheet_scan import SheetScan
+
+
+def read_xlsx(path: Path) -> Book:
+    """The workbook in a file.
+
+    Raises WorkbookError: no workbook, a damaged one, a password, parts that are missing or would unpack beyond measure
+    (one fault), or cells that cannot be understood (one fault for each).
+    """
+    with open_package(path) as package:
+        return _read(package)
+
+
+def _read(package: Package) -> Book:
+    part = _workbook_part(package)
+    contents = _Workbook()
+    parser = expat.ParserCreate()
+    parser.buffer_text = True
+    contents.attach(parser)
+    package.parse(part, parser)
+    links = relationships(package, part)
+    strings = next((_strings(package, target) for kind, target in links.values() if kind == "sharedStrings"), [])
+    book = Book([], date1904=contents.date1904, source=package.name)
+    faults: list[Fault] = []
+    for title, link in contents.sheets:
+        kind, target = links.get(link, ("", ""))
+        if kind in ("chartsheet", "dialogsheet", "xlMacrosheet"):
+            continue
+        if target not in package:
+            raise package.fault(f'the sheet "{title}" has no part in the file', target or part)
+        if book.sheet(title) is not None:
+            raise package.fault(f'two sheets are called "{title}"', part)
+        sheet = BookSheet(title)
+        book.sheets.append(sheet)
+        faults += SheetScan(package, target, sheet, strings).run()
+    if faults:
+        raise WorkbookError(faults)
+    if not book.sheets:
+        raise package.fault("the workbook has no sheet with cells", part)
+    book.names = _names(contents)
+    return book
+
+
+def _workbook_part(package: Package) -> str:
+    found = next((target for kind, target in relationships(package, "").values() if kind == "officeDocument"), "")
+    if found and found in package and not found.endswith(".bin"):
+        return found
+    if found.endswith(".bin"):
+        raise WorkbookError(Fault("an .xlsb, which is not read", file=package.name, hint="save it as .xlsx"))
+    if "xl/workbook.xml" in package:
+        return "xl/workbook.xml"
+    if "content.xml" in package:
+        raise WorkbookError(Fault("an OpenDocument file (.ods) with another file's suffix", file=package.name))
+    raise WorkbookError(Fault("not a workbook: the zip file holds no part xl/workbook.xml", file=package.name))
+
+
+class _Workbook:
+    """What the part `workbook.xml` says: sheets with their links, names, the calendar."""
+
+    def __init__(self) -> None:
+        self.sheets: list[tuple[str, str]] = []
+        self.names: list[tuple[str, int | None, str]] = []
+        self.date1904 = False
+        self._name: tuple[str, int | None] | None = None
+        self._pieces: list[str] = []
+
+    def attach(self, parser: expat.XMLParserType) -> None:
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self._pieces.append
+
+    def _start(self, tag: str, attributes: dict[str, Any]) -> None:
+        self._pieces.clear()
+        match local_name(tag):
+            case "sheet":
+                self.sheets.append((attributes.get("name", ""), attribute(attributes, "id") or ""))
+            case "workbookPr":
+                self.date1904 = attributes.get("date1904") in ("1", "true")
+            case "definedName":
+                local = attributes.get("localSheetId", "")
+                self._name = attributes.get("name", ""), int(local) if local.isdecimal() else None
+
+    def _end(self, tag: str) -> None:
+        if local_name(tag) == "definedName" and self._name is not None:
+            self.names.append((*self._name, "".join(self._pieces)))
+            self._name = None
+
+
+def _names(contents: _Workbook) -> list[DefinedName]:
+    """The names that formulas can use. One that cannot be parsed is left out: using it is then an unknown name."""
+    found: list[DefinedName] = []
+    for name, index, text in contents.names:
+        if name.startswith("_xlnm.") or (index is not None and index >= len(contents.sheets)):
+            continue
+        try:
+            formula = parse_formula(text)
+        except FormulaError:
+            continue
+        found.append(DefinedName(name, formula, None if index is None else contents.sheets[index][0]))
+    return found
+
+
+def _strings(package: Package, part: str) -> list[str]:
+    """The table of shared texts. Phonetic guides (rPh) do not belong to them."""
+    found: list[str] = []
+    pieces: list[str] = []
+    text: list[str] = []
+    phonetic = 0
+
+    def start(tag: str, attributes: dict[str, Any]) -> None:
+        nonlocal phonetic
+        del attributes
+        name = local_name(tag)
+        if name == "si":
+            text.clear()
+        elif name == "t":
+            pieces.clear()
+        elif name == "rPh":
+            phonetic += 1
+
+    def end(tag: str) -> None:
+        nonlocal phonetic
+        name = local_name(tag)
+        if name == "t" and not phonetic:
+            text.extend(pieces)
+        elif name == "rPh":
+            phonetic -= 1
+        elif name == "si":
+            found.append(unescaped("".join(text)))
+
+    parser = expat.ParserCreate()
+    parser.buffer_text = True
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.CharacterDataHandler = pieces.append
+    if part in package:
+        package.parse(part, parser)
+    return found
