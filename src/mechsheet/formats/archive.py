@@ -104,6 +104,12 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
             temporary.unlink(missing_ok=True)
 
 
+def replace_file(path: Path, data: bytes) -> None:
+    """Make `data` the content of the file `path`, or leave it as it was and raise OutputError."""
+    with replacing(path) as file:
+        file.write(data)
+
+
 def _output_error(path: Path, error: OSError) -> OutputError:
     reason = _REASONS.get(error.errno or 0) or error.strerror or str(error)
     return OutputError(Fault(f"cannot be written: {reason}", file=readable_name(path)))

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
-from mechsheet.sheet.workbook import PLAIN, Area, Cell, Fill, Sheet
+from mechsheet.sheet.workbook import PLAIN, Area, Cell, Control, Fill, Sheet
 
 Place: TypeAlias = tuple[int, int]
 """Row and column of a cell."""
@@ -89,6 +89,14 @@ def _refuse_overlap(sheet: Sheet, band: Band) -> None:
     if len(set(taken)) != len(taken):
         col = next(col for col in taken if taken.count(col) > 1)
         raise ValueError(f"{cell_address(sheet.title, band.first, col)} is written twice")
+
+
+def linked_value(sheet: Sheet, control: Control) -> int:
+    """Where a control stands: the number in its cell, within its limits."""
+    place = (control.linked_row, control.linked_col)
+    found = next((cell.content for cell in sheet.cells if (cell.row, cell.col) == place), None)
+    value = int(found) if isinstance(found, (int, float)) else control.low
+    return min(max(value, control.low), control.high)
 
 
 def column_values(fill: Fill, col: int, first: int, last: int) -> Sequence[Scalar]:

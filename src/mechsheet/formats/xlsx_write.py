@@ -18,9 +18,10 @@ from xlsxwriter.workbook import Workbook as XlsxWorkbook
 
 from mechsheet.formula.printer import quote_sheet
 from mechsheet.formula.references import column_letters
-from mechsheet.sheet.workbook import Cell, Control, Rich, Sheet, Workbook
+from mechsheet.sheet.workbook import Cell, Rich, Sheet, Workbook
 
 from .archive import FIXED_TIME, Archive, new_archive
+from .bands import linked_value
 from .limits import check_workbook
 from .looks import COLUMN_PIXELS, FONT, FONT_SIZE, ROW_PIXELS, locale
 from .xlsx_cells import SheetData, formula_texts
@@ -93,7 +94,7 @@ class _Book(XlsxWorkbook):  # type: ignore[misc]
         fill_sheet(page, sheet, self, locale(properties.language), legal(properties.author))
         placed = sum(len(other.buttons_list) for other in self.worksheets())
         page.controls = [
-            place_control(page, control, _position(sheet, control), placed + i)
+            place_control(page, control, linked_value(sheet, control), placed + i)
             for i, control in enumerate(sheet.controls, 1)
         ]
         page.buttons_list = page.controls
@@ -114,14 +115,6 @@ def _shared_string(cell: Cell) -> str:
         # XlsxWriter would take this for runs.
         return f'<r><t xml:space="preserve">{ooxml_escaped(text)}</t></r>'
     return text
-
-
-def _position(sheet: Sheet, control: Control) -> int:
-    """The number in the control's cell, within its limits."""
-    place = (control.linked_row, control.linked_col)
-    found = next((cell.content for cell in sheet.cells if (cell.row, cell.col) == place), None)
-    value = int(found) if isinstance(found, (int, float)) else control.low
-    return min(max(value, control.low), control.high)
 
 
 class _Part(io.StringIO):
