@@ -89,7 +89,7 @@ def choose(built: System, wishes: Wishes, index: int, candidates: Array, value: 
             ]
         )
     dets = newton.determinant(block, candidates, np.full(len(candidates), value))
-    nearest = np.flatnonzero(costs <= np.min(costs) + 1e-9)
+    nearest = np.flatnonzero(costs <= np.min(costs) * (1 + 1e-9) + 1e-20)
     best = nearest[np.argmax(dets[nearest])]
     return candidates[best : best + 1]
 

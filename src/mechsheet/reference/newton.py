@@ -51,8 +51,8 @@ def polish(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
 
 
 def _bounded(step: Array) -> Array:
-    longest = np.max(np.abs(step), axis=1, keepdims=True)
-    return np.asarray(step * np.minimum(1.0, _LONGEST_STEP / np.maximum(longest, 1e-300)))
+    """Each unknown bounded by itself: a short link may ask for thousands of turns, and must not hold up the long ones."""
+    return np.clip(step, -_LONGEST_STEP, _LONGEST_STEP)
 
 
 def descend(block: Block, state: Array, value: Array) -> Array:
