@@ -308,6 +308,8 @@ def _against_reference(book: Book, values: Any, text: str, shown: str) -> tuple[
     plan = plan_of(mechanism, solve(mechanism))
     inputs = inputs_in(book, values, plan, shown)
     start = _start(mechanism, inputs)
+    if start is None:
+        return _nowhere(plan, values), [*inputs.remarks, NOWHERE]
     solution = reference.solve(mechanism, inputs.dimensions, start=start, values=inputs.driver)
     theirs = reference.variables(solution)
     tally = Tally("reference")
@@ -318,14 +320,34 @@ def _against_reference(book: Book, values: Any, text: str, shown: str) -> tuple[
     return tally.result(), list(inputs.remarks)
 
 
+NOWHERE = "with these dimensions and modes no row exists: there is no position to compare, only that none is shown"
+
+
+def _nowhere(plan: Plan, values: Any) -> Comparison:
+    """Nothing assembles: every result must say so."""
+    tally = Tally("reference")
+    for equation in plan.equations.columns:
+        if equation.kind in ("variable", "point", "output"):
+            spot = plan.at.shown[equation.symbol]
+            for row, value in enumerate(_column(plan, values, equation.symbol)):
+                where = f"{cell_address(spot.sheet, plan.at.first + row, spot.col)} ({equation.symbol}, row {row})"
+                tally.note(0.0 if math.isnan(value) else math.inf, where, float(value), None)
+    return tally.result()
+
+
 def _judged(plan: Plan) -> list[str]:
     kinds = ("variable", "point", "output")
-    return [plan.mechanism.driver.symbol] + [eq.symbol for eq in plan.equations.columns if eq.kind in kinds]
+    fixed = [f"{point}.{axis}" for point in plan.mechanism.ground.points for axis in "xy"]
+    columns = [equation.symbol for equation in plan.equations.columns if equation.kind in kinds]
+    return list(dict.fromkeys([plan.mechanism.driver.symbol, *fixed, *columns]))
 
 
 def _column(plan: Plan, values: Any, symbol: str) -> Array:
     """A column of the table in internal units, NaN where it holds no number."""
     spot = plan.at.shown[symbol]
+    if not spot.column:
+        cell = values.get(spot.sheet, spot.row, spot.col)
+        return np.full(plan.rows, cell if isinstance(cell, float) else math.nan)
     cells = values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)
     found = np.array([cell if isinstance(cell, float) else math.nan for cell in cells], dtype=float)
     return np.radians(found) if spot.degrees else found
@@ -353,13 +375,15 @@ def _compare_column(
         scale = size if output is None or unit == "length" else np.maximum(1.0, np.abs(theirs))
         gap = gap / scale
     apart = np.abs(gap)
-    both_missing = np.isnan(ours) & np.isnan(theirs)
+    both_missing = np.isnan(theirs) if not spot.column else np.isnan(ours) & np.isnan(theirs)
     apart = np.where(both_missing, 0.0, np.where(np.isnan(apart), math.inf, apart))
     excused = closed & (apart <= DEAD_CENTRE)
     apart = np.where(excused, np.minimum(apart, TOLERANCE), apart)
     tally.cells += len(apart) - 1
     row = int(np.argmax(apart))
-    where = f"{cell_address(spot.sheet, plan.at.first + row, spot.col)} ({symbol}, row {row})"
+    where = (
+        f"{cell_address(spot.sheet, plan.at.first + row if spot.column else spot.row, spot.col)} ({symbol}, row {row})"
+    )
     tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
 
 

@@ -10,12 +10,15 @@ import json
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from mechsheet import __version__
-from mechsheet.diagnostics import Fault, MechsheetError, near_miss
+from mechsheet.diagnostics import Fault, MechanismError, MechsheetError, near_miss, readable_name
+
+if TYPE_CHECKING:
+    from mechsheet.model import Mechanism
 
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -52,6 +55,17 @@ def main() -> None:
     mechsheet build mine.toml                write four-bar.xlsx
     mechsheet check four-bar.xlsx            recalculate it and compare with the numpy reference
     """
+
+
+@contextlib.contextmanager
+def _at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
+    """What is wrong with a mechanism is told with the description's file and line."""
+    try:
+        yield
+    except MechanismError as error:
+        from mechsheet.description.locate import located
+
+        raise located(error, mechanism.text, readable_name(path)) from error
 
 
 @contextlib.contextmanager
@@ -149,7 +163,7 @@ def build(
     changes = _settings(settings)
     mechanisms = [load(path, changes, language) for path in descriptions]
     for path, mechanism in zip(descriptions, mechanisms, strict=True):
-        with _progress(path.name) as say:
+        with _progress(path.name) as say, _at_lines_of(mechanism, path):
             say("building")
             written = build_workbooks(mechanism, output, wanted)
         for file in written:
@@ -245,16 +259,17 @@ def show(description: Path, settings: tuple[str, ...], what: str | None, as_json
     from mechsheet.description import load
 
     mechanism = load(description, _settings(settings))
-    if what == "equations":
-        text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
-    elif what == "cells":
-        text = shows.cells_json(mechanism) if as_json else shows.cells_text(mechanism)
-    elif as_json:
-        text = shows.variables_json(mechanism)
-    elif as_csv:
-        text = shows.variables_csv(mechanism)
-    else:
-        text = shows.overview_text(mechanism)
+    with _at_lines_of(mechanism, description):
+        if what == "equations":
+            text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
+        elif what == "cells":
+            text = shows.cells_json(mechanism) if as_json else shows.cells_text(mechanism)
+        elif as_json:
+            text = shows.variables_json(mechanism)
+        elif as_csv:
+            text = shows.variables_csv(mechanism)
+        else:
+            text = shows.overview_text(mechanism)
     click.echo(text, nl=not text.endswith("\n"))
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from mechsheet.diagnostics import Fault, MechanismError, near_miss
+from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.model import Driver, Mechanism
 
@@ -106,8 +106,7 @@ def _no_pivot(driver: Driver, graph: Graph) -> Fault:
     return Fault(
         f'link "{driver.link}" and link "{driver.relative_to}" share no point: a link can only be turned about a revolute joint',
         key="driver.link",
-        hint=near_miss(driver.link, graph.bodies)
-        or f'"{driver.link}" is joined to {", ".join(neighbours) or "no link"}: name one of them as relative_to',
+        hint=f'"{driver.link}" is joined to {", ".join(neighbours) or "no link"}: name one of them as relative_to',
     )
 
 

@@ -35,19 +35,21 @@ def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
     if count != 1:
         faults.append(Fault(_count_message(mechanism, graph, count), key="links", hint=_count_hint(count)))
     for bodies in stiff:
-        faults.append(Fault(_stiff_message(graph, bodies), key="links"))
-    loose = _loose(graph)
-    if loose:
-        faults.append(
-            Fault(
-                f"loose: {_listed(loose)}: "
-                + ("it has" if len(loose) == 1 else "each has")
-                + " too few joints to be held by the rest",
-                key="links",
-                hint="every link but the ground needs at least two joints",
-            )
+        faults.append(Fault(_stiff_message(graph, bodies), key=_key(graph, bodies[-1])))
+    faults += [
+        Fault(
+            f'"{body}" is loose: it has too few joints to be held by the rest',
+            key=_key(graph, body),
+            hint="every link but the ground needs at least two joints",
         )
+        for body in _loose(graph)
+    ]
     raise MechanismError(faults)
+
+
+def _key(graph: Graph, body: str) -> str:
+    """Where a body stands in the description."""
+    return "joints" if body in graph.blocks else f"links.{body}"
 
 
 def _count_message(mechanism: Mechanism, graph: Graph, count: int) -> str:

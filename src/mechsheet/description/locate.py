@@ -1,0 +1,19 @@
+"""Faults found after reading (mobility, a sketch between two modes) told with the description's file and line."""
+
+from __future__ import annotations
+
+from mechsheet.description.source import parse
+from mechsheet.diagnostics import Fault, MechanismError
+
+
+def located(error: MechanismError, text: str, file: str) -> MechanismError:
+    """The same error, each fault at the line of its key in the description `text`, called `file`."""
+    source = parse(text, file)
+
+    def place(fault: Fault) -> Fault:
+        if fault.file or not fault.key:
+            return fault
+        found = source.fault(tuple(fault.key.split(".")), fault.message, fault.hint)
+        return found
+
+    return MechanismError(place(fault) for fault in error.faults)
