@@ -25,6 +25,7 @@ FLAT = 1e-5
 _PROBES = 25
 _GUESSES = 16
 _MANY_GUESSES = 96
+_FEW_GUESSES = 4
 _SNAP = 4e-15
 _NEAR_MISS = 1e-5
 _CHUNK = 4096
@@ -148,13 +149,14 @@ def sweep(block: Block, state: Array, value: Array, sign: float) -> Rows:
     m = len(state)
     work = _Sweep(block, state, value, sign)
     probes = np.unique(np.round(np.linspace(0, m - 1, min(m, _PROBES))).astype(int))
-    work.from_scratch(probes)
+    work.from_scratch(probes, _GUESSES)
     others = np.setdiff1d(np.arange(m), probes)
     if len(others):
         work.from_between(others)
         work.from_neighbours(others[~work.good[others]], probes)
+        work.from_scratch(others[work.worst[others] > CLOSED], _FEW_GUESSES)
     mirrored = np.flatnonzero(~work.good & (work.worst <= CLOSED) & (np.abs(work.det) > FLAT))
-    work.from_scratch(np.setdiff1d(mirrored, probes))
+    work.from_scratch(np.setdiff1d(mirrored, probes), _GUESSES)
     return work.edges()
 
 
@@ -189,10 +191,10 @@ class _Sweep:
         self.worst[rows[use]], self.det[rows[use]] = tried.worst[chosen[use]], tried.det[chosen[use]]
         self.good[rows] |= hit
 
-    def from_scratch(self, rows: NDArray[np.int_]) -> None:
+    def from_scratch(self, rows: NDArray[np.int_], guesses: int) -> None:
         for first in range(0, len(rows), _CHUNK):
             part = rows[first : first + _CHUNK]
-            states, values = newton.starts(self.block, self.state[part], self.value[part], _GUESSES)
+            states, values = newton.starts(self.block, self.state[part], self.value[part], guesses)
             self.take(part, _tried(self.block, states, values))
 
     def from_between(self, rows: NDArray[np.int_]) -> None:
@@ -208,6 +210,7 @@ class _Sweep:
         change[:, turning] -= 2 * np.pi * np.round(change[:, turning] / (2 * np.pi))
         guesses = self.state[rows]
         guesses[:, self.columns] = self.state[np.ix_(left, self.columns)] + part * change
+        guesses = newton.placed(self.block, guesses, self.value[rows])
         state, worst = newton.polish(self.block, guesses, self.value[rows])
         self.take(rows, _Tried(state, worst, newton.determinant(self.block, state, self.value[rows])))
 
@@ -223,7 +226,8 @@ class _Sweep:
         guesses = np.repeat(self.state[rows], len(origins), axis=0)
         chosen = np.stack(origins, axis=1).ravel()
         guesses[:, self.columns] = self.state[np.ix_(chosen, self.columns)]
-        self.take(rows, _tried(self.block, guesses, np.repeat(self.value[rows], len(origins))))
+        values = np.repeat(self.value[rows], len(origins))
+        self.take(rows, _tried(self.block, newton.placed(self.block, guesses, values), values))
 
     def edges(self) -> Rows:
         """Rows next to a dead centre settled one by one."""

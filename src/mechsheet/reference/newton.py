@@ -46,13 +46,19 @@ def polish(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
         if not going.any():
             break
         rows, current = rows[going], current[going]
-        current[:, columns] += _bounded(directions(jacobian[going], -residuals[going]))
+        residuals = residuals[going]
+        current[:, columns] += _bounded(block, directions(jacobian[going], -residuals), residuals)
     return best, worst
 
 
-def _bounded(step: Array) -> Array:
-    """Each unknown bounded by itself: a short link may ask for thousands of turns, and must not hold up the long ones."""
-    return np.clip(step, -_LONGEST_STEP, _LONGEST_STEP)
+def _bounded(block: Block, step: Array, residuals: Array) -> Array:
+    """A step (m, k) in which no angle changes by more than _LONGEST_STEP, and no place by much more than what is missing.
+
+    Each unknown by itself: a short link may ask for thousands of turns, and must not hold up the long ones.
+    """
+    missing = np.max(np.abs(residuals), axis=1, keepdims=True)
+    longest = np.where([column % 3 == 2 for column in block.columns], 1.0, np.maximum(4 * missing, 1.0))
+    return np.clip(step, -_LONGEST_STEP * longest, _LONGEST_STEP * longest)
 
 
 def descend(block: Block, state: Array, value: Array) -> Array:
@@ -73,7 +79,8 @@ def descend(block: Block, state: Array, value: Array) -> Array:
         diagonal = np.einsum("mii->mi", normal)
         diagonal += damping[:, None] * (diagonal + 1e-9)
         trial = result[rows]
-        trial[:, columns] += _bounded(directions(normal, -(transposed @ residuals[..., None])[..., 0]))
+        step = directions(normal, -(transposed @ residuals[..., None])[..., 0])
+        trial[:, columns] += _bounded(block, step, residuals)
         new_residuals, new_jacobian = linearised(block, trial, value[rows])
         new_cost = np.sum(new_residuals**2, axis=1)
         taken = new_cost < cost
@@ -114,8 +121,8 @@ def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]
     columns = list(block.columns)
     k = len(columns)
     current = state.copy()
-    step = 1e-6
-    probes = step * np.concatenate([np.eye(k), -np.eye(k)])
+    aside = 1e-6
+    probes = aside * np.concatenate([np.eye(k), -np.eye(k)])
     best, worst = current, np.inf
     for _ in range(12):
         residuals, jacobian = linearised(block, current, value)
@@ -123,7 +130,7 @@ def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]
         around[: 2 * k, columns] += probes
         _, nearby = linearised(block, around, np.repeat(value, 2 * k + 1))
         dets = np.linalg.det(nearby / np.array(block.reach))
-        slope = (dets[:k] - dets[k : 2 * k]) / (2 * step)
+        slope = (dets[:k] - dets[k : 2 * k]) / (2 * aside)
         now = max(float(np.max(np.abs(residuals))), 0.0)
         error = now + abs(float(dets[-1]))
         if error < worst:
@@ -131,7 +138,8 @@ def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]
         stacked = np.vstack([jacobian[0], slope])
         right = np.append(residuals[0], dets[-1])
         current = current.copy()
-        current[:, columns] -= _bounded(np.linalg.lstsq(stacked, right, rcond=1e-13)[0][None, :])
+        step = np.linalg.lstsq(stacked, right, rcond=1e-13)[0]
+        current[:, columns] -= _bounded(block, step[None, :], residuals)
     residuals, _ = linearised(block, best, value)
     return best, float(np.max(np.abs(residuals)))
 
@@ -150,7 +158,8 @@ def movable(block: Block, state: Array, value: Array) -> bool:
     for _ in range(8):
         residuals, jacobian = linearised(block, pushed, value)
         inverse = np.linalg.pinv(jacobian / np.array(block.reach), rcond=_SLACK)
-        pushed[:, columns] -= _bounded((inverse @ residuals[..., None])[..., 0] / np.array(block.reach))
+        step = (inverse @ residuals[..., None])[..., 0] / np.array(block.reach)
+        pushed[:, columns] -= _bounded(block, step, residuals)
     residuals, _ = linearised(block, pushed, value)
     apart = np.max(np.abs(pushed[0, columns] - state[0, columns]))
     closes = np.max(np.abs(residuals)) <= 2 * CLOSED
@@ -160,11 +169,9 @@ def movable(block: Block, state: Array, value: Array) -> bool:
 def starts(block: Block, state: Array, value: Array, count: int) -> tuple[Array, Array]:
     """`count` spread-out guesses for each position: states (m * count, columns) and values, guesses of a position together.
 
-    Angles follow the additive recurrence of the generalised golden ratio (as good as random, and the same always);
-    the places that suit them best follow from the linear part.
+    Angles follow the additive recurrence of the generalised golden ratio: as good as random, and the same always.
     """
     angles = [block.columns[i] for i in block.angles]
-    places = [i for i, column in enumerate(block.columns) if column % 3 != 2]
     ratio = 1.5
     for _ in range(40):
         ratio = (1 + ratio) ** (1 / (len(angles) + 1))
@@ -172,15 +179,23 @@ def starts(block: Block, state: Array, value: Array, count: int) -> tuple[Array,
     spread = 2 * np.pi * ((0.5 + np.arange(count)[:, None] * powers) % 1)
     guesses = np.repeat(state, count, axis=0)
     values = np.repeat(value, count)
-    guesses[:, list(block.columns)] = 0.0
     guesses[:, angles] = np.tile(spread, (len(state), 1))
-    if places:
-        residuals, jacobian = linearised(block, guesses, values)
-        part = jacobian[:, :, places]
-        normal = part.transpose(0, 2, 1) @ part + 1e-9 * np.eye(len(places))
-        right = -(part.transpose(0, 2, 1) @ residuals[..., None])[..., 0]
-        guesses[:, [block.columns[i] for i in places]] = directions(normal, right)
-    return guesses, values
+    return placed(block, guesses, values), values
+
+
+def placed(block: Block, guesses: Array, value: Array) -> Array:
+    """Guesses (m, columns) with the places that suit their angles best, wherever the known points may be."""
+    places = [i for i, column in enumerate(block.columns) if column % 3 != 2]
+    if not places:
+        return guesses
+    columns = [block.columns[i] for i in places]
+    moved = guesses.copy()
+    moved[:, columns] = 0.0
+    residuals, jacobian = linearised(block, moved, value)
+    part = jacobian[:, :, places]
+    normal = part.transpose(0, 2, 1) @ part + 1e-9 * np.eye(len(places))
+    moved[:, columns] = directions(normal, -(part.transpose(0, 2, 1) @ residuals[..., None])[..., 0])
+    return moved
 
 
 def same_position(block: Block, one: Array, other: Array) -> NDArray[np.bool_]:
