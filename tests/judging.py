@@ -1,6 +1,7 @@
 """A mechanism judged without a file: laid out, recalculated by the engine, compared with the reference."""
 
-from mechsheet.checking import Comparison, _against_reference
+from mechsheet.checking import Comparison
+from mechsheet.checking.against_reference import against_reference
 from mechsheet.compute import book_of
 from mechsheet.engine import evaluate
 from mechsheet.kinematics.solve import solve
@@ -16,5 +17,5 @@ def judged(mechanism: Mechanism, changes: dict[str, float] | None = None) -> Com
         spot = plan.at.spots[symbol]
         overrides[spot.sheet, spot.row, spot.col] = value
     book = book_of(workbook)
-    comparison, _ = _against_reference(book, evaluate(book, overrides), mechanism.text, mechanism.name)
+    comparison, _ = against_reference(book, evaluate(book, overrides), mechanism.text, mechanism.name)
     return comparison

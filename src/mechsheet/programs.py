@@ -118,9 +118,12 @@ def _gnumeric(path: Path) -> Answers:
 def _formulas(path: Path) -> Answers:
     """The `formulas` package: cell by cell, about 2 ms each."""
     import logging
+    import os
     import warnings
 
     import numpy
+
+    os.environ.setdefault("TQDM_DISABLE", "1")  # read when the package loads: no bar of its own on our standard error
 
     logging.getLogger("formulas").setLevel(logging.ERROR)
     with warnings.catch_warnings():

@@ -1,0 +1,107 @@
+"""What a mechanism's workbook carries in itself: its description, and what a person has typed into its input cells."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.checking.report import text_of
+from mechsheet.description import loads
+from mechsheet.diagnostics import Fault, WorkbookError
+from mechsheet.formula.book import Book
+from mechsheet.formula.references import cell_address
+from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.layout import DESCRIPTION_MARK
+from mechsheet.sheet.plan import DRIVER, VALUE, Plan, plan_of
+
+Array = NDArray[np.float64]
+
+
+def description_in(book: Book) -> str | None:
+    """The description that a workbook carries, or None."""
+
+    for sheet in book.sheets:
+        if sheet.constants.get(0, 0) != DESCRIPTION_MARK:
+            continue
+        runs = sheet.constants.columns.get(0, ())
+        last = max((run.end for run in runs), default=1)
+        lines = [sheet.constants.get(row, 0) for row in range(1, last)]
+        return "\n".join("" if line is None else str(line) for line in lines)
+    return None
+
+
+def plan_inside(text: str, shown: str) -> Plan:
+    """Where everything stands in the workbook that carries the description `text` (`shown`: the file, for messages)."""
+    mechanism = loads(text, file=f"{shown} (description inside)")
+    return plan_of(mechanism, solve(mechanism))
+
+
+@dataclass(frozen=True, slots=True)
+class Inputs:
+    """What a person has typed into a workbook: dimensions and modes by symbol, the driver's values (internal units)."""
+
+    dimensions: Mapping[str, float]
+    modes: Mapping[str, int]
+    driver: Array
+    remarks: tuple[str, ...] = field(default=())
+
+
+def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
+    """Read a workbook's input cells. Raises WorkbookError where one holds no number, or a sheet is missing."""
+    titles = {sheet.title.casefold() for sheet in book.sheets}
+    lost = [title for title in (plan.main, plan.table) if title.casefold() not in titles]
+    if lost:
+        raise WorkbookError(Fault(f'the sheet "{lost[0]}" of the mechanism\'s workbook is missing', shown))
+    faults: list[Fault] = []
+    remarks: list[str] = []
+
+    def number(symbol: str) -> float:
+        spot = plan.at.spots[symbol]
+        value = values.get(spot.sheet, spot.row, spot.col)
+        if isinstance(value, bool) or not isinstance(value, float | int):
+            cell = cell_address(spot.sheet, spot.row, spot.col)
+            faults.append(Fault(f"{symbol} must be a number, not {text_of(value) or 'an empty cell'}", shown, key=cell))
+            return math.nan
+        return math.radians(value) if spot.degrees else float(value)
+
+    dimensions = {dim.symbol: number(dim.symbol) for dim in plan.mechanism.dimensions if not dim.derived}
+    modes: dict[str, int] = {}
+    for group in plan.equations.groups:
+        if group.mode:
+            modes[group.mode] = 1 if number(group.mode) > 0 else -1
+            if modes[group.mode] != group.mode_value:
+                remarks.append(
+                    f"{group.mode} is {modes[group.mode]:+d}; the description's sketch means {group.mode_value:+d}"
+                )
+    for dim in plan.mechanism.dimensions:
+        if (
+            not dim.derived
+            and isinstance(dim.value, float)
+            and not math.isclose(dimensions[dim.symbol], dim.value, rel_tol=1e-14, abs_tol=1e-300)
+        ):
+            remarks.append(f"{dim.symbol} differs from the description's")
+    driver = _driver_column(plan, values, faults, shown)
+    if faults:
+        raise WorkbookError(faults)
+    return Inputs(dimensions, modes, driver, tuple(remarks))
+
+
+def _driver_column(plan: Plan, values: Any, faults: list[Fault], shown: str) -> Array:
+    """The driver's values from start and step, as cells have them (or from the listed cells)."""
+    driver = plan.mechanism.driver
+    if driver.values:
+        cells = values.column(plan.table, DRIVER, plan.at.first, plan.at.last)
+    else:
+        start, step = (values.get(plan.main, plan.at.spots[key].row, VALUE) for key in ("#start", "#step"))
+        numbers = isinstance(start, float) and isinstance(step, float)
+        cells = [start + n * step for n in range(plan.rows)] if numbers else [None]
+    if not all(isinstance(cell, float) for cell in cells):
+        faults.append(Fault("the driver's values are not all numbers", shown, key=plan.table))
+        return np.zeros(0)
+    found = np.array(cells, dtype=float)
+    return np.radians(found) if driver.unit == "deg" else found

@@ -1,0 +1,118 @@
+"""What a check found: comparisons, their running tally, and how far two values are apart."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from mechsheet.formula.nodes import ErrorValue, Scalar
+
+TOLERANCE = 1e-9
+"""Largest difference that counts as agreement: of lengths as a part of the mechanism's size, of angles in radians."""
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """One judge's answers against the engine's.
+
+    judge   "stored values", "reference", or the name of a program
+    cells   how many values were compared
+    worst   largest difference (lengths as a part of the size, angles in radians, other numbers relative), 0 if none
+    where   cell and quantity of the worst difference;  ours, theirs  the two values there
+    agrees  nothing differs by more than the tolerance, and errors stand in the same cells
+    """
+
+    judge: str
+    cells: int
+    worst: float = 0.0
+    where: str = ""
+    ours: str = ""
+    theirs: str = ""
+    agrees: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What `check` found in one file; `remarks` say what a person should know (a mode that was flipped …)."""
+
+    file: str
+    comparisons: tuple[Comparison, ...]
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def agrees(self) -> bool:
+        """True when all judges agree."""
+        return all(comparison.agrees for comparison in self.comparisons)
+
+    def as_dict(self) -> dict[str, Any]:
+        """The report as JSON data."""
+        return {
+            "file": self.file,
+            "agrees": self.agrees,
+            "remarks": list(self.remarks),
+            "comparisons": [
+                {
+                    "judge": item.judge,
+                    "cells": item.cells,
+                    "worst": item.worst,
+                    "where": item.where,
+                    "ours": item.ours,
+                    "theirs": item.theirs,
+                    "agrees": item.agrees,
+                }
+                for item in self.comparisons
+            ],
+        }
+
+
+@dataclass
+class Tally:
+    """The running worst of a comparison."""
+
+    judge: str
+    cells: int = 0
+    worst: float = -1.0
+    where: str = ""
+    ours: str = ""
+    theirs: str = ""
+    agrees: bool = True
+
+    def note(self, difference: float, where: str, ours: Scalar, theirs: Scalar, tolerance: float = TOLERANCE) -> None:
+        """Count one pair; NaN or infinity is a difference in kind (a number against an error)."""
+        self.cells += 1
+        if not math.isfinite(difference):
+            difference = math.inf
+        if difference > tolerance:
+            self.agrees = False
+        if difference > self.worst:
+            self.worst, self.where = difference, where
+            self.ours, self.theirs = text_of(ours), text_of(theirs)
+
+    def result(self) -> Comparison:
+        """The finished comparison."""
+        return Comparison(self.judge, self.cells, max(self.worst, 0.0), self.where, self.ours, self.theirs, self.agrees)
+
+
+def text_of(value: Scalar) -> str:
+    """A value as a report shows it: numbers with all digits, nothing for an empty cell."""
+    if value is None:
+        return ""
+    return repr(value) if isinstance(value, float) else str(value)
+
+
+def difference(ours: Scalar, theirs: Scalar, period: float | None = None) -> float:
+    """How far two cell values are apart: numbers relative (absolute below 1), anything else 0 if equal, else infinity.
+
+    Numbers with a period are compared modulo it, as a part of it. Any error equals any error: programs name the same
+    fault differently (#NUM! and #VALUE!).
+    """
+    if isinstance(ours, ErrorValue) or isinstance(theirs, ErrorValue):
+        return 0.0 if isinstance(ours, ErrorValue) and isinstance(theirs, ErrorValue) else math.inf
+    if isinstance(ours, bool) or isinstance(theirs, bool):
+        return 0.0 if ours == theirs else math.inf
+    if isinstance(ours, float | int) and isinstance(theirs, float | int):
+        if period is not None:
+            return abs(math.remainder(ours - theirs, period)) / period
+        return abs(ours - theirs) / max(1.0, abs(ours), abs(theirs))
+    return 0.0 if (ours or "") == (theirs or "") else math.inf
