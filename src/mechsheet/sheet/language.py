@@ -60,7 +60,10 @@ WORDS: dict[str, tuple[str, str]] = {
     "position.number": ("row of the table, 0 to {last}", "tablo satırı, 0 ile {last} arası"),
     "unit.number": ("", ""),
     "hint.positive.title": ("A length", "Bir uzunluk"),
-    "hint.positive": ("{symbol} is the distance of two joints: a number greater than 0.", "{symbol} iki mafsalın uzaklığıdır: 0'dan büyük bir sayı olmalı."),
+    "hint.positive": (
+        "{symbol} is the distance of two joints: a number greater than 0.",
+        "{symbol} iki mafsalın uzaklığıdır: 0'dan büyük bir sayı olmalı.",
+    ),
     "hint.number": ("{symbol}: a number.", "{symbol}: bir sayı."),
     "hint.number.title": ("A number", "Bir sayı"),
     "hint.mode": ("+1 or -1: which of the two assemblies.", "+1 veya -1: iki montajdan hangisi."),
@@ -78,6 +81,13 @@ WORDS: dict[str, tuple[str, str]] = {
     "chart.displacements": ("Displacements against {driver}", "{driver} ile ötelenmeler"),
     "chart.outputs": ("{symbol} against {driver}", "{driver} ile {symbol}"),
     "chart.path": ("Path of {points}", "{points} yörüngesi"),
+    "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
+    "table.hint": (
+        "The yellow cells of the head row may be changed, and so may the dimensions on the first sheet. "
+        "#N/A: the links cannot be joined there.",
+        "Başlık satırındaki sarı hücreler ve ilk sayfadaki boyutlar değiştirilebilir. "
+        "#YOK (#N/A): uzuvlar orada birleştirilemez.",
+    ),
     "source": ("Source: {source}", "Kaynak: {source}"),
     "footer": ("made with mechsheet", "mechsheet ile hazırlanmıştır"),
 }  # fmt: skip

@@ -8,6 +8,7 @@ from mechsheet.sheet.charts import charts_of
 from mechsheet.sheet.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.positions import positions_sheet
+from mechsheet.sheet.tables import table_sheets
 from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
 
 DESCRIPTION_MARK = "mechsheet description, format 1"
@@ -22,6 +23,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     sheets = (
         mechanism_sheet(plan, charts_of(plan), controls(plan)),
         positions_sheet(plan),
+        *table_sheets(plan),
         _description_sheet(plan),
     )
     title = mechanism.title.of(plan.language)

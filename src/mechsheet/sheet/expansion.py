@@ -1,0 +1,169 @@
+"""One formula from many: a quantity written out in dimensions, modes, the driver and one dimension that varies.
+
+A table has no columns for intermediate symbols, so each is replaced by its equation, over and over, until only cells are
+left. An equation that reads the row above (the turns that an angle has gone through) is taken as in the first row of a
+sweep: every cell of a table is a sweep of its own. Where a formula would grow beyond `LIMIT`, the symbols that make it long
+get cells of their own: the helpers.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, children, symbols, transform, walk
+from mechsheet.formula.parser import parse_description
+from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.solve import dimension_order
+from mechsheet.model import Mechanism
+
+LIMIT = 7_000
+"""Characters of one formula. A spreadsheet takes 8,192, of the text as its user reads it: SQRT is KAREKÖK in Turkish."""
+
+DEEPEST = 60
+"""Levels of one formula, below the 64 that a spreadsheet takes."""
+
+
+SHORT = 30
+"""A formula of so many characters is no shorter as a reference to a helper."""
+
+
+@dataclass(frozen=True, slots=True)
+class Expansion:
+    """Bound formulas, as the top-left cell of each block has them.
+
+    formula  of the quantity asked for
+    helpers  (symbol, formula) of each block of helper cells, in the order in which they are computed
+    """
+
+    formula: Node
+    helpers: tuple[tuple[str, Node], ...]
+
+
+def definitions(mechanism: Mechanism, equations: Equations) -> dict[str, Node]:
+    """What every symbol that is not given equals in the first row of a sweep, in order of solution."""
+    given = {dim.symbol: dim.value for dim in mechanism.dimensions if isinstance(dim.value, str)}
+    found = {symbol: parse_description(given[symbol]) for symbol in dimension_order(mechanism) if symbol in given}
+    for equation in equations.all:
+        found[equation.symbol] = equation.expression if equation.first is None else equation.first
+    return found
+
+
+def varying(rules: Mapping[str, Node], free: Iterable[str]) -> set[str]:
+    """The symbols whose value depends on those in `free`, and these themselves."""
+    found = set(free)
+    for symbol, rule in rules.items():
+        if not found.isdisjoint(symbols(rule)):
+            found.add(symbol)
+    return found
+
+
+def expand(
+    wanted: str,
+    rules: Mapping[str, Node],
+    bound: Callable[[str], Node],
+    helper: Callable[[int], Node],
+) -> Expansion:
+    """The formula of the symbol `wanted`.
+
+    rules   what a symbol equals, in order of solution; a symbol without a rule is a leaf
+    bound   the cell (or name) of a leaf
+    helper  the cell of the n-th block of helpers, as the top-left cell of any block reads it
+    """
+    work = _Work(rules, bound, helper)
+    needed = _needed(wanted, rules)
+    for symbol, rule in rules.items():
+        if symbol in needed:
+            work.expand(symbol, rule)
+    return Expansion(work.form(wanted), tuple(work.helpers))
+
+
+def _needed(wanted: str, rules: Mapping[str, Node]) -> set[str]:
+    stack, found = [wanted], {wanted}
+    while stack:
+        rule = rules.get(stack.pop())
+        fresh = [] if rule is None else [name for name in symbols(rule) if name not in found]
+        found.update(fresh)
+        stack += fresh
+    return found
+
+
+class _Work:
+    """The forms found so far, with their length and depth."""
+
+    def __init__(self, rules: Mapping[str, Node], bound: Callable[[str], Node], helper: Callable[[int], Node]) -> None:
+        self.rules = rules
+        self.bound = bound
+        self.helper = helper
+        self.forms: dict[str, Node] = {}
+        self.lengths: dict[str, int] = {}
+        self.depths: dict[str, int] = {}
+        self.helpers: list[tuple[str, Node]] = []
+
+    def form(self, symbol: str) -> Node:
+        """The formula of a symbol; a leaf's is its cell."""
+        if symbol not in self.forms:
+            self._set(symbol, self.bound(symbol))
+        return self.forms[symbol]
+
+    def _set(self, symbol: str, form: Node) -> None:
+        self.forms[symbol] = form
+        self.lengths[symbol] = len(print_formula(form, "excel"))
+        self.depths[symbol] = depth(form)
+
+    def expand(self, symbol: str, rule: Node) -> None:
+        """Write a symbol out; what makes it too long becomes a block of helpers first."""
+        uses = Counter(part.name for part in walk(rule) if isinstance(part, Symbol))
+        for name in uses:
+            self.form(name)
+        plain = len(print_formula(rule, "text"))
+        while self._too_long(rule, uses, plain):
+            movable = [name for name in uses if name in self.rules and self.lengths[name] > SHORT]
+            if not movable:
+                break
+            self._move_out(max(movable, key=lambda name: uses[name] * self.lengths[name]))
+        self._set(symbol, substituted(rule, self.forms))
+
+    def _too_long(self, rule: Node, uses: Counter[str], plain: int) -> bool:
+        length = plain + sum(count * (self.lengths[name] + 2 - len(name)) for name, count in uses.items())
+        return length > LIMIT or depth(rule) + max((self.depths[name] for name in uses), default=0) > DEEPEST
+
+    def _move_out(self, symbol: str) -> None:
+        cell = self.helper(len(self.helpers))
+        self.helpers.append((symbol, self.forms[symbol]))
+        self._set(symbol, cell)
+
+
+def substituted(rule: Node, forms: Mapping[str, Node]) -> Node:
+    """The rule with its symbols replaced and tidied: what a form of 0 or 1 makes needless is left out."""
+
+    def change(part: Node) -> Node:
+        match part:
+            case Symbol(name):
+                return forms[name]
+            case Binary("+", left, right):
+                return al.add(left, right)
+            case Binary("-", left, right):
+                return al.sub(left, right)
+            case Binary("*", left, right):
+                return al.mul(left, right)
+            case Binary("^", Call("SQRT", (square,)), Number(2.0)):
+                return square
+            case Unary("-", operand):
+                return al.neg(operand)
+        return part
+
+    return transform(rule, change)
+
+
+def depth(node: Node) -> int:
+    """Levels of a tree."""
+    deepest, stack = 0, [(node, 1)]
+    while stack:
+        part, level = stack.pop()
+        deepest = max(deepest, level)
+        stack += [(child, level + 1) for child in children(part)]
+    return deepest

@@ -1,0 +1,396 @@
+"""The two-way tables: the driver down, a dimension across, one formula with mixed anchors filled both ways.
+
+The first column reads the driver's values from the table of positions (`$A8`), the head row holds the values of the
+dimension as inputs (`B$7`). Every cell is on its own: it shares no state with its neighbours. So an angle, whose turns the
+table of positions counts from row to row, is taken here into the turn around a straight line over the driver (`Window`):
+that of the table of positions, as long as the link moves about as it does there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text, Unary, symbols, transform
+from mechsheet.formula.parser import parse_description
+from mechsheet.formula.printer import quote_sheet
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.numeric import Array, evaluate_column
+from mechsheet.kinematics.solve import dimension_values
+from mechsheet.model import Dimension, TableRequest
+from mechsheet.sheet import styles
+from mechsheet.sheet.charts import _driver_axis
+from mechsheet.sheet.expansion import Expansion, definitions, expand, varying
+from mechsheet.sheet.mechanism import shown_unit
+from mechsheet.sheet.plan import Plan, needs_guard, unit_text
+from mechsheet.sheet.positions import places, shown_number
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.workbook import (
+    Anchor,
+    Area,
+    Axis,
+    Cell,
+    Chart,
+    Column,
+    Conditional,
+    Fill,
+    Merge,
+    PrintSetup,
+    Series,
+    SeriesRef,
+    Sheet,
+    Style,
+    Validation,
+)
+
+TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range(8)
+"""Rows of the sheet: the head is row 7, the first values stand in row 8."""
+
+WIDTH, HEIGHT = 620, 400
+CHART_COLUMNS = 11
+"""Columns that the chart covers; helper blocks stand to the right of it."""
+
+WINDOWED = "{symbol} windowed"
+"""The symbol of an angle taken into its window (no description can use a name with a blank in it)."""
+
+CELL = "a cell of the table"
+"""The symbol of what a cell shows."""
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """A turn wide, around the line  centre + slope * driver:  slope 0 for a link that swings, +-1 for one that turns."""
+
+    slope: int
+    centre: float
+
+    def taken(self, angle: Node, driver: Node) -> Node:
+        """The angle [rad] in the window: low + MOD(angle - low, a turn)."""
+        edge = Angle(al.mul(al.number(self.slope), driver), round(math.degrees(self.centre)) - 180.0).expression()
+        return al.add(Call("MOD", (al.sub(angle, edge), al.mul(al.TWO, al.PI))), edge)
+
+
+def table_sheets(plan: Plan) -> tuple[Sheet, ...]:
+    """One sheet for each table that the description asks for."""
+    taken = {title.casefold() for title in plan.at.titles.values()}
+    sheets = []
+    for request in plan.mechanism.tables:
+        title = _sheet_title(plan, request, taken)
+        taken.add(title.casefold())
+        sheets.append(_Table(plan, request, title).sheet())
+    return tuple(sheets)
+
+
+def _sheet_title(plan: Plan, request: TableRequest, taken: set[str]) -> str:
+    """`Table s15`, with a number where that is taken; at most 31 characters, as spreadsheets want."""
+    base = f"{plan.text('sheet.table')} {request.value}"[:27]
+    number = 1
+    title = base
+    while title.casefold() in taken:
+        number += 1
+        title = f"{base} {number}"
+    return title
+
+
+class _Table:
+    """One table while it is being laid out."""
+
+    def __init__(self, plan: Plan, request: TableRequest, title: str) -> None:
+        self.plan = plan
+        self.request = request
+        self.title = title
+        self.count = len(request.columns)
+        self.last = FIRST + plan.rows - 1
+        self.helpers_at = 1 + self.count + 1 + CHART_COLUMNS + 1
+        self.column: Dimension = next(dim for dim in plan.mechanism.dimensions if dim.symbol == request.column)
+
+    def sheet(self) -> Sheet:
+        """The sheet."""
+        plan = self.plan
+        expansion = self.expansion()
+        style = styles.decimals(styles.COLUMN, places(plan, self._unit(self.request.value)))
+        value = self._fill(1, expansion.formula, style)
+        cells, fills = self._head()
+        driver = plan.at.reading_shown(plan.mechanism.driver.symbol, self.title, plan.at.first)
+        fills.append(Fill(FIRST, 0, driver, styles.decimals(styles.HEAD, self._driver_places()), rows=plan.rows))
+        fills.append(value)
+        for index, (symbol, formula) in enumerate(expansion.helpers):
+            cells += self._helper_heading(index, symbol)
+            inner = styles.decimals(styles.INNER, places(plan, self._unit(symbol)))
+            fills.append(self._fill(self._helper_col(index), formula, inner))
+        area = Area(FIRST, 1, self.last, self.count)
+        missing = Call("ISNA", (CellRef(FIRST, 1),))
+        return Sheet(
+            self.title,
+            tuple(cells),
+            tuple(fills),
+            columns=self._columns(len(expansion.helpers)),
+            row_heights=((TITLE_ROW, 26.0), (HINT_ROW, 30.0)),
+            merges=tuple(Merge(Area(row, 0, row, self._text_end())) for row in (ABOUT_ROW, HINT_ROW)),
+            charts=(self._chart(),),
+            validations=(self._validation(),),
+            conditionals=(Conditional(area, missing, styles.MISSING),),
+            freeze=(FIRST, 1),
+            selected=(HEAD_ROW, 1),
+            gridlines=False,
+            tab_color="7B3FA0",
+            print_setup=PrintSetup(
+                repeat_rows=(CORNER_ROW, HEAD_ROW),
+                footer=plan.text("footer"),
+                area=Area(0, 0, self.last, 1 + self.count + CHART_COLUMNS),
+            ),
+        )
+
+    # --- formulas ---------------------------------------------------------------------------------------------
+
+    def expansion(self) -> Expansion:
+        """The formula of a cell, and the helpers that it needs."""
+        plan, equations = self.plan, self.plan.equations
+        driver = plan.mechanism.driver.symbol
+        rules = definitions(plan.mechanism, equations)
+        free = varying(rules, (driver, self.request.column))
+        columns = {equation.symbol for equation in equations.columns}
+        rules = {
+            symbol: rule
+            for symbol, rule in rules.items()
+            if (symbol in free or symbol in columns) and symbol not in (driver, self.request.column)
+        }
+        rules = with_windows(plan, rules)
+        rules[CELL] = self._cell(rules)
+        return expand(CELL, rules, self._bound, self._helper)
+
+    def _cell(self, rules: Mapping[str, Node]) -> Node:
+        """The value as people read it; no number where a group that it does not depend on cannot be closed."""
+        symbol = WINDOWED.format(symbol=self.request.value)
+        value: Node = Symbol(symbol if symbol in rules else self.request.value)
+        if self._in_degrees():
+            value = Call("DEGREES", (value,))
+        if not needs_guard(self.plan, self.request.value):
+            return value
+        tests = tuple(Call("ISNUMBER", (Symbol(group.closes),)) for group in self.plan.equations.groups)
+        test = tests[0] if len(tests) == 1 else Call("AND", tests)
+        return Call("IF", (test, value, Call("NA")))
+
+    def _bound(self, symbol: str) -> Node:
+        """The cell of a leaf as the top-left cell of a block reads it."""
+        plan = self.plan
+        driver = plan.mechanism.driver
+        if symbol == driver.symbol:
+            cell: Node = CellRef(FIRST, 0, col_abs=True)
+            return Call("RADIANS", (cell,)) if driver.unit == "deg" else cell
+        if symbol == self.request.column:
+            cell = CellRef(HEAD_ROW, 1, row_abs=True)
+            return Call("RADIANS", (cell,)) if self.column.unit == "deg" else cell
+        return plan.at.reference(symbol, self.title, None)
+
+    def _helper(self, index: int) -> Node:
+        """A cell of the n-th block of helpers as seen from the top-left cell of the table."""
+        return CellRef(FIRST, self._helper_col(index))
+
+    def _helper_col(self, index: int) -> int:
+        return self.helpers_at + index * (self.count + 1)
+
+    def _in_degrees(self) -> bool:
+        for output in self.plan.mechanism.outputs:
+            if output.symbol == self.request.value:
+                return output.unit == "deg"
+        return self.plan.shown_in_degrees(self._unit(self.request.value))
+
+    def _unit(self, symbol: str) -> str:
+        if symbol == self.plan.mechanism.driver.symbol:
+            return "angle" if self.plan.mechanism.driver.unit in ("deg", "rad") else "length"
+        found = [equation.unit for equation in self.plan.equations.all if equation.symbol == symbol]
+        return found[0] if found else "angle"
+
+    def _driver_places(self) -> int:
+        """Decimals of the first column: those that the driver's values need, two at most."""
+        factor = 180 / math.pi if self.plan.mechanism.driver.unit == "deg" else 1.0
+        shown = [value * factor for value in self.plan.driver]
+        return next((digits for digits in (0, 1) if all(abs(x - round(x, digits)) < 1e-9 for x in shown)), 2)
+
+    def _fill(self, col: int, formula: Node, style: Style) -> Fill:
+        """A block filled both ways. The formula is the same wherever the block stands: only `$A8`, `B$7` and helpers are
+        relative, and they lie as the table's top-left cell sees them, so the head is read `col - 1` further left."""
+        return Fill(FIRST, col, formula, style, rows=self.plan.rows, cols=self.count)
+
+    # --- what is written around them --------------------------------------------------------------------------
+
+    def _head(self) -> tuple[list[Cell], list[Fill]]:
+        plan, request = self.plan, self.request
+        words = request.title.of(plan.language) if request.title else self._about()
+        cells = [
+            Cell(TITLE_ROW, 0, words, styles.TITLE),
+            Cell(ABOUT_ROW, 0, self._about(), styles.SUBTITLE),
+            Cell(HINT_ROW, 0, plan.text("table.hint"), styles.NOTE),
+            Cell(CORNER_ROW, 0, _with_unit(plan, request.value), styles.SECTION),
+            Cell(CORNER_ROW, 1, rich(request.column, _bracketed(unit_text(self.column.unit)) + " →"), styles.SECTION),
+            *(Cell(CORNER_ROW, col, None, styles.SECTION) for col in range(2, 1 + self.count)),
+            Cell(NAME_ROW, 0, None, styles.HEAD),
+            Cell(HEAD_ROW, 0, _with_unit(plan, plan.mechanism.driver.symbol, " ↓"), styles.HEAD),
+        ]
+        unit = unit_text(self.column.unit)
+        label = Binary("&", Text(f"{plain(request.column)} = "), CellRef(HEAD_ROW, 1))
+        label = Binary("&", label, Text(unit if unit == "°" else f" {unit}")) if unit else label
+        fills = [Fill(NAME_ROW, 1, label, styles.HEAD, cols=self.count)]
+        degrees = self.column.unit == "deg"
+        for index, quantity in enumerate(request.columns):
+            if isinstance(quantity, str):
+                node = plan.at.bind(parse_description(quantity), self.title, None)
+                fills.append(Fill(HEAD_ROW, 1 + index, Call("DEGREES", (node,)) if degrees else node, styles.INPUT))
+            else:
+                cells.append(Cell(HEAD_ROW, 1 + index, shown_number(quantity, degrees), styles.INPUT))
+        return cells, fills
+
+    def _about(self) -> str:
+        """`s₁₅ [mm] over θ₁₂ [°] and s₁ [mm] (setting)`."""
+        plan, request = self.plan, self.request
+        driver = plan.mechanism.driver.symbol
+        column = plain(request.column) + _bracketed(unit_text(self.column.unit))
+        if self.column.label:
+            column += f" ({self.column.label.of(plan.language)})"
+        return plan.text(
+            "table.about",
+            value=plain(request.value) + _bracketed(shown_unit(plan, request.value)),
+            rows=plain(driver) + _bracketed(shown_unit(plan, driver)),
+            columns=column,
+        )
+
+    def _helper_heading(self, index: int, symbol: str) -> list[Cell]:
+        col = self._helper_col(index)
+        cells = [Cell(CORNER_ROW, col + further, None, styles.SECTION) for further in range(1, self.count)]
+        bare = symbol.removesuffix(WINDOWED.format(symbol=""))
+        unit = {"angle": "rad", "number": ""}.get(self._unit(bare), self.plan.mechanism.length_unit)
+        return [Cell(CORNER_ROW, col, rich(bare, _bracketed(unit)), styles.SECTION), *cells]
+
+    def _text_end(self) -> int:
+        """The last column of the lines of text: beside a narrow table they run on under the chart's columns."""
+        return max(self.count, 9)
+
+    def _columns(self, helpers: int) -> tuple[Column, ...]:
+        widths = [Column(0, 0, 13), Column(1, self.count, 11), Column(self.count + 1, self.count + 1, 3)]
+        widths.append(Column(self.count + 2, self.helpers_at - 1, 8.5))
+        if helpers:
+            widths.append(Column(self.helpers_at, self._helper_col(helpers) - 2, 11, level=1))
+        return tuple(widths)
+
+    def _validation(self) -> Validation:
+        plan, symbol = self.plan, plain(self.request.column)
+        positive = self.request.column in plan.equations.positive
+        key = "positive" if positive else "number"
+        return Validation(
+            Area(HEAD_ROW, 1, HEAD_ROW, self.count),
+            "decimal",
+            ">" if positive else "between",
+            Number(0.0) if positive else Unary("-", Number(1e100)),
+            None if positive else Number(1e100),
+            input_title=plan.text(f"hint.{key}.title"),
+            input_message=plan.text(f"hint.{key}", symbol=symbol),
+            error_title=plan.text(f"hint.{key}.title"),
+            error_message=plan.text(f"hint.{key}", symbol=symbol),
+        )
+
+    def _chart(self) -> Chart:
+        plan, value = self.plan, self.request.value
+        x = SeriesRef(self.title, Area(FIRST, 0, self.last, 0))
+        series = tuple(
+            Series(
+                CellRef(NAME_ROW, col, True, True, self.title),
+                x,
+                SeriesRef(self.title, Area(FIRST, col, self.last, col)),
+                line=styles.SERIES[(col - 1) % len(styles.SERIES)],
+                dash=("solid", "dash", "dot")[(col - 1) // len(styles.SERIES) % 3],
+            )
+            for col in range(1, 1 + self.count)
+        )
+        title = self.request.title.of(plan.language) if self.request.title else self._about()
+        return Chart(
+            title,
+            Anchor(CORNER_ROW, self.count + 2, WIDTH, HEIGHT),
+            series,
+            _driver_axis(plan, plan.mechanism.driver.symbol),
+            Axis(plain(value) + _bracketed(shown_unit(plan, value))),
+            legend="right",
+            name=f"table {quote_sheet(self.title)}",
+            alt_text=title,
+        )
+
+
+def _bracketed(unit: str) -> str:
+    return f" [{unit}]" if unit else ""
+
+
+def _with_unit(plan: Plan, symbol: str, after: str = "") -> str:
+    return plain(symbol) + _bracketed(shown_unit(plan, symbol)) + after
+
+
+# --- angles without a row above -------------------------------------------------------------------------------------
+
+
+def with_windows(plan: Plan, rules: dict[str, Node]) -> dict[str, Node]:
+    """The rules, where outputs (and the table itself) read angles that are counted in turns through their windows.
+
+    Inside the equations of groups an angle may be off by whole turns: they take its sine and cosine, or add it to others.
+    An output may halve it, so it reads `theta14 windowed`, a rule that stands after that of theta14.
+    """
+    counted = {equation.symbol for equation in plan.equations.columns if equation.first is not None}
+    counted = varying(rules, counted)
+    angles = {
+        equation.symbol
+        for equation in plan.equations.columns
+        if equation.kind == "variable" and equation.unit == "angle" and equation.symbol in counted & rules.keys()
+    }
+    if not angles:
+        return rules
+    outputs = {output.symbol for output in plan.mechanism.outputs}
+    windows = _windows(plan, angles)
+    driver = Symbol(plan.mechanism.driver.symbol)
+    result: dict[str, Node] = {}
+    for symbol, rule in rules.items():
+        result[symbol] = _read_windowed(rule, angles) if symbol in outputs else rule
+        if symbol in angles:
+            result[WINDOWED.format(symbol=symbol)] = windows[symbol].taken(Symbol(symbol), driver)
+    return result
+
+
+def _read_windowed(rule: Node, angles: set[str]) -> Node:
+    def change(part: Node) -> Node:
+        if isinstance(part, Symbol) and part.name in angles:
+            return Symbol(WINDOWED.format(symbol=part.name))
+        return part
+
+    return transform(rule, change) if angles.intersection(symbols(rule)) else rule
+
+
+def _windows(plan: Plan, angles: set[str]) -> dict[str, Window]:
+    """Each angle's window, from the values that it has with the dimensions as described."""
+    driver = np.array(plan.driver)
+    values = _nominal(plan)
+    turns = plan.mechanism.driver.unit in ("deg", "rad") and bool(np.ptp(driver) > 0)
+    return {symbol: _window(values[symbol], driver, turns) for symbol in angles}
+
+
+def _window(angle: Array, driver: Array, turns: bool) -> Window:
+    known = np.isfinite(angle)
+    if not known.any():
+        return Window(0, 0.0)
+    angle, driver = angle[known], driver[known]
+    slope = 0
+    if turns and np.ptp(driver) > 0:
+        slope = round(float((angle[-1] - angle[0]) / (driver[-1] - driver[0]))) if driver[-1] != driver[0] else 0
+    rest = angle - slope * driver
+    return Window(slope, float(rest.max() + rest.min()) / 2)
+
+
+def _nominal(plan: Plan) -> dict[str, Array]:
+    equations: Equations = plan.equations
+    values = {symbol: np.full(plan.rows, value) for symbol, value in dimension_values(plan.mechanism).items()}
+    values[plan.mechanism.driver.symbol] = np.array(plan.driver)
+    values |= {group.mode: np.full(plan.rows, float(group.mode_value)) for group in equations.groups if group.mode}
+    for equation in equations.all:
+        values[equation.symbol] = evaluate_column(equation, values, plan.rows)
+    return values

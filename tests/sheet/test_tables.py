@@ -1,0 +1,104 @@
+"""Two-way tables: the published one, and any other against tables of positions built one by one."""
+
+import csv
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from mechsheet.building import compile_workbook
+from mechsheet.description import loads
+from mechsheet.formula.nodes import CellRef, ErrorValue, shifted, walk
+from mechsheet.formula.printer import print_formula
+from mechsheet.sheet.expansion import LIMIT, depth
+from mechsheet.sheet.tables import FIRST, HEAD_ROW
+
+ROOT = Path(__file__).parents[2]
+CASES = tomllib.loads((ROOT / "tests/cases/tables.toml").read_text(encoding="utf-8"))["case"]
+
+
+def template(name, **overrides):
+    return loads((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"), overrides=overrides)
+
+
+def blocks(sheet, plan, count):
+    return [fill for fill in sheet.fills if (fill.row, fill.rows, fill.cols) == (FIRST, plan.rows, count) and fill.col]
+
+
+def shown_column(workbook, plan, symbol):
+    spot = plan.at.shown[symbol]
+    fills = [fill for fill in workbook.sheet(spot.sheet).fills if fill.col == spot.col]
+    return [value for fill in sorted(fills, key=lambda fill: fill.row) for value in fill.values]
+
+
+def test_published_pump_table():
+    """Every cell within 6e-5 of the text's table, printed with four decimals and computed with a shorter pi."""
+    workbook, plan = compile_workbook(template("adjustable-pump"))
+    sheet = workbook.sheet("Tablo s15")
+    (table,) = blocks(sheet, plan, 6)
+    heads = {cell.col: cell.content for cell in sheet.cells if cell.row == HEAD_ROW and cell.col}
+    assert list(heads.values()) == [20, 50, 100, 150, 200, 250]
+    with (ROOT / "tests/data/published/adjustable-pump.csv").open(encoding="utf-8") as file:
+        _, *rows = csv.reader(file)
+    assert len(rows) == 19
+    for number, (angle, *values) in enumerate(rows):
+        (driver,) = [fill for fill in sheet.fills if fill.col == 0 and fill.row == FIRST]
+        assert driver.value(FIRST + number, 0) == pytest.approx(float(angle), abs=1e-12)
+        for col, value in enumerate(values, 1):
+            assert abs(table.value(FIRST + number, col) - float(value)) < 6e-5
+
+
+def test_mixed_anchors():
+    """One formula, `$A8` and `B$7`, filled both ways; the sheet has a curve for each column."""
+    workbook, plan = compile_workbook(template("adjustable-pump"))
+    sheet = workbook.sheet("Tablo s15")
+    (table,) = blocks(sheet, plan, 6)
+    own = {part for part in walk(table.formula) if isinstance(part, CellRef) and part.sheet is None}
+    assert own == {CellRef(FIRST, 0, col_abs=True), CellRef(HEAD_ROW, 1, row_abs=True)}
+    assert "RADIANS($A10)" in print_formula(shifted(table.formula, 2, 3))
+    assert "E$7" in print_formula(shifted(table.formula, 2, 3))
+    (chart,) = sheet.charts
+    assert len(chart.series) == 6
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case['template']}-{case['value']}-{case['column']}")
+def test_equals_positions(case):
+    """Column for column what the table of positions shows when the dimension has that value, #N/A included."""
+    text = (ROOT / f"templates/{case['template']}.toml").read_text(encoding="utf-8").partition("[[tables]]")[0]
+    if "outputs" in case:
+        text += f"\n[outputs.{case['value']}]\n{case['outputs']}\n"
+    driver = loads(text).driver.symbol
+    columns = f"{{ {case['column']} = {case['values']} }}"
+    request = f'[[tables]]\nrows = "{driver}"\ncolumns = {columns}\nvalue = "{case["value"]}"\n'
+    workbook, plan = compile_workbook(loads(text + request))
+    sheet = next(sheet for sheet in workbook.sheets if case["value"] in sheet.title)
+    table, *helpers = blocks(sheet, plan, len(case["values"]))
+    assert bool(helpers) == case.get("helpers", False)
+    assert all(
+        len(print_formula(block.formula)) < LIMIT * 1.05 and depth(block.formula) < 64 for block in (table, *helpers)
+    )
+    numbers = 0
+    for col, value in enumerate(case["values"], 1):
+        single, single_plan = compile_workbook(loads(text, overrides={case["column"]: str(value)}))
+        for row, expected in enumerate(shown_column(single, single_plan, case["value"]), FIRST):
+            found = table.value(row, col)
+            if isinstance(expected, ErrorValue):
+                assert found == expected == ErrorValue("#N/A")
+            else:
+                assert found == pytest.approx(expected, abs=1e-9), (row, col)
+                numbers += 1
+    assert numbers > plan.rows
+
+
+def test_anchors_and_names_of_sheets():
+    """`references = "anchors"`, expressions in the head row, two tables of the same value, a sheet of each."""
+    text = (ROOT / "templates/slider-crank.toml").read_text(encoding="utf-8")
+    head, _, workbook_part = text.partition("[workbook]")
+    assert "references" not in workbook_part
+    table = '[[tables]]\nrows = "theta12"\ncolumns = { a1 = [0, "a2/2"] }\nvalue = "s14"\n'
+    workbook, _ = compile_workbook(loads(head + table + table + '[workbook]\nreferences = "anchors"\n'))
+    first, second = [sheet for sheet in workbook.sheets if "s14" in sheet.title]
+    assert (first.title, second.title) == ("Table s14", "Table s14 2")
+    heads = [fill for fill in first.fills if fill.row == HEAD_ROW]
+    assert [fill.value(HEAD_ROW, 2) for fill in heads] == [25.0]
+    assert "Mechanism!$B$" in print_formula(blocks(first, _, 2)[0].formula)
