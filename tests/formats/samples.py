@@ -224,7 +224,7 @@ def curve() -> Chart:
         "x and y over α",
         Anchor(2, 12, 480, 300),
         (
-            Series("x [mm]", _column(0), _column(1), line="2F5597", width=1.5),
+            Series("x [mm]", _column(0), _column(1), line="548235", width=1.5),
             Series("A!B1", _column(0), _column(2), line="C55A11", width=1.5, dash="dash"),
         ),
         Axis("α [°]", 0, 360, 45, "0"),

@@ -10,6 +10,9 @@ ROW_PIXELS, COLUMN_PIXELS = 17, 64
 DIGIT_PIXELS, PADDING_PIXELS = 7, 5
 """A column of n characters is n digits and a padding wide."""
 
+MARGIN_SIDE, MARGIN_END, MARGIN_HEADER = 0.6, 0.75, 0.3
+"""Of printed pages [inches]: left and right, above and below the cells, above and below header and footer."""
+
 TITLE_SIZE, TEXT_SIZE = 11, 9
 """Text of charts [points]."""
 GRID_COLOR, AXIS_COLOR, TEXT_COLOR = "D9D9D9", "7F7F7F", "404040"

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from mechsheet.sheet.workbook import PrintSetup, Properties, Sheet, Workbook
 
 from .archive import FIXED_TIME
+from .looks import MARGIN_END, MARGIN_HEADER, MARGIN_SIDE
 from .ods_styles import FONT_FACES, OdsStyles
 from .ods_text import DECLARATION, VERSION, opened
 from .xml_text import attribute, escaped
@@ -127,16 +128,20 @@ def _layout(number: int, setup: PrintSetup) -> str:
         for side, pages in (("X", setup.fit_width), ("Y", setup.fit_height))
         if pages
     )
-    band = (
-        '<style:header-footer-properties fo:min-height="0.6cm" fo:margin-left="0cm" fo:margin-right="0cm"'
-        ' fo:margin-{}="0.3cm"/>'
-    )
+    margins = f' fo:margin-left="{MARGIN_SIDE}in" fo:margin-right="{MARGIN_SIDE}in"'
+    bands = ""
+    for side, kind, text in (("top", "header", setup.header), ("bottom", "footer", setup.footer)):
+        # A page's margin ends at its header where it has one.
+        margins += f' fo:margin-{side}="{MARGIN_HEADER if text else MARGIN_END}in"'
+        inner = "bottom" if side == "top" else "top"
+        bands += (
+            f'<style:{kind}-style><style:header-footer-properties fo:min-height="{MARGIN_END - MARGIN_HEADER:.2f}in"'
+            f' fo:margin-left="0in" fo:margin-right="0in" fo:margin-{inner}="0.1in"/></style:{kind}-style>'
+        )
     return (
         f'<style:page-layout style:name="pm{number}"><style:page-layout-properties fo:page-width="{width}"'
         f' fo:page-height="{height}" style:print-orientation="{"landscape" if setup.landscape else "portrait"}"'
-        f' fo:margin="1.5cm"{fit}/>'
-        f"<style:header-style>{band.format('bottom')}</style:header-style>"
-        f"<style:footer-style>{band.format('top')}</style:footer-style></style:page-layout>"
+        f"{margins}{fit}/>{bands}</style:page-layout>"
     )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from mechsheet.sheet.workbook import Chart, Column, Comment, Control, Sheet
 
+from .archive import FIXED_TIME
 from .bands import linked_value
 from .looks import COLUMN_PIXELS, DIGIT_PIXELS, NOTE_PIXELS, PADDING_PIXELS, note_height
 from .ods_cells import Extras, TableRows
@@ -98,7 +99,7 @@ def _note(comment: Comment, author: str) -> str:
     return (
         f'<office:annotation office:display="false" svg:width="{points(NOTE_PIXELS)}"'
         f' svg:height="{points(note_height(comment.text))}"><dc:creator>{escaped(author)}</dc:creator>'
-        f"{paragraphs(comment.text)}</office:annotation>"
+        f"<dc:date>{FIXED_TIME:%Y-%m-%dT%H:%M:%S}</dc:date>{paragraphs(comment.text)}</office:annotation>"
     )
 
 

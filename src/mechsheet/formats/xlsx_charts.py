@@ -14,7 +14,7 @@ from mechsheet.formula.references import column_letters
 from mechsheet.sheet.workbook import Area, Axis, Chart, Rich, Series, SeriesRef, Sheet
 
 from .bands import column_values
-from .looks import AXIS_COLOR, GRID_COLOR, HAIR_LINE, TEXT_COLOR, TEXT_SIZE, TITLE_SIZE
+from .looks import AXIS_COLOR, FONT, GRID_COLOR, HAIR_LINE, TEXT_COLOR, TEXT_SIZE, TITLE_SIZE
 from .xml_text import legal, number
 
 MAX_CACHED_POINTS = 4096
@@ -99,8 +99,7 @@ def new_chart(chart: Chart, language: str) -> StraightScatter:
     made = StraightScatter(language)
     made.embedded = True
     made.chart_name = legal(chart.name)
-    font = {"size": TITLE_SIZE, "bold": True, "color": _TEXT}
-    made.set_title({"name_font": font} if chart.title else {"none": True})
+    made.set_title({"name_font": _font(TITLE_SIZE, True)} if chart.title else {"none": True})
     made.title.name = chart.title
     for series in chart.series:
         made.add_series(_series(series))
@@ -123,10 +122,14 @@ def new_chart(chart: Chart, language: str) -> StraightScatter:
     return made
 
 
+def _font(size: float, bold: bool = False) -> dict[str, Any]:
+    return {"name": FONT, "size": size, "bold": bold, "color": _TEXT}
+
+
 def _axis(axis: Axis, other: Axis) -> dict[str, Any]:
     options: dict[str, Any] = {
-        "name_font": {"size": TEXT_SIZE, "bold": False, "color": _TEXT},
-        "num_font": {"size": TEXT_SIZE, "color": _TEXT},
+        "name_font": _font(TEXT_SIZE),
+        "num_font": _font(TEXT_SIZE),
         "num_format": axis.number_format,
         "min": axis.low,
         "max": axis.high,
@@ -162,7 +165,7 @@ def _series(series: Series) -> dict[str, Any]:
     if isinstance(series.name, CellRef):
         options["name_formula"] = f"={_cell_reference(series.name)}"
     if series.show_name:
-        font = {"size": series.label_size, "color": _TEXT}
+        font = _font(series.label_size)
         options["data_labels"] = {"series_name": True, "position": series.label_side, "font": font}
     return options
 
@@ -177,7 +180,7 @@ def _legend(chart: Chart) -> dict[str, Any]:
     hidden = [i for i, series in enumerate(chart.series) if not series.in_legend]
     if not chart.legend or len(hidden) == len(chart.series):
         return {"none": True}
-    return {"position": chart.legend, "delete_series": hidden, "font": {"size": TEXT_SIZE, "color": _TEXT}}
+    return {"position": chart.legend, "delete_series": hidden, "font": _font(TEXT_SIZE)}
 
 
 def area_reference(ref: SeriesRef) -> str:

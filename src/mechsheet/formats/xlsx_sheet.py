@@ -12,7 +12,7 @@ from mechsheet.formula.nodes import Node
 from mechsheet.formula.printer import print_formula, quote_sheet
 from mechsheet.sheet.workbook import Anchor, Area, Control, PrintSetup, Sheet, Validation
 
-from .looks import NOTE_PIXELS, TEXT_SIZE, note_height
+from .looks import MARGIN_END, MARGIN_SIDE, NOTE_PIXELS, TEXT_SIZE, note_height
 from .xlsx_cells import SheetData
 from .xlsx_charts import OneCellDrawing, cached_values, new_chart
 from .xlsx_controls import PlacedControl, controls_element
@@ -106,7 +106,8 @@ def _view(page: DataWorksheet, sheet: Sheet) -> None:
     page.set_zoom(sheet.zoom)
     if sheet.hidden:
         page.hide()
-    page.hide_gridlines(0 if sheet.gridlines else 2)
+    # 1 hides them on paper, 2 also on the screen.
+    page.hide_gridlines(1 if sheet.gridlines else 2)
     if sheet.tab_color:
         page.set_tab_color(f"#{sheet.tab_color}")
 
@@ -115,6 +116,7 @@ def _print_setup(page: DataWorksheet, setup: PrintSetup) -> None:
     if setup.landscape:
         page.set_landscape()
     page.set_paper(_A4)
+    page.set_margins(MARGIN_SIDE, MARGIN_SIDE, MARGIN_END, MARGIN_END)
     if setup.fit_width or setup.fit_height:
         page.fit_to_pages(setup.fit_width, setup.fit_height)
     if setup.repeat_rows:

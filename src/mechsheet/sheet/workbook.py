@@ -256,7 +256,10 @@ class Merge:
 
 @dataclass(frozen=True, slots=True)
 class PrintSetup:
-    """Paper and print range; A4. `fit_width` pages across (0: no fit), `fit_height` pages down (0: as many as needed)."""
+    """Paper and print range; A4. `fit_width` pages across (0: no fit), `fit_height` pages down (0: as many as needed).
+
+    `header`, `footer`: &L, &C, &R begin their parts, &P is the page, &N their count, &A the sheet, && an ampersand.
+    """
 
     landscape: bool = True
     fit_width: int = 1
