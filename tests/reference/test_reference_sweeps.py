@@ -113,6 +113,18 @@ def test_one_solution_is_kept_past_parallel_slots():
     assert np.abs(found.displacements["x"] - 2 / np.tan(np.where(rows, found.driver, 1)))[rows].max() < 1e-13
 
 
+def test_pin_that_runs_far_away():
+    """Hundreds of lengths away, a lever still finds the pin: the rounding of its place is no miss."""
+    found = solve(read("far-pin"))
+    away = np.array([0.0, 2.0]) + found.displacements["x"][:, None] * [1.0, 0.0] - [1.0, -1.0]
+    rows = found.exists
+    assert np.array_equal(rows, ~np.isclose(np.sin(found.driver), 0))
+    assert np.abs(away[rows]).max() > 300
+    assert np.abs(found.displacements["t"] / np.hypot(*away.T) - 1)[rows].max() < 1e-13
+    miss = found.poses["lever"][rows, 2] + np.radians(20) - np.arctan2(*away[rows].T[::-1])
+    assert np.abs(np.sin(miss)).max() < 1e-13
+
+
 def test_driven_by_a_cylinder():
     found = solve(read("boom"))
     reach = np.hypot(1.2, 0.1) + np.array([-1, 1]) * np.hypot(1, 0.3)
@@ -171,6 +183,15 @@ def test_point_whose_distances_make_no_triangle():
     found = solve(read("six-link-dwell", EXAMPLES), {"A0B0": 1.0})
     assert not found.exists.any()
     assert all(np.isnan(v).all() for k, v in variables(found).items() if k != "theta12")
+
+
+def test_driver_value_that_is_no_number_is_no_row():
+    m = read("fivelink")
+    found = solve(replace(m, driver=replace(m.driver, values=("acos(2)", 0.5, "1/0"))))
+    assert found.exists.tolist() == [False, True, False]
+    m = read("stephenson")
+    turned = replace(m, driver=replace(m.driver, link="output", values=(2.5, "acos(2)", 2.51)))
+    assert not solve(turned).exists[1]
 
 
 def test_progress_is_told():

@@ -29,6 +29,7 @@ _FEW_GUESSES = 4
 _SNAP = 4e-15
 _NEAR_MISS = 1e-5
 _CHUNK = 4096
+_LEAP = 0.35
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +52,7 @@ def solutions(block: Block, states: Array, values: Array) -> list[Array]:
     count = _MANY_GUESSES if block.large else _GUESSES
     tried = _tried(block, *newton.starts(block, states, values, count))
     return [
-        _distinct(block, _Tried(tried.state[part], tried.worst[part], tried.det[part]), values[i : i + 1])
+        _distinct(block, _Tried(tried.state[part], tried.miss[part], tried.det[part]), values[i : i + 1])
         for i, part in enumerate(slice(first, first + count) for first in range(0, len(tried.state), count))
     ]
 
@@ -60,11 +61,11 @@ def _distinct(block: Block, tried: _Tried, value: Array) -> Array:
     """The solutions among the tries of one row, each once, angles within half a turn of zero."""
     columns = [block.columns[i] for i in block.angles]
     found: list[Array] = []
-    for i in np.flatnonzero(tried.worst <= _NEAR_MISS):
+    for i in np.flatnonzero(tried.miss <= _NEAR_MISS):
         state = tried.state[i : i + 1]
         if any(newton.same_position(block, state, other)[0] for other in found):
             continue
-        settled = _settled(block, state, value, tried.worst[i], tried.det[i])
+        settled = _settled(block, state, value, tried.miss[i], tried.det[i])
         if settled.undetermined[0]:
             return state[:0]
         state = settled.state.copy()
@@ -102,7 +103,7 @@ def linear(block: Block, state: Array, value: Array) -> Rows:
 @dataclass(frozen=True, slots=True)
 class _Tried:
     state: Array
-    worst: Array
+    miss: Array
     det: Array
 
 
@@ -111,31 +112,31 @@ def _tried(block: Block, states: Array, values: Array) -> _Tried:
     parts = []
     for first in range(0, len(states), _CHUNK):
         part = slice(first, first + _CHUNK)
-        state, worst = newton.polish(block, newton.descend(block, states[part], values[part]), values[part])
-        parts.append((state, worst, newton.determinant(block, state, values[part])))
+        state, miss = newton.polish(block, newton.descend(block, states[part], values[part]), values[part])
+        parts.append((state, miss, newton.determinant(block, state, values[part])))
     if not parts:
         return _Tried(states, np.empty(0), np.empty(0))
     return _Tried(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
 
 
-def _settled(block: Block, state: Array, value: Array, worst: float, det: float) -> Rows:
+def _settled(block: Block, state: Array, value: Array, miss: float, det: float) -> Rows:
     """A position near a dead centre looked at closely: `state` (1, columns) is a solution, or the nearest miss.
 
     Where the dead centre itself closes to rounding, it is the position. Where it closes to CLOSED only, links that
     reach each other keep the position found; links that miss each other by so little meet at the dead centre.
     """
-    closes = worst <= CLOSED
+    closes = miss <= CLOSED
     yes, no = np.array([True]), np.array([False])
     if closes and abs(det) > FLAT:
         return Rows(state, yes, no)
-    centre, miss = newton.dead_centre(block, state, value)
-    if closes and miss > CLOSED:
+    centre, gap = newton.dead_centre(block, state, value)
+    if closes and gap > CLOSED:
         return Rows(state, yes, no)
-    if miss > CLOSED:
+    if gap > CLOSED:
         return Rows(state, no, no)
     if newton.movable(block, centre, value):
         return Rows(state, no, yes)
-    if not closes or miss <= _SNAP:
+    if not closes or gap <= _SNAP:
         return Rows(centre, yes, no)
     return Rows(state, yes, no)
 
@@ -154,8 +155,8 @@ def sweep(block: Block, state: Array, value: Array, sign: float) -> Rows:
     if len(others):
         work.from_between(others)
         work.from_neighbours(others[~work.good[others]], probes)
-        work.from_scratch(others[work.worst[others] > CLOSED], _FEW_GUESSES)
-    mirrored = np.flatnonzero(~work.good & (work.worst <= CLOSED) & (np.abs(work.det) > FLAT))
+        work.from_scratch(others[work.miss[others] > CLOSED], _FEW_GUESSES)
+    mirrored = np.flatnonzero(~work.good & (work.miss <= CLOSED) & (np.abs(work.det) > FLAT))
     work.from_scratch(np.setdiff1d(mirrored, probes), _GUESSES)
     return work.edges()
 
@@ -163,7 +164,7 @@ def sweep(block: Block, state: Array, value: Array, sign: float) -> Rows:
 class _Sweep:
     """Rows of one block while they are being solved.
 
-    state  the best found so far: on the branch where `good`, else the one with the least residual `worst`
+    state  the best found so far: on the branch where `good`, else the one with the least miss `miss`
     """
 
     def __init__(self, block: Block, state: Array, value: Array, sign: float) -> None:
@@ -171,7 +172,7 @@ class _Sweep:
         self.columns = np.array(block.columns)
         self.state = state.copy()
         self.good = np.zeros(len(state), dtype=bool)
-        self.worst = np.full(len(state), np.inf)
+        self.miss = np.full(len(state), np.inf)
         self.det = np.zeros(len(state))
 
     def take(self, rows: NDArray[np.int_], tried: _Tried) -> None:
@@ -179,16 +180,16 @@ class _Sweep:
         if not len(rows):
             return
         count = len(tried.state) // len(rows)
-        worst, det = tried.worst.reshape(-1, count), tried.det.reshape(-1, count)
-        right = (worst <= CLOSED) & (det * self.sign > 0)
+        miss, det = tried.miss.reshape(-1, count), tried.det.reshape(-1, count)
+        right = (miss <= CLOSED) & (det * self.sign > 0)
         # On the branch first, and there the firmest; then whatever misses least.
-        rank = np.where(right, -1.0 - np.minimum(np.abs(det), 1.0), np.minimum(worst, 1e300))
+        rank = np.where(right, -1.0 - np.minimum(np.abs(det), 1.0), np.minimum(miss, 1e300))
         best = np.argmin(rank, axis=1)
         chosen = np.arange(len(rows)) * count + best
         hit = right[np.arange(len(rows)), best]
-        use = hit | (~self.good[rows] & (tried.worst[chosen] < self.worst[rows]))
+        use = hit | (~self.good[rows] & (tried.miss[chosen] < self.miss[rows]))
         self.state[rows[use]] = tried.state[chosen[use]]
-        self.worst[rows[use]], self.det[rows[use]] = tried.worst[chosen[use]], tried.det[chosen[use]]
+        self.miss[rows[use]], self.det[rows[use]] = tried.miss[chosen[use]], tried.det[chosen[use]]
         self.good[rows] |= hit
 
     def from_scratch(self, rows: NDArray[np.int_], guesses: int) -> None:
@@ -211,8 +212,8 @@ class _Sweep:
         guesses = self.state[rows]
         guesses[:, self.columns] = self.state[np.ix_(left, self.columns)] + part * change
         guesses = newton.placed(self.block, guesses, self.value[rows])
-        state, worst = newton.polish(self.block, guesses, self.value[rows])
-        self.take(rows, _Tried(state, worst, newton.determinant(self.block, state, self.value[rows])))
+        state, miss = newton.polish(self.block, guesses, self.value[rows])
+        self.take(rows, _Tried(state, miss, newton.determinant(self.block, state, self.value[rows])))
 
     def from_neighbours(self, rows: NDArray[np.int_], probes: NDArray[np.int_]) -> None:
         """Marquardt's method from the nearest solved row on either side and from the nearest probe."""
@@ -233,15 +234,15 @@ class _Sweep:
         """Rows next to a dead centre settled one by one."""
         exists = self.good.copy()
         undetermined = np.zeros(len(exists), dtype=bool)
-        doubtful = np.where(self.good, np.abs(self.det) <= FLAT, self.worst <= _NEAR_MISS)
+        doubtful = np.where(self.good, np.abs(self.det) <= FLAT, self.miss <= _NEAR_MISS)
         for i in np.flatnonzero(doubtful):
             row = slice(i, i + 1)
-            worst = self.worst[i]
-            if not self.good[i] and worst <= CLOSED:
+            miss = self.miss[i]
+            if not self.good[i] and miss <= CLOSED:
                 if abs(self.det[i]) > FLAT:
                     continue
-                worst = np.inf  # closed, but on the other branch: only the dead centre itself belongs to both
-            settled = _settled(self.block, self.state[row], self.value[row], worst, self.det[i])
+                miss = np.inf  # closed, but on the other branch: only the dead centre itself belongs to both
+            settled = _settled(self.block, self.state[row], self.value[row], miss, self.det[i])
             self.state[row] = settled.state
             exists[row], undetermined[row] = settled.exists, settled.undetermined
         return Rows(self.state, exists, undetermined)
@@ -269,10 +270,10 @@ def follow(block: Block, state: Array, value: Array, first: Array) -> Rows:
         for guess in (last + trend, last):
             trial = state[row].copy()
             trial[:, columns] = guess
-            found, worst = newton.polish(block, trial, value[row])
+            found, miss = newton.polish(block, trial, value[row])
             det = newton.determinant(block, found, value[row])[0]
             leap = np.max(np.abs(found[0, columns] - last))
-            if worst[0] <= CLOSED and det * sign > 0 and leap <= 0.35 and abs(det) > 1e-12:
+            if miss[0] <= CLOSED and det * sign > 0 and leap <= _LEAP:
                 break
         else:
             trial = state[row].copy()

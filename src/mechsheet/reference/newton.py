@@ -13,9 +13,8 @@ from .geometry import Array
 from .system import Block, linearised
 
 CLOSED = 1e-12
-"""Largest residual of a position that exists: rounding, and the miss of links that meet exactly at a dead centre."""
+"""Largest miss of a position that exists: rounding, and the miss of links that meet exactly at a dead centre."""
 
-_LONGEST_STEP = 1.0
 _SLACK = 1e-6
 _PATIENCE = 30
 _MARQUARDT_STEPS = 60
@@ -29,36 +28,42 @@ def directions(jacobian: Array, right: Array) -> Array:
         return np.asarray((np.linalg.pinv(jacobian, rcond=1e-14) @ right[..., None])[..., 0])
 
 
+def miss(block: Block, state: Array, residuals: Array) -> Array:
+    """Worst residual (m,), as a part of the farthest coordinate where that is beyond 1: its rounding grows with it."""
+    farthest = np.max(np.abs(state[:, list(block.coordinates)]), axis=1)
+    return np.asarray(np.max(np.abs(residuals), axis=1) / np.maximum(farthest, 1.0))
+
+
 def polish(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
-    """Newton steps as long as they at least halve the worst residual: state, worst residual (m,)."""
+    """Newton steps as long as they at least halve the miss: state, miss (m,)."""
     columns = list(block.columns)
     best = state.copy()
-    worst = np.full(len(state), np.inf)
+    least = np.full(len(state), np.inf)
     rows = np.arange(len(state))
     current = state.copy()
     for _ in range(_PATIENCE):
         residuals, jacobian = linearised(block, current, value[rows])
-        now = np.max(np.abs(residuals), axis=1)
-        better = now < worst[rows]
-        going = (now < 0.5 * worst[rows]) & (now > 0)
+        now = miss(block, current, residuals)
+        better = now < least[rows]
+        going = (now < 0.5 * least[rows]) & (now > 0)
         best[rows[better]] = current[better]
-        worst[rows[better]] = now[better]
+        least[rows[better]] = now[better]
         if not going.any():
             break
         rows, current = rows[going], current[going]
         residuals = residuals[going]
         current[:, columns] += _bounded(block, directions(jacobian[going], -residuals), residuals)
-    return best, worst
+    return best, least
 
 
 def _bounded(block: Block, step: Array, residuals: Array) -> Array:
-    """A step (m, k) in which no angle changes by more than _LONGEST_STEP, and no place by much more than what is missing.
+    """A step (m, k) in which no angle changes by more than a radian, and no place by much more than what is missing.
 
     Each unknown by itself: a short link may ask for thousands of turns, and must not hold up the long ones.
     """
     missing = np.max(np.abs(residuals), axis=1, keepdims=True)
     longest = np.where([column % 3 == 2 for column in block.columns], 1.0, np.maximum(4 * missing, 1.0))
-    return np.clip(step, -_LONGEST_STEP * longest, _LONGEST_STEP * longest)
+    return np.clip(step, -longest, longest)
 
 
 def descend(block: Block, state: Array, value: Array) -> Array:
@@ -113,7 +118,7 @@ def weakest(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
 
 
 def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]:
-    """The position nearest to `state` (1, columns) where the determinant vanishes, and its worst residual.
+    """The position nearest to `state` (1, columns) where the determinant vanishes, and its miss.
 
     Gauss-Newton on residuals and determinant together. There, Newton's method alone would halve its error at each
     step and stop at the root of the rounding error; the determinant crosses zero at full speed and is exact.
@@ -123,7 +128,7 @@ def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]
     current = state.copy()
     aside = 1e-6
     probes = aside * np.concatenate([np.eye(k), -np.eye(k)])
-    best, worst = current, np.inf
+    best, least = current, np.inf
     for _ in range(12):
         residuals, jacobian = linearised(block, current, value)
         around = np.repeat(current, 2 * k + 1, axis=0)
@@ -131,17 +136,16 @@ def dead_centre(block: Block, state: Array, value: Array) -> tuple[Array, float]
         _, nearby = linearised(block, around, np.repeat(value, 2 * k + 1))
         dets = np.linalg.det(nearby / np.array(block.reach))
         slope = (dets[:k] - dets[k : 2 * k]) / (2 * aside)
-        now = max(float(np.max(np.abs(residuals))), 0.0)
-        error = now + abs(float(dets[-1]))
-        if error < worst:
-            best, worst = current.copy(), error
+        error = float(miss(block, current, residuals)[0]) + abs(float(dets[-1]))
+        if error < least:
+            best, least = current.copy(), error
         stacked = np.vstack([jacobian[0], slope])
         right = np.append(residuals[0], dets[-1])
         current = current.copy()
         step = np.linalg.lstsq(stacked, right, rcond=1e-13)[0]
         current[:, columns] -= _bounded(block, step[None, :], residuals)
     residuals, _ = linearised(block, best, value)
-    return best, float(np.max(np.abs(residuals)))
+    return best, float(miss(block, best, residuals)[0])
 
 
 def movable(block: Block, state: Array, value: Array) -> bool:
@@ -162,8 +166,11 @@ def movable(block: Block, state: Array, value: Array) -> bool:
         pushed[:, columns] -= _bounded(block, step, residuals)
     residuals, _ = linearised(block, pushed, value)
     apart = np.max(np.abs(pushed[0, columns] - state[0, columns]))
-    closes = np.max(np.abs(residuals)) <= 2 * CLOSED
-    return bool(closes and apart > 0.02 and weakest(block, pushed, value)[0][0] < _SLACK)
+    return bool(
+        miss(block, pushed, residuals)[0] <= 2 * CLOSED
+        and apart > 0.02
+        and weakest(block, pushed, value)[0][0] < _SLACK
+    )
 
 
 def starts(block: Block, state: Array, value: Array, count: int) -> tuple[Array, Array]:

@@ -95,7 +95,7 @@ def solve(
     state = np.full((len(path), built.columns), np.nan)
     state[:, :3] = 0.0
     state[:, 3 * len(built.bodies) + 2 :: 3] = 0.0
-    alive = np.full(len(path), built.finite)
+    alive = np.isfinite(path) & built.finite
     undetermined = np.zeros(len(path), dtype=bool)
     for i in range(len(built.blocks)):
         rows = np.flatnonzero(alive)
@@ -120,7 +120,8 @@ def _with_steps_between(built: System, driver: Array) -> tuple[Array, NDArray[np
     if not any(block.large for block in built.blocks) or len(driver) < 2:
         return driver, np.arange(len(driver))
     longest = _INSERTED_SLIDE if built.mechanism.driver.joint else _INSERTED_TURN
-    parts = np.maximum(np.ceil(np.abs(np.diff(driver)) / longest - 1e-9), 1).astype(int)
+    steps = np.nan_to_num(np.abs(np.diff(driver)), nan=0.0, posinf=0.0)
+    parts = np.maximum(np.ceil(steps / longest - 1e-9), 1).astype(int)
     pieces = [a + (b - a) * np.arange(n) / n for a, b, n in zip(driver[:-1], driver[1:], parts, strict=True)]
     return np.concatenate([*pieces, driver[-1:]]), np.concatenate([[0], np.cumsum(parts)])
 

@@ -56,6 +56,7 @@ class Equation:
 class Block:
     """Equations solved together for the state's `columns`.
 
+    coordinates  columns of all places that its equations read
     slots   for each equation the pairs (slot of its gradient, position in `columns`)
     reach   length of the lever that each unknown angle turns here, 1 for a coordinate: dividing a column of the Jacobian
             by it makes short links count like long ones
@@ -65,6 +66,7 @@ class Block:
 
     equations: tuple[Equation, ...]
     columns: tuple[int, ...]
+    coordinates: tuple[int, ...]
     slots: tuple[tuple[tuple[int, int], ...], ...]
     reach: tuple[float, ...]
     linear: bool
@@ -236,6 +238,7 @@ def _block(equations: Sequence[Equation], columns: Sequence[int]) -> Block:
     return Block(
         equations=tuple(equations),
         columns=tuple(columns),
+        coordinates=tuple(sorted({3 * b + i for e in equations for b in (e.body, e.on) for i in (0, 1)})),
         slots=slots,
         reach=tuple(_reach(equations, column) for column in columns),
         linear=angles == 0 or set(kinds) == {"angle"},
