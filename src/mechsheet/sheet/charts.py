@@ -1,45 +1,65 @@
-"""The charts: angles, displacements and outputs against the driver, and the paths of points."""
+"""The charts of the first sheet: the drawing, curves against the driver, and paths of points; which, and where they stand.
+
+The vertical axis of a curve is left to the program: a range fixed here would be wrong as soon as a dimension changes.
+The driver's axis is fixed, since its rows are: steps of 15, 30 or 45 degrees where the driver turns.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
+import numpy as np
+
+from mechsheet.kinematics.numeric import Array, evaluate_column
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest
 from mechsheet.sheet import styles
+from mechsheet.sheet.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.mechanism import CHARTS, shown_unit
-from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
+from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Series, SeriesRef, Sheet
 
-WIDTH, HEIGHT = 520, 320
-ROW_HEIGHT = 20
-"""Pixels of a row, by which charts are set below each other."""
+GAP = 12
+HEIGHT = (SIZE - GAP) // 2
+"""Two curves are as high as the drawing beside them."""
+
+ROW_HEIGHT, COLUMN_WIDTH, COLUMN_CHARACTERS = 20, 80, 10.7
+"""Pixels of a row and of a column beside the blocks, by which charts are placed: both are set, not left to a program."""
+
+FIRST_ROW = 3
+"""The row of the drawing, under the scroll bar."""
 
 STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360, 720, 3600)
 """Sensible distances of grid lines on an axis of degrees."""
 
+MOST_CURVES = 6
+SAME_SCALE = 20.0
+"""Curves share a chart when the largest is at most so many times as large as the smallest."""
 
-def charts_of(plan: Plan) -> tuple[Chart, ...]:
+PROBED = 61
+
+
+def chart_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     """The charts that the description asks for, or those that suit any mechanism."""
-    requests = plan.mechanism.charts or _default_requests(plan)
-    charts = []
-    for index, request in enumerate(requests):
-        row = 4 + index * math.ceil((HEIGHT + 16) / ROW_HEIGHT)
-        anchor = Anchor(row, CHARTS, WIDTH, HEIGHT)
-        charts.append(_path_chart(plan, request, anchor) if request.paths else _curve_chart(plan, request, anchor))
-    return tuple(charts)
+    return plan.mechanism.charts or _default_requests(plan)
 
 
 def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
-    """Angles, displacements, each output, and the path of each point that is no joint."""
+    """Angles, displacements, outputs by unit and size, and the paths of the points that are no joints."""
     mechanism = plan.mechanism
     driver = mechanism.driver.symbol
-    by_unit: dict[str, list[str]] = {"angle": [], "length": []}
+    angles: list[str] = []
+    displacements: list[str] = []
     for equation in plan.equations.columns:
         if equation.kind == "variable" and equation.symbol != driver and not _constant(plan, equation.symbol):
-            by_unit[equation.unit].append(equation.symbol)
-    requests = [ChartRequest(x=driver, y=tuple(symbols)) for symbols in by_unit.values() if symbols]
-    requests += [ChartRequest(x=driver, y=(output.symbol,)) for output in mechanism.outputs]
+            (angles if equation.unit == "angle" else displacements).append(equation.symbol)
+    sizes = _sizes(plan)
+    requests = []
+    for symbols in (angles, displacements, [output.symbol for output in mechanism.outputs]):
+        requests += [ChartRequest(x=driver, y=group) for group in _shared(plan, symbols, sizes)]
     paths = tracing_points(plan)
     if paths:
         requests.append(ChartRequest(paths=paths))
@@ -49,6 +69,38 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
 def _constant(plan: Plan, symbol: str) -> bool:
     """True for a variable that never changes: the angle of a piston on a fixed guide."""
     return not plan.equations.of(symbol).reads
+
+
+def _sizes(plan: Plan) -> dict[str, float]:
+    """The largest absolute value of each column, from a few rows: enough to tell which curves fit on one axis."""
+    every = max(1, math.ceil(len(plan.driver) / PROBED))
+    driver = np.array(plan.driver[::every])
+    values: dict[str, Array] = {
+        symbol: np.full(len(driver), value) for symbol, value in dimension_values(plan.mechanism).items()
+    }
+    values[plan.mechanism.driver.symbol] = driver
+    values |= {
+        group.mode: np.full(len(driver), float(group.mode_value)) for group in plan.equations.groups if group.mode
+    }
+    for equation in plan.equations.all:
+        values[equation.symbol] = evaluate_column(equation, values, len(driver))
+    finite = {symbol: column[np.isfinite(column)] for symbol, column in values.items()}
+    return {symbol: float(np.max(np.abs(column))) if len(column) else 0.0 for symbol, column in finite.items()}
+
+
+def _shared(plan: Plan, symbols: Sequence[str], sizes: Mapping[str, float]) -> list[tuple[str, ...]]:
+    """The symbols by charts: of one unit, of sizes that can be read on one axis, not too many."""
+    groups: list[list[str]] = []
+    for symbol in symbols:
+        for group in groups:
+            found = [sizes[member] for member in (*group, symbol)]
+            same_unit = shown_unit(plan, group[0]) == shown_unit(plan, symbol)
+            if same_unit and len(group) < MOST_CURVES and max(found) <= SAME_SCALE * min(found):
+                group.append(symbol)
+                break
+        else:
+            groups.append([symbol])
+    return [tuple(group) for group in groups]
 
 
 def tracing_points(plan: Plan) -> tuple[str, ...]:
@@ -64,36 +116,60 @@ def tracing_points(plan: Plan) -> tuple[str, ...]:
     return free or tuple(point for point in at if point not in fixed)
 
 
+def traced_points(plan: Plan, requests: Sequence[ChartRequest]) -> tuple[str, ...]:
+    """Points whose paths are drawn behind the mechanism: those that have a chart, else those that deserve one."""
+    asked = dict.fromkeys(point for request in requests for point in request.paths)
+    return tuple(asked) or tracing_points(plan)
+
+
+# --- curves ------------------------------------------------------------------------------------------------------
+
+
 def _column(plan: Plan, symbol: str) -> SeriesRef:
     spot = plan.at.shown[symbol]
     return SeriesRef(spot.sheet, Area(plan.at.first, spot.col, plan.at.last, spot.col))
 
 
-def _curve_chart(plan: Plan, request: ChartRequest, anchor: Anchor) -> Chart:
-    series = tuple(
-        Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=styles.SERIES[index % 8])
-        for index, symbol in enumerate(request.y)
-    )
+def _at_position(plan: Plan, drawing: Drawing, symbol: str) -> SeriesRef | None:
+    """The cell with a quantity at the position shown."""
+    if symbol in drawing.shown:
+        return drawing.shown[symbol]
+    for key in ("position", "variables"):
+        row = plan.blocks[key].rows.get(symbol)
+        if row is not None:
+            return SeriesRef(plan.main, Area(row, VALUE, row, VALUE))
+    return None
+
+
+def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
+    curves, markers = [], []
+    x = _at_position(plan, drawing, request.x)
+    for index, symbol in enumerate(request.y):
+        color = styles.SERIES[index % len(styles.SERIES)]
+        curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color))
+        y = _at_position(plan, drawing, symbol)
+        if x and y:
+            markers.append(marker(plain(symbol), x, y, color))
     units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
     symbols = ", ".join(plain(symbol) for symbol in request.y)
     title = request.title.of(plan.language) if request.title else _title(plan, request)
     return Chart(
-        title,
-        anchor,
-        series,
-        _driver_axis(plan, request.x),
+        title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), _driver_axis(plan, request.x),
         Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
-        legend="bottom" if len(series) > 1 else "",
-        alt_text=title,
-    )
+        legend="right" if len(curves) > 1 else "", alt_text=title,
+    )  # fmt: skip
 
 
 def _title(plan: Plan, request: ChartRequest) -> str:
     driver = plain(request.x)
-    kinds = {plan.equations.of(symbol).kind for symbol in request.y}
-    units = {plan.equations.of(symbol).unit for symbol in request.y}
-    if kinds == {"variable"} and len(units) == 1:
-        key = "chart.angles" if units == {"angle"} else "chart.displacements"
+    equations = [plan.equations.of(symbol) for symbol in request.y]
+    if len(equations) == 1 and equations[0].kind == "output":
+        symbol, label = plain(request.y[0]), equations[0].label.of(plan.language)
+        return (
+            f"{symbol}: {label}" if label != request.y[0] else plan.text("chart.outputs", symbol=symbol, driver=driver)
+        )
+    if {equation.kind for equation in equations} == {"variable"}:
+        key = "chart.angles" if equations[0].unit == "angle" else "chart.displacements"
         return plan.text(key, driver=driver)
     return plan.text("chart.outputs", symbol=", ".join(plain(symbol) for symbol in request.y), driver=driver)
 
@@ -103,22 +179,42 @@ def _driver_axis(plan: Plan, symbol: str) -> Axis:
     unit = shown_unit(plan, symbol)
     title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
     driver = plan.mechanism.driver
-    if symbol != driver.symbol:
+    if symbol != driver.symbol or driver.unit != "deg":
         return Axis(title)
-    factor = 180 / math.pi if driver.unit == "deg" else 1.0
-    low, high = min(plan.driver) * factor, max(plan.driver) * factor
-    if driver.unit != "deg" or high <= low:
+    low, high = math.degrees(min(plan.driver)), math.degrees(max(plan.driver))
+    if high <= low:
         return Axis(title)
     step = next((step for step in STEPS if (high - low) / step <= 12), STEPS[-1])
     return Axis(title, math.floor(low / step + 1e-9) * step, math.ceil(high / step - 1e-9) * step, step)
 
 
-def _path_chart(plan: Plan, request: ChartRequest, anchor: Anchor) -> Chart:
-    series = tuple(
-        Series(point, _column(plan, f"{point}.x"), _column(plan, f"{point}.y"), line=styles.SERIES[index % 8])
-        for index, point in enumerate(request.paths)
-    )
-    points = ", ".join(request.paths)
-    title = request.title.of(plan.language) if request.title else plan.text("chart.path", points=points)
-    unit = plan.mechanism.length_unit
-    return Chart(title, anchor, series, Axis(f"x [{unit}]"), Axis(f"y [{unit}]"), alt_text=title)
+# --- places ------------------------------------------------------------------------------------------------------
+
+
+def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) -> tuple[Chart, ...]:
+    """The drawing under the scroll bar, the other charts beside and below it in two columns."""
+    curves = [_curve_chart(plan, drawing, request) for request in requests if not request.paths]
+    paths = [drawing.paths[request.paths] for request in requests if request.paths]
+    heights = [SIZE + GAP, 0]
+    placed = [_placed(drawing.chart, 0, 0)]
+    for chart in (*curves, *paths):
+        side = 0 if heights[0] <= heights[1] else 1
+        placed.append(_placed(chart, side * (SIZE + GAP), heights[side]))
+        heights[side] += chart.anchor.height + GAP
+    return tuple(placed)
+
+
+def _placed(chart: Chart, x: int, y: int) -> Chart:
+    cols, dx = divmod(x, COLUMN_WIDTH)
+    rows, dy = divmod(y, ROW_HEIGHT)
+    anchor = replace(chart.anchor, row=FIRST_ROW + rows, col=CHARTS + cols, dx=dx, dy=dy)
+    return replace(chart, anchor=anchor)
+
+
+def with_room(sheet: Sheet) -> Sheet:
+    """The sheet with the sizes of rows and columns by which its charts were placed, where it does not set them itself."""
+    last = max(chart.anchor.row + math.ceil(chart.anchor.height / ROW_HEIGHT) + 1 for chart in sheet.charts)
+    given = {row for row, _ in sheet.row_heights}
+    heights = tuple((row, float(ROW_HEIGHT)) for row in range(last + 1) if row not in given)
+    columns = Column(CHARTS, CHARTS + math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH), COLUMN_CHARACTERS)
+    return replace(sheet, row_heights=sheet.row_heights + heights, columns=(*sheet.columns, columns))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
-from mechsheet.sheet.charts import charts_of
+from mechsheet.sheet.charts import chart_requests, charts_of, traced_points, with_room
+from mechsheet.sheet.drawing import drawing_of
 from mechsheet.sheet.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.positions import positions_sheet
@@ -20,9 +21,12 @@ DESCRIPTION_SHEET = "description"
 def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]:
     """The workbook (its formulas have no values yet) and the plan that it follows."""
     plan = plan_of(mechanism, equations)
+    requests = chart_requests(plan)
+    drawing = drawing_of(plan, traced_points(plan, requests), requests)
     sheets = (
-        mechanism_sheet(plan, charts_of(plan), controls(plan)),
+        with_room(mechanism_sheet(plan, charts_of(plan, requests, drawing), controls(plan))),
         positions_sheet(plan),
+        drawing.sheet,
         *table_sheets(plan),
         _description_sheet(plan),
     )

@@ -1,0 +1,276 @@
+"""The drawing of the mechanism at the position shown and the paths of its points: a sheet of numbers, two kinds of chart.
+
+Left on the sheet stand the frame, the points at the position shown and the corners of every shape; on the right, row by
+row like the table of positions, what the frame and the paths need of the whole sweep. A position that does not exist is
+#N/A in every cell, and nothing of it is drawn.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text, symbols, transform
+from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.solve import dimension_values
+from mechsheet.model import ChartRequest, Joint
+from mechsheet.sheet import styles
+from mechsheet.sheet.frames import (
+    CHART_X,
+    CHART_Y,
+    FIRST,
+    HIDDEN_AXIS,
+    INK,
+    NAME,
+    NINTH,
+    SWEEP,
+    Frame,
+    Page,
+    write_frame,
+)
+from mechsheet.sheet.outlines import block_has_line, corners, direction_of, through_of
+from mechsheet.sheet.plan import VALUE, Plan, unit_text
+from mechsheet.sheet.points import PointCells, label, marks, moving_points, pins_of, write_points
+from mechsheet.sheet.shapes import Guide, block, guide_base, link_color, outline, rail, slot, support, write_guide
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
+
+SIZE = 480
+"""Pixels of a drawing and of a chart of paths: square."""
+
+MARGIN, PATH_MARGIN = 1.3, 1.15
+"""How much larger than all positions together the windows are; supports, guides and names need room around a drawing."""
+
+PATH_COLORS = ("8FAFCB", "E0A98F", "93C7A6", "BFA0CF", "D9BE7E", "80BFC6", "D58FAC", "AD9A92")
+"""Paths behind the drawing: the colours of curves, paler."""
+
+DRAWING_INNER = (0.01, 0.01, 0.98, 0.98)
+PATH_INNER = (0.08, 0.12, 0.85, 0.85)
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """The sheet, the chart of the mechanism, the charts of paths by their points, and where quantities stand.
+
+    shown  cells with the value at the position shown, as people read it, of symbols that have none on the first sheet
+    """
+
+    sheet: Sheet
+    chart: Chart
+    paths: Mapping[tuple[str, ...], Chart]
+    shown: Mapping[str, SeriesRef]
+
+
+def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartRequest]) -> Drawing:
+    """The sheet "Drawing" with its charts. `traced`: points whose paths are drawn behind the mechanism."""
+    page, text = Page(plan), plan.text
+    page.put(NAME, text("drawing.title"), styles.TITLE)
+    page.row += 1
+    page.put(NAME, text("drawing.note"), styles.SUBTITLE)
+    page.row += 1
+    frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN)
+    cells = write_points(page, frame)
+    guides = _guides(page, frame, cells)
+    shown = _shown(page, requests, cells)
+    series = _traces(page, frame, traced, PATH_COLORS, 1.0)
+    series += _shapes(page, cells, guides)
+    series += [*marks(page, cells), *frame.series, _caption(page)]
+    title = plan.mechanism.title.of(plan.language)
+    chart = Chart(
+        "", Anchor(0, 0, SIZE, SIZE), tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="", inner=DRAWING_INNER,
+        name="drawing", alt_text=text("drawing.alt", title=title),
+    )  # fmt: skip
+    paths = {request.paths: _path_chart(page, request, cells) for request in requests if request.paths}
+    return Drawing(_sheet(page), chart, paths, shown)
+
+
+def _sheet(page: Page) -> Sheet:
+    columns = [Column(NAME, NAME, 26.0), Column(FIRST, NINTH, 12.0), Column(NINTH + 1, NINTH + 1, 3.0)]
+    if page.col > SWEEP:
+        columns.append(Column(SWEEP, page.col - 1, 11.0))
+    return Sheet(
+        page.title, tuple(page.cells), tuple(page.fills), columns=tuple(columns), row_heights=((0, 26.0),),
+        gridlines=False, tab_color="7B3FA0", print_setup=PrintSetup(footer=page.plan.text("footer")),
+    )  # fmt: skip
+
+
+# --- what is shown -----------------------------------------------------------------------------------------------
+
+
+def _all_points(plan: Plan) -> tuple[str, ...]:
+    """Every point that moves, and the fixed pins."""
+    fixed = tuple(point for point in plan.mechanism.ground.points if point in pins_of(plan.mechanism))
+    return moving_points(plan.mechanism) + fixed
+
+
+def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame:
+    """A window around the points at all positions of the sweep."""
+    moving = [name for name in names if name in moving_points(page.plan.mechanism)]
+    fixed = [name for name in names if name not in moving]
+    extremes = []
+    for axis in ("x", "y"):
+        head = plain(f"{moving[0]}.{axis}") if len(moving) == 1 else axis
+        constants = tuple(page.at_position(f"{name}.{axis}") for name in fixed)
+        low, high = page.extremes(head, [page.read(f"{name}.{axis}") for name in moving])
+        if constants:
+            low, high = Call("MIN", (low, *constants)), Call("MAX", (high, *constants))
+        extremes.append((low, high))
+    return write_frame(page, title, extremes[0], extremes[1], margin)
+
+
+def _guides(page: Page, frame: Frame, cells: Mapping[str, PointCells]) -> list[Guide]:
+    """The lines of the sliding joints, after the angles and displacements that they need."""
+    mechanism = page.plan.mechanism
+    if not mechanism.joints:
+        return []
+    wanted = {joint.symbol: joint.symbol for joint in mechanism.joints}
+    lines = [(joint, through_of(mechanism, joint), direction_of(mechanism, joint)) for joint in mechanism.joints]
+    for _, (x, y), direction in lines:
+        wanted |= {name: name for node in (x, y, direction) for name in symbols(node)}
+    known = {f"{point}.{axis}": getattr(place, axis) for point, place in cells.items() for axis in ("x", "y")}
+    page.section(page.plan.text("drawing.quantities"), [page.plan.text("drawing.inner.unit")])
+    for name in wanted:
+        if name not in known:
+            page.put(NAME, rich(name), styles.SYMBOL)
+            known[name] = page.formula(FIRST, page.at_position(name))
+            page.row += 1
+
+    def bound(node: Node) -> Node:
+        return transform(node, lambda part: known[part.name] if isinstance(part, Symbol) else part)
+
+    text = page.plan.text
+    heads = [text("drawing.direction"), "cos", "X", "Y", "sin", text("drawing.from"), text("drawing.to")]
+    page.section(text("drawing.guides"), heads)
+    return [
+        write_guide(page, frame, joint, (bound(x), bound(y)), bound(direction), known[joint.symbol])
+        for joint, (x, y), direction in lines
+    ]
+
+
+def _shown(page: Page, requests: Sequence[ChartRequest], cells: Mapping[str, PointCells]) -> dict[str, SeriesRef]:
+    """Where the markers of the charts find what the first sheet does not show."""
+    plan = page.plan
+    there = {plan.mechanism.driver.symbol, *plan.blocks["variables"].rows}
+    wanted = dict.fromkeys(name for request in requests for name in (request.x, *request.y) if name)
+    found: dict[str, SeriesRef] = {}
+    missing = []
+    for name in wanted:
+        point, dot, axis = name.partition(".")
+        if dot and point in cells:
+            cell = cells[point].x if axis == "x" else cells[point].y
+            found[name] = page.reference(cell.row, cell.col)
+        elif name not in there and plan.at.shown[name].column:
+            missing.append(name)
+    if missing:
+        page.section(plan.text("drawing.markers"))
+    for name in missing:
+        page.put(NAME, rich(name), styles.SYMBOL)
+        page.formula(FIRST, page.indexed(plan.at.shown[name]))
+        found[name] = page.reference(page.row, FIRST)
+        page.row += 1
+    return found
+
+
+def _traces(page: Page, frame: Frame, names: Sequence[str], colors: Sequence[str], width: float) -> list[Series]:
+    """The paths of points in a frame: two sweep columns each."""
+    found = []
+    for index, name in enumerate(names):
+        x = page.column(f"X {plain(name)}", frame.chart_x(page.read(f"{name}.x")))
+        y = page.column(f"Y {plain(name)}", frame.chart_y(page.read(f"{name}.y")))
+        refs = SeriesRef(page.title, x), SeriesRef(page.title, y)
+        found.append(Series(plain(name), *refs, line=colors[index % len(colors)], width=width))
+    return found
+
+
+# --- the shapes --------------------------------------------------------------------------------------------------
+
+
+def _shapes(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Guide]) -> list[Series]:
+    """From back to front: rails and supports, slots, links, blocks."""
+    plan, text = page.plan, page.plan.text
+    mechanism = plan.mechanism
+    dimensions = dimension_values(mechanism)
+    driven = mechanism.driver.link or _joint(plan, mechanism.driver.joint).link
+    links = {link.name: link for link in mechanism.links}
+    ground = mechanism.ground
+    page.section(text("drawing.shapes"), ["", "", "X", "Y"])
+    found = []
+    for guide in guides:
+        if guide.joint.on == ground.name:
+            below = math.cos(evaluate(direction_of(mechanism, guide.joint), dimensions)) >= -1e-9
+            found.append(rail(page, text("drawing.rail", symbol=plain(guide.joint.symbol)), guide, below))
+    for name in ground.points:
+        if name in pins_of(mechanism):
+            found.append(support(page, text("drawing.support", point=plain(name)), cells[name]))
+    for guide in guides:
+        if guide.joint.on != ground.name:
+            owner = guide.joint.link if block_has_line(mechanism, guide.joint) else guide.joint.on
+            name = text("drawing.slot", symbol=plain(guide.joint.symbol))
+            color = link_color(links[owner], driven)
+            found.append(slot(page, name, guide, guide_base(page, guide, cells), color))
+    for link in mechanism.links[1:]:
+        if len(link.points) > 1:
+            name = link.label.of(plan.language) if link.label else link.name
+            found.append(outline(page, name, cells, corners(link, dimensions), link_color(link, driven)))
+    for guide in guides:
+        joint = guide.joint
+        name = text("drawing.block", symbol=plain(joint.symbol))
+        if block_has_line(mechanism, joint):
+            found.append(block(page, name, guide.x, guide.y, guide, link_color(links[joint.on], driven)))
+        else:
+            at = cells[joint.point]
+            found.append(block(page, name, at.chart_x, at.chart_y, guide, link_color(links[joint.link], driven)))
+    return found
+
+
+def _joint(plan: Plan, name: str) -> Joint:
+    return next(joint for joint in plan.mechanism.joints if joint.name == name)
+
+
+def _caption(page: Page) -> Series:
+    """The driver's value in the upper left corner; a position that does not exist says so."""
+    plan = page.plan
+    driver = plan.mechanism.driver
+    row = plan.blocks["position"].rows[driver.symbol]
+    value = CellRef(row, VALUE, True, True, plan.main)
+    unit = unit_text(driver.unit)
+    words: Node = Call("ROUND", (value, Number(3.0)))
+    words = Binary("&", Text(f"{plain(driver.symbol)} = "), words)
+    words = Binary("&", words, Text(unit if unit in ("", "°") else f" {unit}"))
+    exists = Binary("=", page.indexed(plan.at.spots["#exists"]), al.ONE)
+    why = Binary("&", Text(" – "), page.indexed(plan.at.spots["#status"]))
+    page.section(plan.text("drawing.caption"), ["", "", "X", "Y"])
+    cell = page.formula(NAME, Binary("&", words, Call("IF", (exists, Text(""), why))), styles.INNER)
+    page.put(CHART_X, -0.97, styles.INNER)
+    page.put(CHART_Y, 0.95, styles.INNER)
+    series = label(page, page.named(cell), page.row, CHART_X, CHART_Y)
+    page.row += 1
+    return Series(series.name, series.x, series.y, show_name=True, label_side="right", label_size=11.0, in_legend=False)
+
+
+def _path_chart(page: Page, request: ChartRequest, cells: Mapping[str, PointCells]) -> Chart:
+    """The paths of points at true scale, each with a marker at the position shown."""
+    plan = page.plan
+    names = ", ".join(plain(point) for point in request.paths)
+    title = request.title.of(plan.language) if request.title else plan.text("chart.path", points=names)
+    frame = _frame(page, plan.text("drawing.path.frame", points=names), request.paths, PATH_MARGIN)
+    series = _traces(page, frame, request.paths, styles.SERIES, 1.75)
+    for index, point in enumerate(request.paths):
+        page.put(NAME, rich(point), styles.SYMBOL)
+        page.formula(CHART_X, frame.chart_x(cells[point].x))
+        page.formula(CHART_Y, frame.chart_y(cells[point].y))
+        color = styles.SERIES[index % len(styles.SERIES)]
+        x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
+        series.append(marker(plain(point), x, y, color))
+        page.row += 1
+    return Chart(
+        title, Anchor(0, 0, SIZE, SIZE), (*series, *frame.series), HIDDEN_AXIS, HIDDEN_AXIS,
+        legend="", inner=PATH_INNER, alt_text=title,
+    )  # fmt: skip
+
+
+def marker(name: str, x: SeriesRef, y: SeriesRef, color: str) -> Series:
+    """The dot at the position shown."""
+    return Series(name, x, y, marker="circle", marker_size=8, marker_line=INK, marker_fill=color, in_legend=False)

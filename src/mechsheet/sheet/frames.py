@@ -1,0 +1,238 @@
+"""The sheet behind the drawing: its rows and columns as they are written, and frames in which a circle stays round.
+
+A chart whose axes run from -1 to 1, hidden, in a square plot area shows true scale when its data are normalised:
+
+    X = (x - xc) / h,    Y = (y - yc) / h
+
+(xc, yc) is the middle of everything shown over the whole sweep and h half the side of a square around it, both live, so
+that nothing leaves the window or jumps while the mechanism moves. A scale bar of 1, 2 or 5 times a power of ten says what
+the size is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
+from mechsheet.kinematics import algebra as al
+from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
+
+NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH = range(9)
+"""Columns: what it is, its own numbers, and its place in the chart; four more where there is more to say."""
+
+SWEEP = NINTH + 2
+"""First of the columns that follow the table of positions."""
+
+SAMPLES = 721
+"""About so many positions are drawn of a path: half a degree of a full turn, finer than a screen shows."""
+
+COARSEST = math.radians(1)
+"""A path leaves no more than this out between two positions, however many turns the sweep has."""
+
+NUMBER_STYLE = styles.decimals(styles.INNER, 4)
+INK, QUIET = "404040", "9AA0A6"
+
+HIDDEN_AXIS = Axis(low=-1.0, high=1.0, step=0.5, visible=False, gridlines=False)
+
+
+class Page:
+    """Collects the cells of the sheet; `row` is the next free row of the left part, `col` the next free sweep column."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.title = plan.at.titles["drawing"]
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.row = 0
+        self.col = SWEEP
+        self.stride = stride_of(plan)
+        self.first = plan.at.first
+        self.samples = math.ceil((plan.rows - 1) / self.stride) + 1
+        if self.stride > 1:
+            self._numbers()
+
+    # --- the left part ---------------------------------------------------------------------------------------
+
+    def put(self, col: int, content: Content, style: Style = styles.LABEL) -> None:
+        """A constant in the present row; an empty text is no cell."""
+        if content != "":
+            self.cells.append(Cell(self.row, col, content, style))
+
+    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE) -> CellRef:
+        """A formula in the present row; its address."""
+        self.fills.append(Fill(self.row, col, node, style))
+        return CellRef(self.row, col, True, True)
+
+    def section(self, title: str, heads: Sequence[str] = ()) -> None:
+        """A heading across the columns, after an empty row."""
+        self.row += 1
+        self.put(NAME, title, styles.SECTION)
+        for col in range(FIRST, NINTH + 1):
+            head = heads[col - FIRST] if col - FIRST < len(heads) else ""
+            self.put(col, head or None, styles.SECTION)
+        self.row += 1
+
+    def reference(self, first_row: int, col: int, last_row: int | None = None) -> SeriesRef:
+        """Cells of a column as a chart reads them."""
+        return SeriesRef(self.title, Area(first_row, col, first_row if last_row is None else last_row, col))
+
+    def named(self, cell: CellRef) -> CellRef:
+        """A cell of this sheet as a chart on another one names it."""
+        return CellRef(cell.row, cell.col, True, True, self.title)
+
+    # --- the sweep -------------------------------------------------------------------------------------------
+
+    def read(self, symbol: str) -> Node:
+        """The quantity (internal units) in the row of the table that a row of a sweep column stands for."""
+        spot = self.plan.at.spots[symbol]
+        if self.stride == 1 or not spot.column:
+            return self.plan.at.reference(symbol, self.title, self.first if spot.column else None)
+        number = CellRef(self.first, SWEEP, col_abs=True)
+        cell: Node = Call("INDEX", (self.plan.at.area(spot, self.title), al.add(number, al.ONE)))
+        return Call("RADIANS", (cell,)) if spot.degrees else cell
+
+    def at_position(self, symbol: str) -> Node:
+        """The quantity (internal units) in the row of the position shown."""
+        spot = self.plan.at.spots[symbol]
+        if not spot.column:
+            return self.plan.at.reference(symbol, self.title, None)
+        cell = self.indexed(spot)
+        return Call("RADIANS", (cell,)) if spot.degrees else cell
+
+    def indexed(self, spot: Spot) -> Node:
+        """What stands in a column of the table in the row of the position shown."""
+        position = self.plan.at.reference("#position", self.title, None)
+        return Call("INDEX", (self.plan.at.area(spot, self.title), al.add(position, al.ONE)))
+
+    def where_exists(self, node: Node) -> Node:
+        """The value, or an empty text (which MAX and MIN pass over) where the position does not exist."""
+        return Call("IF", (Binary("=", self.read("#exists"), al.ONE), node, Text("")))
+
+    def column(self, head: str, node: Node) -> Area:
+        """A new sweep column."""
+        self.cells.append(Cell(self.first - 1, self.col, head, styles.HEAD))
+        self.fills.append(Fill(self.first, self.col, node, NUMBER_STYLE, rows=self.samples))
+        self.col += 1
+        return Area(self.first, self.col - 1, self.first + self.samples - 1, self.col - 1)
+
+    def extremes(self, head: str, nodes: Sequence[Node]) -> tuple[Node, Node]:
+        """Smallest and largest of quantities over the sweep."""
+        if len(nodes) == 1:
+            both = _range(self.column(head, self.where_exists(nodes[0])))
+            return Call("MIN", (both,)), Call("MAX", (both,))
+        text = self.plan.text
+        low = _range(self.column(text("drawing.least", symbol=head), self.where_exists(Call("MIN", tuple(nodes)))))
+        high = _range(self.column(text("drawing.most", symbol=head), self.where_exists(Call("MAX", tuple(nodes)))))
+        return Call("MIN", (low,)), Call("MAX", (high,))
+
+    def _numbers(self) -> None:
+        """The table's row numbers that the sweep columns look at; the last one always."""
+        last = float(self.plan.rows - 1)
+        numbers = [min(float(n * self.stride), last) for n in range(self.samples)]
+        self.cells.append(Cell(self.first - 1, SWEEP, self.plan.text("head.number"), styles.HEAD))
+        style = styles.decimals(styles.INNER, 0)
+        self.cells += [Cell(self.first + n, SWEEP, number, style) for n, number in enumerate(numbers)]
+        self.col += 1
+
+
+def stride_of(plan: Plan) -> int:
+    """Every how many rows of the table a path has a point.
+
+    Long tables are thinned to about SAMPLES points, but never so far that a turning driver jumps more than COARSEST.
+    """
+    stride = math.ceil(plan.rows / SAMPLES)
+    if plan.mechanism.driver.unit in ("deg", "rad") and plan.rows > 1:
+        step = max(abs(b - a) for a, b in zip(plan.driver, plan.driver[1:], strict=False))
+        stride = min(stride, math.floor(COARSEST / step + 1e-9)) if step > 0 else stride
+    return max(1, stride)
+
+
+def _range(area: Area) -> RangeRef:
+    first, last = (area.first_row, area.first_col), (area.last_row, area.last_col)
+    return RangeRef(CellRef(*first, True, True), CellRef(*last, True, True))
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """The square window of a chart: its middle and half its side, and the scale bar in its lower left corner."""
+
+    x: CellRef
+    y: CellRef
+    half: CellRef
+    series: tuple[Series, ...]
+
+    def chart_x(self, node: Node) -> Node:
+        """(x - xc) / h."""
+        return al.div(al.sub(node, self.x), self.half)
+
+    def chart_y(self, node: Node) -> Node:
+        """(y - yc) / h."""
+        return al.div(al.sub(node, self.y), self.half)
+
+
+def write_frame(page: Page, title: str, x: tuple[Node, Node], y: tuple[Node, Node], margin: float) -> Frame:
+    """The rows of a frame around everything between the least and the most of x and of y.
+
+    `margin`: how much larger than that the window is. Where nothing moves the half side is 1.
+    """
+    text = page.plan.text
+    page.section(title, [text("drawing.from"), text("drawing.to"), "", text("drawing.middle")])
+    middles, sizes = [], []
+    for name, (low, high) in (("x", x), ("y", y)):
+        page.put(NAME, name)
+        a, b = page.formula(FIRST, low), page.formula(SECOND, high)
+        middles.append(page.formula(CHART_Y, al.div(al.add(a, b), al.TWO)))
+        sizes.append(al.sub(b, a))
+        page.row += 1
+    page.put(NAME, text("drawing.half"))
+    size = Call("MAX", tuple(sizes))
+    half = page.formula(FIRST, Call("IF", (Binary(">", size, al.ZERO), al.mul(al.number(margin / 2), size), al.ONE)))
+    page.row += 1
+    series = _scale_bar(page, half)
+    return Frame(middles[0], middles[1], half, series)
+
+
+def _scale_bar(page: Page, half: CellRef) -> tuple[Series, ...]:
+    """A bar of 1, 2 or 5 times a power of ten, at most half the half side long; its length is the label."""
+    text = page.plan.text
+    page.put(NAME, text("drawing.bar"))
+    room = al.div(half, al.TWO)
+    power = page.formula(SECOND, Binary("^", Number(10.0), Call("INT", (Call("LOG10", (room,)),))))
+    fits = [Binary(">=", room, al.mul(Number(count), power)) for count in (5.0, 2.0)]
+    count = Call("IF", (fits[0], Number(5.0), Call("IF", (fits[1], al.TWO, al.ONE))))
+    length = page.formula(FIRST, al.mul(count, power))
+    page.row += 1
+    page.put(NAME, text("drawing.bar.label"))
+    unit = page.plan.mechanism.length_unit
+    words: Node = Binary("&", length, Text(f" {unit}")) if unit else Binary("&", length, Text(""))
+    label = page.formula(FIRST, words, styles.INNER)
+    page.formula(CHART_X, al.add(al.number(LEFT), al.div(length, al.mul(al.TWO, half))))
+    page.put(CHART_Y, BOTTOM + 0.07, NUMBER_STYLE)
+    name = Series(
+        page.named(label), page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y),
+        show_name=True, label_side="center", in_legend=False,
+    )  # fmt: skip
+    page.row += 1
+    start = page.row
+    for end, height in ((0, TICK), (0, -TICK), (0, 0.0), (1, 0.0), (1, TICK), (1, -TICK)):
+        page.put(NAME, text("drawing.bar") if page.row == start else "")
+        if end:
+            page.formula(CHART_X, al.add(al.number(LEFT), al.div(length, half)))
+        else:
+            page.put(CHART_X, LEFT, NUMBER_STYLE)
+        page.put(CHART_Y, BOTTOM + height, NUMBER_STYLE)
+        page.row += 1
+    bar = Series(
+        text("drawing.bar"), page.reference(start, CHART_X, page.row - 1), page.reference(start, CHART_Y, page.row - 1),
+        line=INK, width=1.5, in_legend=False,
+    )  # fmt: skip
+    return bar, name
+
+
+LEFT, BOTTOM, TICK = -0.95, -0.95, 0.02
+"""Where the scale bar starts in the window, and half the height of its ends."""

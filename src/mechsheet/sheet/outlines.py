@@ -1,0 +1,92 @@
+"""Where things stand on their links: the order of a polygon's corners, and places of a link as formulas."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.places import Place, angle_of, cartesian, length_node, polar
+from mechsheet.kinematics.solve import number
+from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar
+
+Point = tuple[float, float]
+
+
+def corners(link: Link, dimensions: Mapping[str, float]) -> tuple[str, ...]:
+    """The link's points in the order in which its outline passes them: around their middle."""
+    if len(link.points) <= 3:
+        return tuple(link.points)
+    places = {point: _number_place(link, point, dimensions) for point in link.points}
+    x = sum(place[0] for place in places.values()) / len(places)
+    y = sum(place[1] for place in places.values()) / len(places)
+    return tuple(sorted(places, key=lambda point: math.atan2(places[point][1] - y, places[point][0] - x)))
+
+
+def _number_place(link: Link, point: str, dimensions: Mapping[str, float]) -> Point:
+    match link.points[point]:
+        case Cartesian(x, y):
+            return number(x, dimensions), number(y, dimensions)
+        case Polar(r, angle):
+            turn = number(angle, dimensions)
+            return number(r, dimensions) * math.cos(turn), number(r, dimensions) * math.sin(turn)
+        case Distances(first, first_distance, second, second_distance, side):
+            (x1, y1), (x2, y2) = (_number_place(link, name, dimensions) for name in (first, second))
+            a, b = number(first_distance, dimensions), number(second_distance, dimensions)
+            base = math.hypot(x2 - x1, y2 - y1)
+            along = (a * a - b * b + base * base) / (2 * base)
+            across = math.sqrt(max(0.0, a * a - along * along)) * (1 if side == "left" else -1)
+            c, s = (x2 - x1) / base, (y2 - y1) / base
+            return x1 + along * c - across * s, y1 + along * s + across * c
+
+
+def angle_of_link(mechanism: Mechanism, link: str) -> Angle:
+    """The angle of a link's x axis; 0 for the ground."""
+    if link == mechanism.ground.name:
+        return Angle()
+    return Angle(Symbol(next(found for found in mechanism.links if found.name == link).angle_symbol))
+
+
+def direction_of(mechanism: Mechanism, joint: Joint) -> Node:
+    """The direction of a sliding joint's line, from the ground's x axis."""
+    return (angle_of_link(mechanism, joint.on) + angle_of(joint.angle)).expression()
+
+
+def through_of(mechanism: Mechanism, joint: Joint) -> tuple[Node, Node]:
+    """The point of `on` that the joint's line passes, in the ground's frame."""
+    if isinstance(joint.through, str):
+        return Symbol(f"{joint.through}.x"), Symbol(f"{joint.through}.y")
+    place = cartesian(length_node(joint.through[0]), length_node(joint.through[1]))
+    if joint.on == mechanism.ground.name:
+        return place.u, place.v
+    base, own = anchor_of(next(link for link in mechanism.links if link.name == joint.on))
+    x, y = (place - own).turned(angle_of_link(mechanism, joint.on))
+    return al.add(Symbol(f"{base}.x"), x), al.add(Symbol(f"{base}.y"), y)
+
+
+def anchor_of(link: Link) -> tuple[str, Place]:
+    """A point of the link whose place is given directly, its origin if there is one; and that place."""
+    given: dict[str, Place] = {}
+    for point, place in link.points.items():
+        match place:
+            case Cartesian(x, y):
+                given[point] = cartesian(length_node(x), length_node(y))
+            case Polar(r, angle):
+                given[point] = polar(length_node(r), angle_of(angle))
+    return min(given.items(), key=lambda item: not item[1].is_zero)
+
+
+def line_end(joint: Joint, mechanism: Mechanism) -> str:
+    """The point of `on` from which the joint's line is drawn."""
+    if isinstance(joint.through, str):
+        return joint.through
+    return next(iter(next(link for link in mechanism.links if link.name == joint.on).points), "")
+
+
+def block_has_line(mechanism: Mechanism, joint: Joint) -> bool:
+    """True when the link with the point is drawn as a rod, and the line's link as the sleeve in which it slides."""
+    sizes = {link.name: len(link.points) for link in mechanism.links}
+    on_ground = mechanism.ground.name in (joint.on, joint.link)
+    return joint.kind == "prismatic" and not on_ground and sizes[joint.link] >= max(2, sizes[joint.on])
