@@ -364,14 +364,14 @@ def test_columns_widths_and_groups(tmp_path):
             styles[get(column, "table:style-name")].find("style:table-column-properties", NS), "style:column-width"
         )
         found.append((int(get(column, "table:number-columns-repeated") or 1), width, depth))
-    # A digit is 7 pixels wide and a column has 5 more; 96 pixels are 72 points.
+    # A digit is 7.4 pixels wide and a column has 5 more; 96 pixels are 72 points.
     assert found[:6] == [
         (1, "48pt", 0),
-        (1, "56.25pt", 0),
-        (2, "30pt", 1),
-        (1, "30pt", 2),
+        (1, "59.25pt", 0),
+        (2, "31.5pt", 1),
+        (1, "31.5pt", 2),
         (1, "48pt", 0),
-        (1, "108.75pt", 0),
+        (1, "114.75pt", 0),
     ]
     assert schema_errors(tmp_path / "a.ods") == []
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 import openpyxl
 import pytest
 from lxml import etree
-from samples import FIRST, FRONT, LEFT_OUT, STEPS, TABLE, sample
+from samples import FIRST, FRONT, LEFT_OUT, STEPS, TABLE, circle, sample
 
 from mechsheet.diagnostics import OutputError
 from mechsheet.formats.xlsx_cells import can_be_shared
@@ -17,7 +17,7 @@ from mechsheet.formats.xlsx_write import write_xlsx
 from mechsheet.formula.nodes import Binary, CellRef, ErrorValue, NameRef, Number, Text, shifted
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
-from mechsheet.sheet.workbook import Cell, Fill, Name, Sheet, Style, Workbook
+from mechsheet.sheet.workbook import Area, Cell, Fill, Name, Sheet, Style, Validation, Workbook
 
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 X14 = "{http://schemas.microsoft.com/office/spreadsheetml/2009/9/main}"
@@ -354,6 +354,23 @@ def test_a_formula_that_is_too_long_is_named_with_its_cell(tmp_path):
     book = Workbook((Sheet("S", fills=(Fill(4, 2, formula, values=(1.0,)),)),))
     with pytest.raises(OutputError, match=r"S!C5: the formula has \d+ characters, Excel allows 8192"):
         write_xlsx(book, tmp_path / "a.xlsx")
+
+
+def test_other_limits_of_excel(tmp_path):
+    sheet = replace(
+        sample().sheets[0],
+        fills=(Fill(30, 0, Text("x" * 256), values=("",)),),
+        charts=(replace(circle(), series=()),),
+        controls=(replace(sample().sheets[0].controls[0], high=30001),),
+        validations=(Validation(Area(0, 0, 0, 0), "list", choices=("a", "b,c")),),
+    )
+    with pytest.raises(OutputError) as caught:
+        write_xlsx(Workbook((sheet,)), tmp_path / "a.xlsx")
+    for words in ("0 series", "0 to 30000", "hold a comma"):
+        assert words in str(caught.value)
+    text = Sheet("S", fills=sheet.fills)
+    with pytest.raises(OutputError, match="S!A31: the formula holds a text of 256 characters, Excel allows 255"):
+        write_xlsx(Workbook((text,)), tmp_path / "a.xlsx")
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, None])

@@ -15,6 +15,10 @@ MAX_TEXT = 32767
 """Most characters of a text in a cell (Excel specifications and limits)."""
 MAX_CHOICES = 255
 """Most characters of a list of choices, with the commas between them."""
+MAX_SERIES = 255
+"""Most series of a chart."""
+MAX_CONTROL = 30_000
+"""Highest number that a scroll bar or spin button of Excel reaches, from 0."""
 MAX_TITLE = 31
 """Most characters of a sheet's name."""
 _NOT_IN_TITLES = ":\\/?*[]"
@@ -76,6 +80,16 @@ def _rule_faults(sheet: Sheet) -> Iterator[Fault]:
             yield Fault("a choice may neither be empty nor hold a comma", key=place)
         elif len(",".join(rule.choices)) > MAX_CHOICES:
             yield Fault(f"the choices have more than {MAX_CHOICES} characters together", key=place)
+    for chart in sheet.charts:
+        if not 1 <= len(chart.series) <= MAX_SERIES:
+            message = f'the chart "{chart.title}" has {len(chart.series)} series, 1 to {MAX_SERIES} are allowed'
+            yield Fault(message, key=sheet.title)
+    for control in sheet.controls:
+        if not 0 <= control.low <= control.high <= MAX_CONTROL:
+            message = (
+                f'the control "{control.name}" goes from {control.low} to {control.high}, 0 to {MAX_CONTROL} is allowed'
+            )
+            yield Fault(message, key=sheet.title)
 
 
 def title_fault(title: str) -> str:

@@ -14,7 +14,7 @@ _TOKEN = re.compile(
     | _(?P<width>.)
     | \*(?P<repeated>.)
     | \[(?P<bracket>[^\]]*)\]
-    | (?P<whole>[0\#?,]*)(?:\.(?P<decimals>[0\#?]*))?(?:E(?P<sign>[+-])(?P<exponent>0+))?(?<=[0\#?.,])
+    | (?=[0\#?.])(?P<whole>[0\#?,]*)(?:\.(?P<decimals>[0\#?]*))?(?:E(?P<sign>[+-])(?P<exponent>0+))?
     | (?P<sign_or_space>[-+()/:\ ])
     | (?P<percent>%)
     | (?P<text>@)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from mechsheet.diagnostics import Fault, OutputError
-from mechsheet.formula.nodes import CellRef, ErrorValue, Node, Scalar, shifted, walk
+from mechsheet.formula.nodes import CellRef, ErrorValue, Node, Scalar, Text, shifted, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name, cell_address, column_letters
 from mechsheet.sheet.workbook import Cell, Fill, Rich, Sheet, Style
@@ -17,6 +17,8 @@ from .xml_text import number, numbers, ooxml_escaped, plain_value
 
 MAX_FORMULA = 8192
 """Most characters of a formula in Excel, without the equals sign."""
+MAX_FORMULA_TEXT = 255
+"""Most characters of a text in a formula in Excel."""
 
 
 @dataclass(slots=True)
@@ -135,6 +137,11 @@ def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
         if length > MAX_FORMULA:
             place = cell_address(sheet.title, fill.row, fill.col)
             faults.append(Fault(f"the formula has {length} characters, Excel allows {MAX_FORMULA}", key=place))
+        longest = max((len(node.value) for node in walk(fill.formula) if isinstance(node, Text)), default=0)
+        if longest > MAX_FORMULA_TEXT:
+            place = cell_address(sheet.title, fill.row, fill.col)
+            message = f"the formula holds a text of {longest} characters, Excel allows {MAX_FORMULA_TEXT}"
+            faults.append(Fault(message, key=place))
         texts[fill.row, fill.col] = ooxml_escaped(text)
     if faults:
         raise OutputError(faults)
