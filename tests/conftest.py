@@ -1,1 +1,18 @@
-"""Its place puts this folder on the path, so that every test can import what stands beside it."""
+"""What tests may count on: outside programs are there, or the test says what is missing (in CI that is a failure)."""
+
+import os
+import shutil
+
+import pytest
+
+PROGRAMS = {"libreoffice": ("soffice", "libreoffice"), "gnumeric": ("ssconvert",), "jing": ("jing",)}
+IN_CI = bool(os.environ.get("MECHSHEET_CI"))
+
+
+def pytest_runtest_setup(item):
+    for name, commands in PROGRAMS.items():
+        if item.get_closest_marker(name) and not any(shutil.which(command) for command in commands):
+            message = f"{name} is not installed ({commands[0]} not found)"
+            if IN_CI:
+                pytest.fail(f"{message}: CI must have it", pytrace=False)
+            pytest.skip(message)

@@ -84,7 +84,8 @@ def _run(command: list[str]) -> None:
         raise WorkbookError(f"{Path(command[0]).name} failed: {said[-1] if said else error.returncode}") from None
 
 
-def _stored_values(path: Path) -> Answers:
+def stored_values(path: Path) -> Answers:
+    """The values stored in a workbook file, by whichever program wrote it."""
     from mechsheet.formats import read
 
     book = read(path)
@@ -102,7 +103,7 @@ def _stored_values(path: Path) -> Answers:
 def _libreoffice(path: Path) -> Answers:
     with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
         (result,) = convert_with_libreoffice([path], "xlsx", Path(folder))
-        return _stored_values(result)
+        return stored_values(result)
 
 
 def _gnumeric(path: Path) -> Answers:
@@ -112,7 +113,7 @@ def _gnumeric(path: Path) -> Answers:
     with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
         result = Path(folder) / "answers.xlsx"
         _run([command, "--recalc", str(path), str(result)])
-        return _stored_values(result)
+        return stored_values(result)
 
 
 def _formulas(path: Path) -> Answers:

@@ -10,6 +10,7 @@ from typing import Any
 
 from mechsheet.building import build
 from mechsheet.checking.against_reference import against_reference
+from mechsheet.checking.cells import Angles, angles_in, compare_cells
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.report import TOLERANCE, Comparison, Report, Tally, difference
 from mechsheet.description import load
@@ -60,9 +61,10 @@ def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say
 
     say("recalculating")
     values = evaluate(book)
-    comparisons = [_against_stored(book, values)]
+    stored = {sheet.title: sheet.cached for sheet in book.sheets}
+    comparisons = [compare_cells("stored values", book, values, lambda title, row, col: stored[title].get(row, col))]
     remarks: list[str] = []
-    periods: Periods = {}
+    angles = Angles()
     text = description_in(book)
     if text is None:
         remarks.append("no description inside: only recalculated, not compared with the reference")
@@ -70,59 +72,8 @@ def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say
         say("solving")
         comparison, remarks = against_reference(book, values, text, shown)
         comparisons.append(comparison)
-        periods = _periods(text, shown)
+        angles = angles_in(plan_inside(text, shown))
     for program in programs:
         say(program)
-        comparisons.append(_against_program(book, values, path, program, periods))
+        comparisons.append(compare_cells(program, book, values, answers(program, path).get, angles))
     return Report(shown, tuple(comparisons), tuple(remarks))
-
-
-def _against_stored(book: Book, values: Any) -> Comparison:
-    tally = Tally("stored values")
-    for sheet in book.sheets:
-        for block in sheet.blocks:
-            for col in range(block.col, block.col + block.cols):
-                ours = values.column(sheet.title, col, block.row, block.row + block.rows - 1)
-                for offset, value in enumerate(ours):
-                    row = block.row + offset
-                    stored = sheet.cached.get(row, col)
-                    apart = difference(value, stored)
-                    if apart > tally.worst or apart > TOLERANCE:
-                        tally.note(apart, cell_address(sheet.title, row, col), value, stored)
-                    else:
-                        tally.cells += 1
-    return tally.result()
-
-
-Periods = Mapping[tuple[str, int], float]
-"""(sheet, column) -> the period of an angle's column: two values that differ by a multiple of it are the same."""
-
-
-def _periods(text: str, shown: str) -> Periods:
-    """Where a mechanism's workbook holds angles, and counts of turns.
-
-    ATAN2(-1, 0) is pi or -pi by the sign of a rounding error: programs may differ by a turn there, and in the count of turns
-    that makes up for it.
-    """
-    plan = plan_inside(text, shown)
-    found = {}
-    for column in plan.columns:
-        if column.equation is None:
-            continue
-        if column.equation.unit == "angle":
-            in_degrees = column.kind == "shown" or plan.at.spots[column.symbol].degrees
-            found[plan.table, column.col] = 360.0 if in_degrees else math.tau
-        elif column.equation.kind == "intermediate" and column.symbol.startswith("turns"):
-            found[plan.table, column.col] = 1.0
-    return found
-
-
-def _against_program(book: Book, values: Any, path: Path, program: str, periods: Periods) -> Comparison:
-
-    theirs = answers(program, path)
-    tally = Tally(program)
-    for title, row, col in cells_of(book):
-        value = values.get(title, row, col)
-        other = theirs.get(title, row, col)
-        tally.note(difference(value, other, periods.get((title, col))), cell_address(title, row, col), value, other)
-    return tally.result()

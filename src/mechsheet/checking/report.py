@@ -101,8 +101,8 @@ def text_of(value: Scalar) -> str:
     return repr(value) if isinstance(value, float) else str(value)
 
 
-def difference(ours: Scalar, theirs: Scalar, period: float | None = None) -> float:
-    """How far two cell values are apart: numbers relative (absolute below 1), anything else 0 if equal, else infinity.
+def difference(ours: Scalar, theirs: Scalar, scale: float = 1.0, period: float | None = None) -> float:
+    """How far two cell values are apart: numbers as a part of `scale` (or of themselves, if larger); else 0 or infinity.
 
     Numbers with a period are compared modulo it, as a part of it. Any error equals any error: programs name the same
     fault differently (#NUM! and #VALUE!).
@@ -114,5 +114,5 @@ def difference(ours: Scalar, theirs: Scalar, period: float | None = None) -> flo
     if isinstance(ours, float | int) and isinstance(theirs, float | int):
         if period is not None:
             return abs(math.remainder(ours - theirs, period)) / period
-        return abs(ours - theirs) / max(1.0, abs(ours), abs(theirs))
+        return abs(ours - theirs) / max(scale, abs(ours), abs(theirs))
     return 0.0 if (ours or "") == (theirs or "") else math.inf

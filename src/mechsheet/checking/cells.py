@@ -1,0 +1,76 @@
+"""Every formula's value against somebody else's, cell by cell."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from mechsheet.checking.report import TOLERANCE, Comparison, Tally, difference
+from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import Scalar
+from mechsheet.formula.references import cell_address
+from mechsheet.sheet.plan import Plan
+
+
+@dataclass(frozen=True, slots=True)
+class Angles:
+    """Where a mechanism's workbook holds angles, as (sheet, column) -> period, and counts of turns (period 1).
+
+    ATAN2(-1, 0) is pi or -pi by the sign of a rounding error: programs may differ by a turn there, and in the count of
+    turns that makes up for it. `size` is the mechanism's: lengths far smaller than 1 are compared on their own scale.
+    """
+
+    periods: Mapping[tuple[str, int], float] = field(default_factory=dict)
+    size: float = 1.0
+
+
+def angles_in(plan: Plan) -> Angles:
+    """The angles of a mechanism's workbook."""
+    periods = {}
+    for column in plan.columns:
+        if column.equation is None:
+            continue
+        if column.equation.unit == "angle":
+            spots = plan.at.shown if column.kind == "shown" else plan.at.spots
+            periods[plan.table, column.col] = 360.0 if spots[column.symbol].degrees else math.tau
+        elif column.equation.kind == "intermediate" and column.symbol.startswith("turns"):
+            periods[plan.table, column.col] = 1.0
+    lengths = [
+        abs(dim.value)
+        for dim in plan.mechanism.dimensions
+        if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
+    ]
+    return Angles(periods, min(1.0, max(lengths, default=1.0) or 1.0))
+
+
+def compare_cells(
+    judge: str, book: Book, values: Any, theirs: Callable[[str, int, int], Scalar], angles: Angles | None = None
+) -> Comparison:
+    """The engine's value of every formula against `theirs(sheet, row, col)`."""
+    angles = angles or Angles()
+    tally = Tally(judge)
+    for sheet in book.sheets:
+        for block in sheet.blocks:
+            for col in range(block.col, block.col + block.cols):
+                ours = values.column(sheet.title, col, block.row, block.row + block.rows - 1)
+                scale = _scale(ours, angles.size)
+                period = angles.periods.get((sheet.title, col))
+                for row, value in enumerate(ours, block.row):
+                    other = theirs(sheet.title, row, col)
+                    apart = difference(value, other, scale, period)
+                    if apart > tally.worst or apart > TOLERANCE:
+                        tally.note(apart, cell_address(sheet.title, row, col), value, other)
+                    else:
+                        tally.cells += 1
+    return tally.result()
+
+
+def _scale(column: Sequence[Scalar], size: float) -> float:
+    """What a difference in a column is measured by: its largest value, or the size where the values are smaller still.
+
+    A column that passes through zero has rounding errors of its large values there.
+    """
+    numbers = [abs(value) for value in column if isinstance(value, float) and math.isfinite(value)]
+    return max([size, *numbers])

@@ -1,0 +1,65 @@
+"""Engine, reference and LibreOffice on the same files: random linkages, also with other dimensions typed into the cells."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from random_mechanisms import KINDS, Grower
+
+from mechsheet.checking import check
+from mechsheet.checking.cells import angles_in, compare_cells
+from mechsheet.compute import computed
+from mechsheet.description import loads
+from mechsheet.engine import evaluate
+from mechsheet.formats import read, write
+from mechsheet.kinematics.solve import solve
+from mechsheet.programs import convert_with_libreoffice, stored_values
+from mechsheet.sheet.layout import lay_out
+
+pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
+
+
+def written(seed, kinds, dyads, folder):
+    """A random mechanism's workbook, every second one with some input cells changed after it was laid out."""
+    mechanism = loads(Grower(seed, dyads, kinds).text(5))
+    workbook, plan = lay_out(mechanism, solve(mechanism))
+    if seed % 2:
+        random = np.random.default_rng(seed)
+        inputs = {plan.at.spots[dim.symbol].row for dim in mechanism.dimensions if random.random() < 0.3}
+        main = workbook.sheets[0]
+        cells = tuple(
+            replace(cell, content=cell.content * (1 + 0.02 * random.uniform(-1, 1)))
+            if cell.row in inputs and cell.col == 1 and isinstance(cell.content, float)
+            else cell
+            for cell in main.cells
+        )
+        workbook = replace(workbook, sheets=(replace(main, cells=cells), *workbook.sheets[1:]))
+    path = folder / f"random-{seed}.xlsx"
+    write(computed(workbook), path)
+    return path, plan
+
+
+def agree(cases, tmp_path, say):
+    paths = [path for path, _ in cases]
+    folder = tmp_path / "libreoffice"
+    folder.mkdir()
+    worst = {"reference": 0.0, "libreoffice": 0.0}
+    for (path, plan), answer in zip(cases, convert_with_libreoffice(paths, "xlsx", folder), strict=True):
+        report = check(path)
+        assert report.agrees, report
+        book = read(path)
+        theirs = compare_cells("libreoffice", book, evaluate(book), stored_values(answer).get, angles_in(plan))
+        assert theirs.agrees, (path.name, theirs)
+        worst["libreoffice"] = max(worst["libreoffice"], theirs.worst)
+        worst["reference"] = max(worst["reference"], *(item.worst for item in report.comparisons))
+    say(f"{len(cases)} files, worst: {worst}")
+
+
+def test_two_hundred_four_bars_and_slider_cranks(tmp_path, record_property):
+    cases = [written(seed, ("RRR", "RRP"), 1 + seed % 3, tmp_path) for seed in range(1000, 1200)]
+    agree(cases, tmp_path, lambda text: record_property("worst", text))
+
+
+def test_all_five_dyads(tmp_path, record_property):
+    cases = [written(seed, KINDS, 1 + seed % 6, tmp_path) for seed in range(1200, 1220)]
+    agree(cases, tmp_path, lambda text: record_property("worst", text))
