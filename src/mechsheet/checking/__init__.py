@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import math
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
 from mechsheet.building import build
 from mechsheet.checking.against_reference import against_reference
@@ -18,8 +16,7 @@ from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError, readable_name
 from mechsheet.engine import evaluate
 from mechsheet.formats import read
-from mechsheet.formula.book import Book, cells_of
-from mechsheet.formula.references import cell_address
+from mechsheet.formula.book import Book
 from mechsheet.model import Mechanism
 from mechsheet.programs import answers
 
