@@ -298,6 +298,8 @@ def test_the_circles_chart(parts):
 def test_the_curves_chart(parts):
     chart = tree(parts, "Object 2/content.xml")
     assert [get(s, "loext:label-string") for s in chart.findall(".//chart:series", NS)] == ['"x [mm]"', '"A!B1"']
+    circle = tree(parts, "Object 1/content.xml").findall(".//chart:series", NS)
+    assert [get(s, "loext:hide-legend") for s in circle] == [None, "true"]
     assert [t.text for t in chart.findall(".//chart:title/text:p", NS)] == ["x and y over α", "α [°]", "x, y [mm]"]
     plot = chart.find(".//chart:plot-area", NS)
     (look,) = chart.xpath(f"//style:style[@style:name='{get(plot, 'chart:style-name')}']/*", namespaces=NS)

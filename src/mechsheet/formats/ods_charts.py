@@ -157,6 +157,8 @@ def _series(series: Series, styles: _Styles) -> str:
         # OpenDocument knows no constant names; LibreOffice reads its own attribute, as a text in quotes.
         quoted = '"' + series.name.replace('"', '""') + '"'
         name = f' loext:label-string="{attribute(quoted)}"'
+    if not series.in_legend:
+        name += ' loext:hide-legend="true"'
     area = series.y.area
     count = (area.last_row - area.first_row + 1) * (area.last_col - area.first_col + 1)
     return (
@@ -181,8 +183,6 @@ def _points_look(series: Series) -> str:
             ' chart:data-label-number="none" chart:data-label-text="false" chart:data-label-symbol="false"'
             f' chart:data-label-series="true" chart:label-position="{_LABEL_SIDES[series.label_side]}"'
         )
-    if not series.in_legend:
-        options += ' loext:hide-legend="true"'
     return options
 
 
