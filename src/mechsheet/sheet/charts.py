@@ -60,7 +60,7 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     requests = []
     for symbols in (angles, displacements, [output.symbol for output in mechanism.outputs]):
         requests += [ChartRequest(x=driver, y=group) for group in _shared(plan, symbols, sizes)]
-    paths = tracing_points(plan)
+    paths = _remarkable_points(plan)
     if paths:
         requests.append(ChartRequest(paths=paths))
     return tuple(requests)
@@ -114,6 +114,17 @@ def tracing_points(plan: Plan) -> tuple[str, ...]:
     fixed = set(mechanism.ground.points)
     free = tuple(point for point, count in at.items() if count == 1 and point not in fixed | sliding)
     return free or tuple(point for point in at if point not in fixed)
+
+
+def _remarkable_points(plan: Plan) -> tuple[str, ...]:
+    """Traced points whose paths are neither circles about a fixed pin nor straight guides."""
+    mechanism = plan.mechanism
+    fixed = set(mechanism.ground.points)
+    plain_paths = {joint.point for joint in mechanism.joints if mechanism.ground.name == joint.on}
+    for link in mechanism.links[1:]:
+        if fixed & set(link.points):
+            plain_paths |= set(link.points)
+    return tuple(point for point in tracing_points(plan) if point not in plain_paths)
 
 
 def traced_points(plan: Plan, requests: Sequence[ChartRequest]) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text, symbols, transform
 from mechsheet.formula.scalar import evaluate
@@ -30,9 +30,10 @@ from mechsheet.sheet.frames import (
     Page,
     write_frame,
 )
+from mechsheet.sheet.name_places import place_names
 from mechsheet.sheet.outlines import block_has_line, corners, direction_of, through_of
 from mechsheet.sheet.plan import VALUE, Plan, unit_text
-from mechsheet.sheet.points import PointCells, label, marks, moving_points, pins_of, write_points
+from mechsheet.sheet.points import PointCells, label, marks, moving_points, names_of, pins_of, write_points
 from mechsheet.sheet.shapes import Guide, block, guide_base, link_color, outline, rail, slot, support, write_guide
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
@@ -74,9 +75,10 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     cells = write_points(page, frame)
     guides = _guides(page, frame, cells)
     shown = _shown(page, requests, cells)
-    series = _traces(page, frame, traced, PATH_COLORS, 1.0)
-    series += _shapes(page, cells, guides)
-    series += [*marks(page, cells), *frame.series, _caption(page)]
+    place_names(page, cells, guides)
+    first, last = marks(page, cells)
+    series = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *_shapes(page, cells, guides)]
+    series += [*names_of(page, cells), *frame.series, _caption(page), *last]
     title = plan.mechanism.title.of(plan.language)
     chart = Chart(
         "", Anchor(0, 0, SIZE, SIZE), tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="", inner=DRAWING_INNER,
@@ -219,9 +221,12 @@ def _shapes(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Guide]
         name = text("drawing.block", symbol=plain(joint.symbol))
         if block_has_line(mechanism, joint):
             found.append(block(page, name, guide.x, guide.y, guide, link_color(links[joint.on], driven)))
-        else:
-            at = cells[joint.point]
+            continue
+        at = cells[joint.point]
+        if joint.kind == "prismatic":
             found.append(block(page, name, at.chart_x, at.chart_y, guide, link_color(links[joint.link], driven)))
+        else:  # a massless block, smaller, so that it is seen inside another one at the same point
+            found.append(block(page, name, at.chart_x, at.chart_y, guide, INK, 0.7))
     return found
 
 
@@ -263,7 +268,7 @@ def _path_chart(page: Page, request: ChartRequest, cells: Mapping[str, PointCell
         page.formula(CHART_Y, frame.chart_y(cells[point].y))
         color = styles.SERIES[index % len(styles.SERIES)]
         x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
-        series.append(marker(plain(point), x, y, color))
+        series.append(replace(marker(plain(point), x, y, color), show_name=True))
         page.row += 1
     return Chart(
         title, Anchor(0, 0, SIZE, SIZE), (*series, *frame.series), HIDDEN_AXIS, HIDDEN_AXIS,

@@ -63,10 +63,11 @@ class Page:
         if content != "":
             self.cells.append(Cell(self.row, col, content, style))
 
-    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE) -> CellRef:
-        """A formula in the present row; its address."""
-        self.fills.append(Fill(self.row, col, node, style))
-        return CellRef(self.row, col, True, True)
+    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE, row: int | None = None) -> CellRef:
+        """A formula in the present row, or another; its address."""
+        row = self.row if row is None else row
+        self.fills.append(Fill(row, col, node, style))
+        return CellRef(row, col, True, True)
 
     def section(self, title: str, heads: Sequence[str] = ()) -> None:
         """A heading across the columns, after an empty row."""

@@ -81,6 +81,38 @@ WORDS: dict[str, tuple[str, str]] = {
     "chart.displacements": ("Displacements against {driver}", "{driver} ile ötelenmeler"),
     "chart.outputs": ("{symbol} against {driver}", "{driver} ile {symbol}"),
     "chart.path": ("Path of {points}", "{points} yörüngesi"),
+    "checks.title": ("Checks by geometry", "Geometrik denetim"),
+    "checks.about": (
+        "Lengths and angles measured in the table of positions, against those of the description: differences that are "
+        "rounding errors, or something to look at. A leap: between two rows a point moves more than four times as far, "
+        "or a link turns more than four times as much, as in the steps before and after; "
+        "or a link turns by more than half a turn.",
+        "Konum tablosunda ölçülen uzunluk ve açıların tanımdakilerle karşılaştırması: farklar ya yuvarlama hatasıdır ya da "
+        "bakılması gereken bir şeydir. Sıçrama: iki satır arasında bir noktanın önceki ve sonraki adımın dört katından "
+        "fazla ilerlemesi, bir uzvun dört katından fazla dönmesi ya da yarım turdan fazla dönmesi.",
+    ),
+    "checks.all": ("All checks", "Tüm denetimler"),
+    "checks.clear": ("all clear", "her şey yolunda"),
+    "checks.not_clear": ("look at the red cells", "kırmızı hücrelere bakın"),
+    "checks.ok": ("ok", "tamam"),
+    "checks.look": ("look", "bakın"),
+    "checks.worst": ("Largest gap", "En büyük açıklık"),
+    "checks.rounding": ("Rounding, up to", "Yuvarlama sınırı"),
+    "checks.fixed": ("Fixed points", "Sabit noktalar"),
+    "checks.steps": ("Steps of the driver", "Tahrik adımları"),
+    "checks.rows": ("Incomplete rows", "Eksik satırlar"),
+    "checks.given": ("Given: length, or x", "Verilen: uzunluk, x"),
+    "checks.given.second": ("and y, in the link", "ve y, uzuvda"),
+    "checks.most": ("Largest; leaps: count", "En büyük; sıçrama sayısı"),
+    "checks.at": ("at {driver} =", "yeri: {driver} ="),
+    "checks.verdict": ("Verdict", "Sonuç"),
+    "checks.gap": ("gap at {point}", "{point} açıklığı"),
+    "checks.kept": ("angle kept", "korunan açı"),
+    "checks.slide": ("slide {symbol}", "{symbol} kayması"),
+    "checks.motion": ("From row to row", "Satırdan satıra"),
+    "checks.move": ("farthest move", "en büyük ilerleme"),
+    "checks.turn": ("largest turn", "en büyük dönme"),
+    "checks.leap": ("leap", "sıçrama"),
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.hint": (
         "The yellow cells of the head row may be changed, and so may the dimensions on the first sheet. "
@@ -107,6 +139,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "drawing.points": ("Points", "Noktalar"),
     "drawing.name.x": ("name at X", "adın X'i"),
     "drawing.name.y": ("name at Y", "adın Y'si"),
+    "drawing.name.side": ("side", "yan"),
+    "drawing.names": ("Places of the names: which side of a point is free", "Adların yeri: noktanın hangi yanı boş"),
     "drawing.quantities": ("Angles and displacements", "Açılar ve ötelenmeler"),
     "drawing.inner.unit": ("rad", "rad"),
     "drawing.direction": ("direction", "doğrultu"),

@@ -100,10 +100,10 @@ def support(page: Page, name: str, pin: PointCells) -> Series:
     return _series(page, name, start, INK, 1.0)
 
 
-def block(page: Page, name: str, x: CellRef, y: CellRef, guide: Guide, color: str) -> Series:
+def block(page: Page, name: str, x: CellRef, y: CellRef, guide: Guide, color: str, size: float = 1.0) -> Series:
     """A rectangle that turns with its guide."""
     start = page.row
-    _local(page, name, BLOCK)
+    _local(page, name, tuple((a * size, b * size) for a, b in BLOCK))
     _filled(page, start, *_turned(page, start, x, y, guide, CellRef(start, FIRST, col_abs=True)))
     return _series(page, name, start, color, 2.0)
 

@@ -1,0 +1,90 @@
+"""Where the names of the points stand in the drawing: on that side of the point where no link leaves it.
+
+Of eight directions u the one is taken whose largest cosine with the directions n to the point's neighbours is smallest,
+
+    score(u) = max over neighbours of  u . n / |n|,
+
+so a name moves round its point as the mechanism moves and never lies on a link of that point.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef
+from mechsheet.kinematics import algebra as al
+from mechsheet.model import Mechanism
+from mechsheet.sheet import styles
+from mechsheet.sheet.frames import EIGHTH, FIRST, NAME, NINTH, NUMBER_STYLE, SEVENTH, Page
+from mechsheet.sheet.outlines import block_point
+from mechsheet.sheet.points import PointCells, labelled_points
+from mechsheet.sheet.shapes import Guide
+from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.workbook import Fill
+
+DIRECTIONS = (45, 135, 90, 0, 180, 315, 225, 270)
+"""In degrees; of equally free ones the first is taken."""
+
+REACH, BLOCK_REACH = 0.085, 0.125
+"""How far from its point a name stands: from a joint, and from a sliding block."""
+
+SUPPORT_SIDES = (225.0, 270.0, 315.0)
+"""Directions in which the support of a fixed pin lies."""
+
+
+def place_names(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Guide]) -> None:
+    """The scores of the directions, and from them the names' places in the table of points."""
+    mechanism, text = page.plan.mechanism, page.plan.text
+    page.section(text("drawing.names"))
+    first = page.row
+    for name, function in (("cos", math.cos), ("sin", math.sin)):
+        page.put(NAME, name)
+        for n, direction in enumerate(DIRECTIONS):
+            page.put(FIRST + n, round(function(math.radians(direction)), 6) + 0.0, NUMBER_STYLE)
+        page.row += 1
+    cosines, sines = _across(first), _across(first + 1)
+    c, s = CellRef(first, FIRST, row_abs=True), CellRef(first + 1, FIRST, row_abs=True)
+    for name in labelled_points(mechanism):
+        here = cells[name]
+        page.put(NAME, rich(name), styles.SYMBOL)
+        terms = [_cosine(here, cells[other], c, s) for other in _neighbours(mechanism, name)]
+        at_block = [guide for guide in guides if block_point(mechanism, guide.joint) == name]
+        for guide in at_block:
+            along = al.add(al.mul(guide.cosine, c), al.mul(guide.sine, s))
+            terms.append(Call("ABS", (along,)))
+        if name in mechanism.ground.points:
+            terms += [_fixed(math.radians(side), c, s) for side in SUPPORT_SIDES]
+        score = Call("MAX", tuple(terms)) if terms else al.ZERO
+        page.fills.append(Fill(page.row, FIRST, score, NUMBER_STYLE, cols=len(DIRECTIONS)))
+        scores = _across(page.row)
+        row = here.x.row
+        least = Call("MATCH", (Call("MIN", (scores,)), scores, al.ZERO))
+        side = page.formula(SEVENTH, least, styles.decimals(styles.INNER, 0), row)
+        reach = Number(BLOCK_REACH if at_block else REACH)
+        for col, place, parts in ((EIGHTH, here.chart_x, cosines), (NINTH, here.chart_y, sines)):
+            page.formula(col, al.add(place, al.mul(reach, Call("INDEX", (parts, side)))), row=row)
+        page.row += 1
+
+
+def _across(row: int) -> RangeRef:
+    return RangeRef(CellRef(row, FIRST, True, True), CellRef(row, FIRST + len(DIRECTIONS) - 1, True, True))
+
+
+def _neighbours(mechanism: Mechanism, name: str) -> tuple[str, ...]:
+    """Points that share a moving link with this one."""
+    links = [link for link in mechanism.links[1:] if name in link.points]
+    return tuple(dict.fromkeys(point for link in links for point in link.points if point != name))
+
+
+def _cosine(here: PointCells, other: PointCells, c: Node, s: Node) -> Node:
+    """Cosine of the angle between the direction (c, s) and the way to another point."""
+    dx, dy = al.sub(other.chart_x, here.chart_x), al.sub(other.chart_y, here.chart_y)
+    length = Call("SQRT", (al.add(al.square(dx), al.square(dy)),))
+    along = al.add(al.mul(dx, c), al.mul(dy, s))
+    return al.div(along, Call("MAX", (Number(1e-9), length)))
+
+
+def _fixed(direction: float, c: Node, s: Node) -> Node:
+    x, y = round(math.cos(direction), 6), round(math.sin(direction), 6)
+    return al.add(al.mul(al.number(x), c), al.mul(al.number(y), s))
