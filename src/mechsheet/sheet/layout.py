@@ -5,6 +5,7 @@ from __future__ import annotations
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
 from mechsheet.sheet.charts import chart_requests, charts_of, traced_points, with_room
+from mechsheet.sheet.checks import checks_sheet
 from mechsheet.sheet.drawing import drawing_of
 from mechsheet.sheet.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.plan import Plan, plan_of
@@ -21,6 +22,7 @@ DESCRIPTION_SHEET = "description"
 def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]:
     """The workbook (its formulas have no values yet) and the plan that it follows."""
     plan = plan_of(mechanism, equations)
+    checks = checks_sheet(plan)  # first: the first sheet reads its verdicts
     requests = chart_requests(plan)
     drawing = drawing_of(plan, traced_points(plan, requests), requests)
     sheets = (
@@ -28,6 +30,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         positions_sheet(plan),
         drawing.sheet,
         *table_sheets(plan),
+        checks,
         _description_sheet(plan),
     )
     title = mechanism.title.of(plan.language)

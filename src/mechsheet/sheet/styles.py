@@ -40,6 +40,8 @@ COLUMN = Style("mechsheet column", color=INK, align="right")
 INNER = Style("mechsheet inner column", color=QUIET, align="right")
 STATUS = Style("mechsheet status", color=INK, align="left")
 VERDICT = Style("mechsheet verdict", color=INK, border="thin", border_color=RULE, align="left")
+VERDICT_MIDDLE = Style("mechsheet verdict centred", color=INK, border="thin", border_color=RULE, align="center")
+ERROR = Style("mechsheet error", color=INK, align="right", number_format="0.0E+00")
 GOOD = Style("mechsheet good", color="1B5E20", fill=GOOD_FILL, bold=True)
 WARN = Style("mechsheet warning", color="7A4F00", fill=WARN_FILL, bold=True)
 BAD = Style("mechsheet bad", color="8E1B10", fill=BAD_FILL, bold=True)
@@ -50,3 +52,8 @@ CURRENT = Style("mechsheet current row", color=INK, fill=ROW_FILL, bold=True)
 def decimals(style: Style, places: int) -> Style:
     """The style with a number format of so many decimals; the value below keeps all its digits."""
     return replace(style, number_format="0." + "0" * places if places > 0 else "0", name="")
+
+
+def numbered(style: Style, number_format: str) -> Style:
+    """The style with a number format of its own."""
+    return replace(style, number_format=number_format, name="")

@@ -1,0 +1,333 @@
+"""The sheet of checks: the residuals of every row, their worst values with verdicts over them, and one cell for all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, shifted
+from mechsheet.kinematics import algebra as al
+from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.geometry import place
+from mechsheet.sheet.plan import DRIVER, EXISTS, Plan, unit_text
+from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.workbook import (
+    Area,
+    Cell,
+    Column,
+    Conditional,
+    Content,
+    Fill,
+    Merge,
+    PrintSetup,
+    Sheet,
+    Style,
+)
+
+ROUNDING = 1e3
+"""Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
+
+TITLE_ROW, ABOUT_ROW, CLEAR_ROW, WORST_ROW, ROUNDING_ROW = range(5)
+GROUP_ROW, HEAD_ROW, GIVEN_ROW, _, MOST_ROW, AT_ROW, VERDICT_ROW, FIRST = range(6, 14)
+"""Rows: what holds for the whole table; then the heads of the columns, and the table itself."""
+
+NUMBER, DRIVER_COL, DATA = range(3)
+VALUE = 2
+"""Column of the values that hold for the whole table."""
+
+SIDE = 6
+"""First column of the second block of them: its label, value and verdict are two, one and one columns wide."""
+
+
+def checks_sheet(plan: Plan) -> Sheet:
+    """The sheet. Writes down where `#clear`, `#worst` and `#leaps` stand, for the first sheet to read."""
+    return _Sheet(plan).sheet()
+
+
+class _Sheet:
+    """The sheet while it is being laid out."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.title = plan.at.titles["checks"]
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.verdicts = 0
+        self.conditionals: list[Conditional] = []
+        self.merges: list[Merge] = []
+        rounding = CellRef(ROUNDING_ROW, VALUE, True, True)
+        self.checks = residuals(plan, Frame(self.title, DATA, FIRST, GIVEN_ROW, rounding))
+        self.last_row = FIRST + plan.rows - 1
+        self.last_col = DATA + len(self.checks) - 1
+
+    def sheet(self) -> Sheet:
+        """The finished sheet."""
+        plan = self.plan
+        self._table()
+        for col, check in enumerate(self.checks, DATA):
+            self._column(col, check)
+        self._group_headings()
+        self._whole_table()
+        self._top()
+        area = Area(FIRST, NUMBER, self.last_row, self.last_col)
+        missing = Binary("=", CellRef(plan.at.first, EXISTS, col_abs=True, sheet=plan.table), al.ZERO)
+        self.conditionals.append(Conditional(area, missing, styles.MISSING))
+        for word, style in (("ok", styles.GOOD), ("look", styles.BAD)):
+            self._coloured(Area(VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), word, style)
+            self._coloured(Area(CLEAR_ROW, SIDE + 3, ROUNDING_ROW, SIDE + 3), word, style)
+        return Sheet(
+            self.title,
+            tuple(self.cells),
+            tuple(self.fills),
+            columns=(
+                Column(NUMBER, NUMBER, 9),
+                Column(DRIVER_COL, DRIVER_COL, 13),
+                Column(DATA, max(self.last_col, SIDE + 3), 11.5),
+            ),
+            row_heights=((TITLE_ROW, 26.0), (ABOUT_ROW, 42.0), (HEAD_ROW, 30.0)),
+            merges=tuple(self.merges),
+            conditionals=tuple(self.conditionals),
+            freeze=(FIRST, DATA),
+            selected=(CLEAR_ROW, VALUE),
+            gridlines=False,
+            tab_color="B8860B",
+            print_setup=PrintSetup(repeat_rows=(GROUP_ROW, VERDICT_ROW), footer=plan.text("footer")),
+        )
+
+    # --- small things -----------------------------------------------------------------------------------------
+
+    def put(self, row: int, col: int, content: Content, style: Style) -> None:
+        """A constant."""
+        self.cells.append(Cell(row, col, content, style))
+
+    def formula(self, row: int, col: int, node: Node, style: Style) -> None:
+        """A formula in one cell."""
+        self.fills.append(Fill(row, col, node, style))
+
+    def text(self, key: str, **parts: object) -> str:
+        """A word of the workbook."""
+        return self.plan.text(f"checks.{key}", **parts)
+
+    def own_column(self, col: int) -> RangeRef:
+        """A column of this sheet's table."""
+        return RangeRef(CellRef(FIRST, col, True, False), CellRef(self.last_row, col, True, False))
+
+    def table_column(self, col: int) -> RangeRef:
+        """A fixed column of the table of positions."""
+        table, at = self.plan.table, self.plan.at
+        return RangeRef(CellRef(at.first, col, True, True, table), CellRef(at.last, col, True, True, table))
+
+    def verdict(self, row: int, col: int, good: Node) -> None:
+        """The cell that says whether a check is passed."""
+        words = Call("IF", (good, Text(self.text("ok")), Text(self.text("look"))))
+        self.formula(row, col, words, styles.VERDICT_MIDDLE)
+        self.verdicts += 1
+
+    def _coloured(self, area: Area, key: str, style: Style) -> None:
+        cell = CellRef(area.first_row, area.first_col)
+        self.conditionals.append(Conditional(area, Binary("=", cell, Text(self.text(key))), style))
+
+    # --- the table --------------------------------------------------------------------------------------------
+
+    def _table(self) -> None:
+        """Row numbers, the driver, and the names of the head's rows."""
+        plan = self.plan
+        driver = plan.mechanism.driver
+        number = CellRef(plan.at.first, 0, sheet=plan.table)
+        self.fills.append(Fill(FIRST, NUMBER, number, styles.decimals(styles.INNER, 0), rows=plan.rows))
+        shown = plan.at.reading_shown(driver.symbol, self.title, plan.at.first)
+        self.fills.append(Fill(FIRST, DRIVER_COL, shown, styles.decimals(styles.COLUMN, 2), rows=plan.rows))
+        unit = unit_text(driver.unit)
+        names = {
+            GROUP_ROW: "",
+            HEAD_ROW: f"{plain(driver.symbol)} [{unit}]" if unit else plain(driver.symbol),
+            GIVEN_ROW: self.text("given"),
+            GIVEN_ROW + 1: self.text("given.second"),
+            MOST_ROW: self.text("most"),
+            AT_ROW: self.text("at", driver=plain(driver.symbol)),
+            VERDICT_ROW: self.text("verdict"),
+        }
+        for row, name in names.items():
+            style = styles.SECTION if row == GROUP_ROW else styles.HEAD if row == HEAD_ROW else styles.LABEL
+            self.put(row, NUMBER, name if row != HEAD_ROW else plan.text("head.number"), style)
+            self.put(row, DRIVER_COL, name if row == HEAD_ROW else None, style)
+            if row not in (GROUP_ROW, HEAD_ROW):
+                self.merges.append(Merge(Area(row, NUMBER, row, DRIVER_COL)))
+
+    def _column(self, col: int, check: Check) -> None:
+        """The column and its head."""
+        plan = self.plan
+        self.put(HEAD_ROW, col, f"{check.head}{self._unit(check)}", styles.HEAD)
+        for index in range(2):
+            row = GIVEN_ROW + index
+            if index < len(check.given):
+                self.formula(row, col, check.given[index], styles.decimals(styles.RESULT, 4))
+            else:
+                self.put(row, col, None, styles.RESULT)
+        skip = 1 if check.after else 0
+        style = styles.decimals(styles.COLUMN, 0) if check.unit == "leap" else styles.ERROR
+        if check.unit in ("move", "turn"):
+            style = styles.decimals(styles.COLUMN, 4)
+        if plan.rows > skip:
+            self.fills.append(Fill(FIRST + skip, col, shifted(check.formula, skip), style, rows=plan.rows - skip))
+        self._summary(col, check, style)
+
+    def _unit(self, check: Check) -> str:
+        """` [mm]`, as it stands behind the head."""
+        if check.unit == "leap":
+            return ""
+        if check.unit == "turn":
+            return f" [{self.plan.unit_shown('angle')}]"
+        return " [rad]" if check.unit == "angle" else f" [{self.plan.mechanism.length_unit}]"
+
+    def _summary(self, col: int, check: Check, style: Style) -> None:
+        """The largest value (or the number of leaps), where it occurs, and the verdict."""
+        column = self.own_column(col)
+        most = Call("SUM" if check.unit == "leap" else "MAX", (column,))
+        self.formula(MOST_ROW, col, most, self._boxed(style))
+        cell = CellRef(MOST_ROW, col, True, False)
+        sought: Node = al.ONE if check.unit == "leap" else cell
+        drivers = RangeRef(CellRef(FIRST, DRIVER_COL, True, True), CellRef(self.last_row, DRIVER_COL, True, True))
+        where = Call("INDEX", (drivers, Call("MATCH", (sought, column, al.ZERO))))
+        if self.plan.rows > (1 if check.after else 0):
+            style = self._boxed(styles.decimals(styles.COLUMN, 2))
+            self.formula(AT_ROW, col, Call("IFERROR", (where, Text(""))), style)
+        if check.unit in ("move", "turn"):
+            self.put(VERDICT_ROW, col, None, styles.VERDICT_MIDDLE)
+        else:
+            self.verdict(VERDICT_ROW, col, self._within(cell, check.unit))
+
+    def _boxed(self, style: Style) -> Style:
+        return styles.numbered(styles.RESULT, style.number_format)
+
+    def _within(self, cell: Node, unit: str) -> Node:
+        """TRUE for an error that is rounding; an error value in the column must not pass."""
+        limit: Node = al.ZERO
+        if unit == "length":
+            limit = CellRef(ROUNDING_ROW, VALUE, True, True)
+        elif unit == "angle":
+            limit = Number(ROUNDING_ANGLE)
+        return Call("IFERROR", (Binary("<=", cell, limit), Number(0.0)))
+
+    def _group_headings(self) -> None:
+        """A heading over the columns of each link and joint."""
+        start = 0
+        for end in range(1, len(self.checks) + 1):
+            if end < len(self.checks) and self.checks[end].group == self.checks[start].group:
+                continue
+            self.put(GROUP_ROW, DATA + start, self.checks[start].group, styles.SECTION)
+            for other in range(start + 1, end):
+                self.put(GROUP_ROW, DATA + other, None, styles.SECTION)
+            if end - start > 1:
+                self.merges.append(Merge(Area(GROUP_ROW, DATA + start, GROUP_ROW, DATA + end - 1)))
+            start = end
+
+    # --- what holds for the whole table -----------------------------------------------------------------------
+
+    def _whole_table(self) -> None:
+        """The fixed points, the driver's steps, and the rows that exist: one value each."""
+        entries: list[tuple[str, Node, Style, Node]] = [
+            ("fixed", self._fixed_points(), styles.ERROR, CellRef(ROUNDING_ROW, VALUE, True, True))
+        ]
+        if not self.plan.mechanism.driver.values:
+            entries.append(("steps", self._steps(), styles.ERROR, Number(ROUNDING_ANGLE)))
+        entries.append(("rows", self._rows(), styles.decimals(styles.COLUMN, 0), al.ZERO))
+        for row, (key, node, style, limit) in enumerate(entries, CLEAR_ROW):
+            self.put(row, SIDE, self.text(key), styles.LABEL)
+            self.put(row, SIDE + 1, None, styles.LABEL)
+            self.merges.append(Merge(Area(row, SIDE, row, SIDE + 1)))
+            self.formula(row, SIDE + 2, node, self._boxed(style))
+            good: Node = Call("IFERROR", (Binary("<=", Call("ABS", (CellRef(row, SIDE + 2),)), limit), Number(0.0)))
+            if key == "rows":
+                good = Call("AND", (good, Binary(">", Call("SUM", (self.table_column(EXISTS),)), al.ZERO)))
+            self.verdict(row, SIDE + 3, good)
+
+    def _fixed_points(self) -> Node:
+        """The largest difference between a fixed point's coordinate and its place in the description."""
+        ground = self.plan.mechanism.ground
+        parts = []
+        for point in ground.points:
+            for axis, node in zip("xy", place(ground, point), strict=True):
+                cell = self.plan.at.reading_shown(f"{point}.{axis}", self.title, None)
+                parts.append(Call("ABS", (al.sub(cell, self.plan.at.bind(node, self.title, None)),)))
+        return Call("MAX", tuple(parts)) if parts else al.ZERO
+
+    def _steps(self) -> Node:
+        """Root of the sum of squares of what the driver's steps differ from the step given, and its start from the start."""
+        plan = self.plan
+        start, step = (plan.at.reading_shown(key, self.title, None) for key in ("#start", "#step"))
+        first = CellRef(plan.at.first, DRIVER, True, True, plan.table)
+        total: Node = al.square(Binary("-", first, start))
+        if plan.rows > 1:
+            last = CellRef(plan.at.last, DRIVER, True, True, plan.table)
+            later = RangeRef(CellRef(plan.at.first + 1, DRIVER, True, True, plan.table), last)
+            earlier = RangeRef(first, CellRef(plan.at.last - 1, DRIVER, True, True, plan.table))
+            differences = Binary("-", Binary("-", later, earlier), step)
+            total = Binary("+", total, Call("SUMPRODUCT", (al.square(differences),)))
+        return Call("SQRT", (total,))
+
+    def _rows(self) -> Node:
+        """Numbers shown in the table, less as many as rows exist in every column: 0 when each row is whole or empty."""
+        shown = [
+            self.plan.at.shown[equation.symbol] for equation in self.plan.equations.columns if equation.kind in SHOWN
+        ]
+        columns = tuple(self.plan.at.area(spot, self.title) for spot in shown)
+        counts = _sum(Call("COUNT", columns[start : start + 200]) for start in range(0, len(columns), 200))
+        rows = Call("SUM", (self.table_column(EXISTS),))
+        return al.sub(counts, al.mul(al.number(len(columns)), rows))
+
+    def _top(self) -> None:
+        """The title, the verdict over all, the worst distance, and what counts as rounding."""
+        plan = self.plan
+        self.put(TITLE_ROW, 0, self.text("title"), styles.TITLE)
+        self.put(ABOUT_ROW, 0, self.text("about"), styles.NOTE)
+        self.merges.append(Merge(Area(ABOUT_ROW, 0, ABOUT_ROW, max(SIDE + 3, min(self.last_col, 12)))))
+        places = ((VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), (CLEAR_ROW, SIDE + 3, ROUNDING_ROW, SIDE + 3))
+        good = _sum(
+            Call("COUNTIF", (RangeRef(CellRef(top, left), CellRef(bottom, right)), Text(self.text("ok"))))
+            for top, left, bottom, right in places
+        )
+        clear = Binary("=", good, Number(float(self.verdicts)))
+        words = Call("IF", (clear, Text(self.text("clear")), Text(self.text("not_clear"))))
+        worst = [CellRef(MOST_ROW, col) for col, check in enumerate(self.checks, DATA) if check.unit == "length"]
+        rounding = al.mul(al.number(ROUNDING), plan.at.reference(plan.equations.tolerance, self.title, None))
+        entries = (
+            (CLEAR_ROW, "all", words, styles.VERDICT_MIDDLE, "#clear"),
+            (WORST_ROW, "worst", _largest(worst), self._boxed(styles.ERROR), "#worst"),
+            (ROUNDING_ROW, "rounding", rounding, self._boxed(styles.ERROR), ""),
+        )
+        for row, key, node, style, spot in entries:
+            self.put(row, 0, self.text(key), styles.LABEL)
+            self.put(row, 1, None, styles.LABEL)
+            self.merges.append(Merge(Area(row, 0, row, 1)))
+            self.formula(row, VALUE, node, style)
+            if spot:
+                plan.at.spots[spot] = plan.at.shown[spot] = Spot(self.title, row, VALUE)
+        for col in (VALUE + 1, VALUE + 2):
+            self.put(CLEAR_ROW, col, None, styles.VERDICT_MIDDLE)
+        self.merges.append(Merge(Area(CLEAR_ROW, VALUE, CLEAR_ROW, VALUE + 2)))
+        for row in (WORST_ROW, ROUNDING_ROW):
+            self.put(row, VALUE + 1, plan.mechanism.length_unit, styles.UNIT)
+        leaps = [col for col, check in enumerate(self.checks, DATA) if check.unit == "leap"]
+        if leaps:
+            plan.at.spots["#leaps"] = plan.at.shown["#leaps"] = Spot(self.title, MOST_ROW, leaps[0])
+        area = Area(CLEAR_ROW, VALUE, CLEAR_ROW, VALUE + 2)
+        for key, style in (("clear", styles.GOOD), ("not_clear", styles.BAD)):
+            here = CellRef(CLEAR_ROW, VALUE, True, True)
+            self.conditionals.append(Conditional(area, Binary("=", here, Text(self.text(key))), style))
+
+
+SHOWN = ("variable", "point", "output")
+"""Kinds of columns that people read."""
+
+
+def _sum(nodes: Iterable[Node]) -> Node:
+    total: Node = al.ZERO
+    for node in nodes:
+        total = al.add(total, node)
+    return total
+
+
+def _largest(nodes: list[CellRef]) -> Node:
+    return Call("MAX", tuple(nodes)) if nodes else al.ZERO

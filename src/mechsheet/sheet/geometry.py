@@ -1,0 +1,80 @@
+"""Where points stand in their links, and how long links are, straight from the description.
+
+The equations have forms of their own for this (angles of triangles, directions of arms). The checks must not share them,
+so here every place is (u, v) in its link's frame, as the drawing gives it.
+"""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Call, Node
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.places import angle_of, length_node
+from mechsheet.model import Cartesian, Distances, Link, Polar
+
+
+def place(link: Link, point: str) -> tuple[Node, Node]:
+    """(u, v) of a point in its link's frame, over dimensions."""
+    given = link.points[point]
+    match given:
+        case Cartesian(x, y):
+            return length_node(x), length_node(y)
+        case Polar(r, angle):
+            length, direction = length_node(r), angle_of(angle)
+            return al.mul(length, al.cos(direction)), al.mul(length, al.sin(direction))
+        case Distances():
+            return _by_distances(link, given)
+
+
+def _by_distances(link: Link, given: Distances) -> tuple[Node, Node]:
+    """Where two circles meet: along the line from the first point to the second, then across it to the side given.
+
+    along = (b^2 - c^2 + d^2) / (2 d),   across = sqrt((b+c+d)(b+c-d)(d+b-c)(d-b+c)) / (2 d)    (twice the area over d)
+    """
+    u, v = place(link, given.first)
+    way_u, way_v = _way(link, given.first, given.second)
+    b, c = length_node(given.first_distance), length_node(given.second_distance)
+    d = al.sqrt(al.add(al.square(way_u), al.square(way_v)))
+    along = al.div(al.add(al.sub(al.square(b), al.square(c)), al.square(d)), al.mul(al.TWO, d))
+    product = al.mul(
+        al.mul(al.add(al.add(b, c), d), al.sub(al.add(b, c), d)),
+        al.mul(al.sub(al.add(d, b), c), al.add(al.sub(d, b), c)),
+    )
+    across = al.div(Call("SQRT", (Call("MAX", (al.ZERO, product)),)), al.mul(al.TWO, d))
+    if given.side == "right":
+        across = al.neg(across)
+    return (
+        al.add(u, al.div(al.sub(al.mul(along, way_u), al.mul(across, way_v)), d)),
+        al.add(v, al.div(al.add(al.mul(along, way_v), al.mul(across, way_u)), d)),
+    )
+
+
+def _way(link: Link, start: str, end: str) -> tuple[Node, Node]:
+    """(u, v) of the vector from one point of a link to another."""
+    (u0, v0), (u1, v1) = place(link, start), place(link, end)
+    return al.sub(u1, u0), al.sub(v1, v0)
+
+
+def distance(link: Link, start: str, end: str) -> Node:
+    """The distance of two points of a link: as given, or from their places."""
+    for point, other in ((start, end), (end, start)):
+        given = link.points[point]
+        if isinstance(given, Distances):
+            if given.first == other:
+                return length_node(given.first_distance)
+            if given.second == other:
+                return length_node(given.second_distance)
+    u, v = _way(link, start, end)
+    return al.sqrt(al.add(al.square(u), al.square(v)))
+
+
+def measured_pairs(link: Link) -> tuple[tuple[str, str], ...]:
+    """Pairs of points to lay a ruler on: those whose distance the description gives, and each point with the first."""
+    points = list(link.points)
+    first = points[0] if points else ""
+    pairs: dict[frozenset[str], tuple[str, str]] = {}
+    for index, point in enumerate(points[1:]):
+        given = link.points[point]
+        by_distances = isinstance(given, Distances) and index > 0
+        for other in (given.first, given.second) if isinstance(given, Distances) and by_distances else (first,):
+            pairs.setdefault(frozenset((other, point)), (other, point))
+    return tuple(pairs.values())
