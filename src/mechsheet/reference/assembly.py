@@ -15,15 +15,20 @@ _FLAT = 1e-6
 _ASIDE = 1e-3
 
 
-def first_row(block: Block, state: Array, value: Array) -> tuple[int | None, Array]:
-    """The first row in which a block has a solution, and all its solutions there (s, columns)."""
-    candidates = branches.solutions(block, state[:1], value[:1])[0]
+def start_row(wishes: Wishes, block: Block, state: Array, value: Array) -> tuple[int | None, Array]:
+    """The row whose assembly the sketch shows, and all the block's solutions there (s, columns); None without any.
+
+    That is the first row in which the block closes; rough poses show the row whose driver value they have.
+    """
+    row = int(np.argmin(wishes.away(value)))
+    candidates = branches.solutions(block, state[row : row + 1], value[row : row + 1])[0]
     if len(candidates):
-        return 0, candidates
-    rows = np.arange(1, len(state))
+        return row, candidates
+    rows = np.arange(len(state))
     if not block.large:
-        # Both branches exist in the same rows, so either finds the first of them.
+        # Both branches exist in the same rows, so either finds them.
         rows = np.flatnonzero(branches.sweep(block, state, value, 1.0).exists)
+    rows = rows[np.argsort(wishes.away(value[rows]), kind="stable")]
     for first in range(0, len(rows), _TOGETHER):
         part = rows[first : first + _TOGETHER]
         for row, candidates in zip(part, branches.solutions(block, state[part], value[part]), strict=True):
@@ -35,7 +40,7 @@ def first_row(block: Block, state: Array, value: Array) -> tuple[int | None, Arr
 def branch(
     built: System, wishes: Wishes, index: int, first: int, candidates: Array, state: Array, value: Array
 ) -> float:
-    """Sign of the branch that starts in row `first` with the candidate nearest to the sketch.
+    """Sign of the branch that holds, in row `first`, the candidate nearest to the sketch.
 
     At a dead centre, where both branches meet, the sketch itself tells them apart, or the next row that exists does.
     """
@@ -47,7 +52,7 @@ def branch(
     side = _side(built, wishes, index, chosen, value[first : first + 1])
     if side:
         return side
-    for i in range(first + 1, len(state)):
+    for i in (*range(first + 1, len(state)), *reversed(range(first))):
         candidates = branches.solutions(block, state[i : i + 1], value[i : i + 1])[0]
         if len(candidates):
             chosen = choose(built, wishes, index, candidates, value[i])

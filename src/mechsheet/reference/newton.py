@@ -191,17 +191,20 @@ def starts(block: Block, state: Array, value: Array, count: int) -> tuple[Array,
 
 
 def placed(block: Block, guesses: Array, value: Array) -> Array:
-    """Guesses (m, columns) with the places that suit their angles best, wherever the known points may be."""
-    places = [i for i, column in enumerate(block.columns) if column % 3 != 2]
-    if not places:
-        return guesses
-    columns = [block.columns[i] for i in places]
+    """Guesses (m, columns) made to agree with themselves: angles tied to each other, then the places that suit them best."""
+    columns = np.array(block.columns)
+    places = np.flatnonzero(columns % 3 != 2)
+    tied = [i for i, equation in enumerate(block.equations) if equation.kind == "angle"]
     moved = guesses.copy()
-    moved[:, columns] = 0.0
+    moved[:, columns[places]] = 0.0
     residuals, jacobian = linearised(block, moved, value)
-    part = jacobian[:, :, places]
-    normal = part.transpose(0, 2, 1) @ part + 1e-9 * np.eye(len(places))
-    moved[:, columns] = directions(normal, -(part.transpose(0, 2, 1) @ residuals[..., None])[..., 0])
+    if tied:
+        moved[:, columns] -= residuals[:, tied] @ np.linalg.pinv(jacobian[0, tied]).T
+        residuals, jacobian = linearised(block, moved, value)
+    if len(places):
+        part = jacobian[:, :, places]
+        normal = part.transpose(0, 2, 1) @ part + 1e-9 * np.eye(len(places))
+        moved[:, columns[places]] = directions(normal, -(part.transpose(0, 2, 1) @ residuals[..., None])[..., 0])
     return moved
 
 

@@ -131,17 +131,21 @@ def _over_rows(built: System, wishes: Wishes, index: int, state: Array, value: A
     block = built.blocks[index]
     if block.linear:
         return branches.linear(block, state, value)
-    first, candidates = assembly.first_row(block, state, value)
+    first, candidates = assembly.start_row(wishes, block, state, value)
     if not block.large:
         sign = 1.0 if first is None else assembly.branch(built, wishes, index, first, candidates, state, value)
         return branches.sweep(block, state, value, sign)
-    none = np.zeros(len(state), dtype=bool)
     if first is None:
+        none = np.zeros(len(state), dtype=bool)
         return Rows(state, none, none)
     chosen = assembly.choose(built, wishes, index, candidates, value[first])
-    rows = branches.follow(block, state[first:], value[first:], chosen)
-    before = state[:first], none[:first], none[:first]
-    return Rows(*(np.concatenate(p) for p in zip(before, (rows.state, rows.exists, rows.undetermined), strict=True)))
+    after = branches.follow(block, state[first:], value[first:], chosen)
+    before = branches.follow(block, state[first::-1], value[first::-1], chosen)
+    return Rows(
+        np.concatenate([before.state[:0:-1], after.state]),
+        np.concatenate([before.exists[:0:-1], after.exists]),
+        np.concatenate([before.undetermined[:0:-1], after.undetermined]),
+    )
 
 
 def assemblies(

@@ -83,6 +83,27 @@ class Wishes:
         first = self.system.column(link)
         return max(self._done[first : first + 3])
 
+    def away(self, values: Array) -> Array:
+        """How far each driver value (m,) is from that of the rough poses; how late it comes, where there are none."""
+        driver = self.system.mechanism.driver
+        rough = np.zeros((1, self.system.columns))
+        known = {self.system.mechanism.ground.name}
+        for wish in self.entries:
+            if wish.kind == "pose":
+                first = self.system.column(wish.name)
+                rough[0, first : first + 3] = wish.target
+                known.add(wish.name)
+        joint = next((joint for joint in self.system.mechanism.joints if joint.name == driver.joint), None)
+        base = driver.relative_to or self.system.mechanism.ground.name
+        needed = {joint.link, joint.on} if joint else {driver.link, base}
+        if len(known) == 1 or not needed <= known:
+            return np.arange(len(values), dtype=float)
+        if joint:
+            return np.asarray(np.abs(values - displacement(self.system, joint, rough)))
+        turned = rough[0, self.system.column(driver.link) + 2] - rough[0, self.system.column(base) + 2]
+        off = values - turned
+        return np.asarray(np.round(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))), 9))
+
     def about(self, block: int) -> bool:
         """Whether an entry is decided by this block."""
         return any(wish.block == block for wish in self.entries)
