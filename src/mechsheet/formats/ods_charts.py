@@ -81,7 +81,7 @@ def _stroke(color: str, width: float) -> str:
 
 def _chart(chart: Chart, styles: _Styles) -> str:
     width, height = chart.anchor.width, chart.anchor.height
-    frame = styles.add(graphic='draw:stroke="none" draw:fill="solid" draw:fill-color="#ffffff"')
+    frame = styles.add(graphic=f'{_stroke(GRID_COLOR, HAIR_LINE)} draw:fill="solid" draw:fill-color="#ffffff"')
     title = ""
     if chart.title:
         look = styles.add('chart:auto-position="true"', text=_font(TITLE_SIZE, True))

@@ -116,7 +116,7 @@ def new_chart(chart: Chart, language: str) -> StraightScatter:
     if chart.inner:
         plot["layout"] = dict(zip(("x", "y", "width", "height"), chart.inner, strict=True))
     made.set_plotarea(plot)
-    made.set_chartarea({"border": {"none": True}, "fill": {"color": "#FFFFFF"}})
+    made.set_chartarea({"border": {"color": _GRID, "width": HAIR_LINE}, "fill": {"color": "#FFFFFF"}})
     made.set_size({"width": chart.anchor.width, "height": chart.anchor.height})
     made.show_na_as_empty_cell()
     return made

@@ -179,7 +179,7 @@ def _title(plan: Plan, request: ChartRequest) -> str:
         return (
             f"{symbol}: {label}" if label != request.y[0] else plan.text("chart.outputs", symbol=symbol, driver=driver)
         )
-    if {equation.kind for equation in equations} == {"variable"}:
+    if len(equations) > 1 and {equation.kind for equation in equations} == {"variable"}:
         key = "chart.angles" if equations[0].unit == "angle" else "chart.displacements"
         return plan.text(key, driver=driver)
     return plan.text("chart.outputs", symbol=", ".join(plain(symbol) for symbol in request.y), driver=driver)
