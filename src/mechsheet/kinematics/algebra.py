@@ -6,9 +6,13 @@ These functions only tidy; they never change a value (x*0 becomes 0 because no q
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+
+MOST_ARGUMENTS = 100
+"""Arguments of one call: well below the 255 that spreadsheets take, for formulas that can be read."""
 
 ZERO, ONE, TWO = Number(0.0), Number(1.0), Number(2.0)
 PI = Call("PI")
@@ -129,6 +133,16 @@ def sqrt(a: Node) -> Node:
 def call(name: str, *args: Node) -> Node:
     """A function of nodes."""
     return Call(name, args)
+
+
+def largest(nodes: Sequence[Node]) -> Node:
+    """MAX of any number of nodes: nested where there are more than a function takes (255 arguments)."""
+    if len(nodes) == 1:
+        return nodes[0]
+    if len(nodes) > MOST_ARGUMENTS:
+        chunks = range(0, len(nodes), MOST_ARGUMENTS)
+        nodes = [largest(nodes[start : start + MOST_ARGUMENTS]) for start in chunks]
+    return Call("MAX", tuple(nodes))
 
 
 def atan2(x: Node, y: Node) -> Node:

@@ -12,6 +12,7 @@ from typing import Literal
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph, Slide
+from mechsheet.kinematics.mobility import stiff_faults
 from mechsheet.model import Driver, Mechanism
 
 
@@ -74,7 +75,7 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     while assemblies:
         dyad = _next_dyad(graph, assemblies, solved)
         if dyad is None:
-            raise MechanismError(_not_class_two(graph, assemblies, solved))
+            raise MechanismError(stiff_faults(graph) or [_not_class_two(graph, assemblies, solved)])
         dyads.append(dyad)
         assemblies = [bodies for bodies in assemblies if bodies not in (dyad.first, dyad.second)]
         solved.update(dyad.first, dyad.second)

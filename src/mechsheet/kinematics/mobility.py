@@ -7,14 +7,15 @@ Source: Gruebler's criterion for planar mechanisms (any text on mechanisms).
 
 from __future__ import annotations
 
-from itertools import combinations
-
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph
 from mechsheet.model import Mechanism
 
-LARGEST_SUBCHAIN = 5
-"""Sub-chains of up to this many bodies are searched for joints too many: larger rigid parts are rare and slow to find."""
+LARGEST_PART = 5
+"""Parts of up to this many bodies are searched for joints too many: larger rigid parts are rare and slow to find."""
+
+MOST_PARTS = 20_000
+"""The search for rigid parts of a faulty mechanism ends after so many."""
 
 
 def mobility(graph: Graph, bodies: tuple[str, ...] | None = None) -> int:
@@ -26,16 +27,12 @@ def mobility(graph: Graph, bodies: tuple[str, ...] | None = None) -> int:
 
 
 def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
-    """Raise MechanismError, naming links, unless the mechanism has one degree of freedom and no part is over-constrained."""
+    """Raise MechanismError, naming links, unless the mechanism has one degree of freedom."""
     count = mobility(graph)
-    stiff = _overconstrained(graph)
-    if count == 1 and not stiff:
+    if count == 1:
         return
-    faults = []
-    if count != 1:
-        faults.append(Fault(_count_message(mechanism, graph, count), key="links", hint=_count_hint(count)))
-    for bodies in stiff:
-        faults.append(Fault(_stiff_message(graph, bodies), key=_key(graph, bodies[-1])))
+    faults = [Fault(_count_message(mechanism, graph, count), key="links", hint=_count_hint(count))]
+    faults += stiff_faults(graph)
     faults += [
         Fault(
             f'"{body}" is loose: it has too few joints to be held by the rest',
@@ -72,19 +69,34 @@ def _count_hint(count: int) -> str:
     )
 
 
-def _overconstrained(graph: Graph) -> list[tuple[str, ...]]:
-    """Smallest sub-chains that cannot move in themselves: M <= 0 among two to LARGEST_SUBCHAIN bodies."""
-    found: list[tuple[str, ...]] = []
-    movable = graph.bodies
-    for size in range(2, min(LARGEST_SUBCHAIN, len(movable)) + 1):
-        if size > 3 and len(movable) > 24:
+def stiff_faults(graph: Graph) -> list[Fault]:
+    """One fault for each smallest part whose bodies cannot move against each other."""
+    return [Fault(_stiff_message(graph, bodies), key=_key(graph, bodies[-1])) for bodies in _stiff(graph)]
+
+
+def _stiff(graph: Graph) -> list[tuple[str, ...]]:
+    """Smallest parts with M <= 0: joined bodies, two to LARGEST_PART of them, the first MOST_PARTS that are looked at."""
+    neighbours = {body: _neighbours(graph, body) for body in graph.bodies}
+    found: list[frozenset[str]] = []
+    parts = [frozenset([body]) for body in graph.bodies]
+    looked_at = 0
+    for _ in range(LARGEST_PART - 1):
+        larger: dict[frozenset[str], None] = {}
+        for part in parts:
+            around = dict.fromkeys(other for body in sorted(part) for other in neighbours[body] if other not in part)
+            larger |= dict.fromkeys(part | {other} for other in around)
+        parts = [part for part in larger if not any(stiff <= part for stiff in found)]
+        looked_at += len(parts)
+        if looked_at > MOST_PARTS:
             break
-        for bodies in combinations(movable, size):
-            if any(set(smaller) <= set(bodies) for smaller in found):
-                continue
-            if mobility(graph, bodies) <= 0:
-                found.append(bodies)
-    return found
+        found += [part for part in parts if mobility(graph, tuple(part)) <= 0]
+    return [tuple(body for body in graph.bodies if body in part) for part in found]
+
+
+def _neighbours(graph: Graph, body: str) -> tuple[str, ...]:
+    pinned = [other for point in graph.points[body] for other in graph.bodies_at(point)]
+    sliding = [slide.other(body) for slide in graph.slides_of(body)]
+    return tuple(dict.fromkeys(other for other in pinned + sliding if other != body))
 
 
 def _stiff_message(graph: Graph, bodies: tuple[str, ...]) -> str:

@@ -148,9 +148,7 @@ def _largest_length(mechanism: Mechanism) -> Node:
     plain = [abs(value) for value in _plain_lengths(mechanism)]
     if plain and max(plain) > 0:
         lengths.append(NumberNode(max(plain)))
-    if not lengths:
-        return al.ONE
-    return Call("MAX", tuple(lengths)) if len(lengths) > 1 else lengths[0]
+    return al.largest(lengths) if lengths else al.ONE
 
 
 def _plain_lengths(mechanism: Mechanism) -> list[float]:
