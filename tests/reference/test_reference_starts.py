@@ -51,6 +51,22 @@ def test_rough_poses():
             assert found.poses[link][0, 2] == pytest.approx(theta, abs=1e-9)
 
 
+def test_rough_poses_of_a_later_row():
+    """The first loop closes long before the second: its assembly is the one shown where both do."""
+    m = read("stephenson")
+    values = np.radians(np.arange(-150, 36, 5.0))
+    first = solve(m, values=values)
+    row = int(np.argmax(first.exists))
+    assert row > 10
+    for wanted in assemblies(m, None, values[row]):
+        rough = {link: (round(x, 3), round(y, 3), round(theta, 3)) for link, (x, y, theta) in wanted.items()}
+        found = solve(m, start=rough, values=values)
+        assert found.exists[row]
+        for link, pose in wanted.items():
+            assert np.abs(found.poses[link][row] - pose)[:2].max() < 1e-9
+            assert np.cos(found.poses[link][row, 2] - pose[2]) > 1 - 1e-12
+
+
 def test_start_names_the_turn():
     m = read("four-bar", EXAMPLES)
     first = {link: tuple(pose[0]) for link, pose in solve(m).poses.items()}

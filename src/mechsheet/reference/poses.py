@@ -80,8 +80,8 @@ def solve(
     """Positions over the whole sweep.
 
     dimensions  replaces dimension values by symbol (internal units)
-    start       rough poses (x, y, theta) by link in the first row that exists; without it the assembly nearest to the
-                mechanism's own sketch is taken
+    start       rough poses (x, y, theta) by link in one row, which their driver value tells; without them each loop takes
+                the assembly nearest to the mechanism's own sketch, in the first row in which it closes
     values      driver values in place of the mechanism's
 
     Raises MechanismError when conditions and unknowns do not match, or a name is not known.
