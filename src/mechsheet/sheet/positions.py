@@ -126,8 +126,10 @@ def _meaning(plan: Plan, column: TableColumn) -> str:
 def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
     match column.kind:
         case "number":
-            rows = range(plan.rows)
-            return [Cell(plan.at.first + n, NUMBER, float(n), _decimals(styles.INNER, 0)) for n in rows], []
+            # counted from the heading: rows may be inserted above the table
+            heading = Call("ROW", (CellRef(FORMULA_ROW, NUMBER, True, True),))
+            formula = Binary("-", Binary("-", Call("ROW"), heading), Number(1.0))
+            return [], [_fill(plan, NUMBER, formula, _decimals(styles.INNER, 0))]
         case "driver":
             return _driver_column(plan)
         case "status":
