@@ -55,12 +55,14 @@ PATH_INNER = (0.08, 0.12, 0.85, 0.85)
 class Drawing:
     """The sheet, the chart of the mechanism, the charts of paths by their points, and where quantities stand.
 
-    shown  cells with the value at the position shown, as people read it, of symbols that have none on the first sheet
+    points the cells of every point at the position shown
+    shown   cells with the value at the position shown, as people read it, of symbols that have none on the first sheet
     """
 
     sheet: Sheet
     chart: Chart
     paths: Mapping[tuple[str, ...], Chart]
+    points: Mapping[str, PointCells]
     shown: Mapping[str, SeriesRef]
 
 
@@ -85,7 +87,7 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
         name="drawing", alt_text=text("drawing.alt", title=title),
     )  # fmt: skip
     paths = {request.paths: _path_chart(page, request, cells) for request in requests if request.paths}
-    return Drawing(_sheet(page), chart, paths, shown)
+    return Drawing(_sheet(page), chart, paths, cells, shown)
 
 
 def _sheet(page: Page) -> Sheet:

@@ -90,16 +90,23 @@ class Page:
 
     def read(self, symbol: str) -> Node:
         """The quantity (internal units) in the row of the table that a row of a sweep column stands for."""
-        spot = self.plan.at.spots[symbol]
-        if self.stride == 1 or not spot.column:
-            return self.plan.at.reference(symbol, self.title, self.first if spot.column else None)
-        number = CellRef(self.first, SWEEP, col_abs=True)
-        cell: Node = Call("INDEX", (self.plan.at.area(spot, self.title), al.add(number, al.ONE)))
+        spot = self._spot(symbol)
+        if not spot.column:
+            return self.plan.at.reference(symbol, self.title, None)
+        cell: Node = CellRef(self.first, spot.col, sheet=spot.sheet)
+        if self.stride > 1:
+            number = CellRef(self.first, SWEEP, col_abs=True)
+            cell = Call("INDEX", (self.plan.at.area(spot, self.title), al.add(number, al.ONE)))
         return Call("RADIANS", (cell,)) if spot.degrees else cell
+
+    def _spot(self, symbol: str) -> Spot:
+        """Where to read a quantity: as people read it (#N/A where the position does not exist), unless that is in degrees."""
+        shown = self.plan.at.shown[symbol]
+        return self.plan.at.spots[symbol] if shown.degrees or not shown.column else shown
 
     def at_position(self, symbol: str) -> Node:
         """The quantity (internal units) in the row of the position shown."""
-        spot = self.plan.at.spots[symbol]
+        spot = self._spot(symbol)
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
         cell = self.indexed(spot)
@@ -133,11 +140,12 @@ class Page:
 
     def _numbers(self) -> None:
         """The table's row numbers that the sweep columns look at; the last one always."""
-        last = float(self.plan.rows - 1)
-        numbers = [min(float(n * self.stride), last) for n in range(self.samples)]
-        self.cells.append(Cell(self.first - 1, SWEEP, self.plan.text("head.number"), styles.HEAD))
+        heading = CellRef(self.first - 1, SWEEP, True, True)
+        down = al.sub(al.sub(Call("ROW"), Call("ROW", (heading,))), al.ONE)
+        number = Call("MIN", (al.mul(Number(float(self.stride)), down), Number(float(self.plan.rows - 1))))
         style = styles.decimals(styles.INNER, 0)
-        self.cells += [Cell(self.first + n, SWEEP, number, style) for n, number in enumerate(numbers)]
+        self.cells.append(Cell(self.first - 1, SWEEP, self.plan.text("head.number"), styles.HEAD))
+        self.fills.append(Fill(self.first, SWEEP, number, style, rows=self.samples))
         self.col += 1
 
 

@@ -1,0 +1,200 @@
+"""The drawing: its points are the reference's at every position, all in the window, nothing where there is no position."""
+
+import math
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mechsheet import reference
+from mechsheet.compute import book_of
+from mechsheet.description import loads
+from mechsheet.engine import compile_book
+from mechsheet.formula.nodes import CellRef, ErrorValue
+from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.charts import chart_requests, traced_points
+from mechsheet.sheet.drawing import drawing_of
+from mechsheet.sheet.frames import SAMPLES
+from mechsheet.sheet.layout import lay_out
+
+ROOT = Path(__file__).parents[2]
+TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
+FOUR_BAR = (ROOT / "templates/four-bar.toml").read_text(encoding="utf-8")
+
+
+class Laid:
+    """A mechanism's workbook, its drawing, and the values of its cells at any position."""
+
+    def __init__(self, text):
+        self.mechanism = loads(text)
+        self.workbook, self.plan = lay_out(self.mechanism, solve(self.mechanism))
+        requests = chart_requests(self.plan)
+        self.drawing = drawing_of(self.plan, traced_points(self.plan, requests), requests)
+        self.book = compile_book(book_of(self.workbook))
+
+    def at(self, position, **dimensions):
+        """Values with the position cell and dimensions (as shown) changed."""
+        changes = {"#position": float(position)} | dimensions
+        spots = {symbol: self.plan.at.spots[symbol] for symbol in changes}
+        return self.book.evaluate({(spot.sheet, spot.row, spot.col): changes[name] for name, spot in spots.items()})
+
+    def series(self, values, series):
+        """Points of a series: NaN where a cell holds no number."""
+        found = []
+        for ref in (series.x, series.y):
+            area = ref.area
+            cells = [values.get(ref.sheet, row, area.first_col) for row in range(area.first_row, area.last_row + 1)]
+            found.append([math.nan if isinstance(cell, ErrorValue) else cell for cell in cells])
+        return np.array(found, dtype=float).T
+
+
+@cache
+def template(name):
+    return Laid((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_points_are_the_references(name):
+    laid = template(name)
+    truth = reference.solve(laid.mechanism)
+    for position in {0, 1, laid.plan.rows // 2, laid.plan.rows - 1}:
+        values = laid.at(position)
+        for point, cells in laid.drawing.points.items():
+            for axis, cell in enumerate((cells.x, cells.y)):
+                found = values.get(laid.drawing.sheet.title, cell.row, cell.col)
+                assert found == pytest.approx(truth.points[point][position, axis], abs=1e-7 * truth.size), point
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_everything_lies_in_the_window(name):
+    """Points, blocks, supports and names at every fourth position; slots may be cut by the window's edge."""
+    laid = template(name)
+    for position in range(0, laid.plan.rows, 4):
+        values = laid.at(position)
+        for series in laid.drawing.chart.series:
+            if "slot" in str(series.name) or "kanal" in str(series.name):
+                continue
+            places = laid.series(values, series)
+            assert np.nanmax(np.abs(places)) <= 1.0, (position, series.name)
+
+
+@pytest.mark.parametrize("name", ["four-bar", "adjustable-pump", "jansen", "inverted-slider-crank", "oldham"])
+def test_one_scale_for_both_axes(name):
+    """(X - X') / (x - x') is the same for both axes and all points, and stays while the mechanism moves."""
+    laid = template(name)
+    scales = []
+    for position in (0, laid.plan.rows // 3):
+        values = laid.at(position)
+        title = laid.drawing.sheet.title
+        numbers = {
+            point: [values.get(title, cell.row, cell.col) for cell in (c.x, c.y, c.chart_x, c.chart_y)]
+            for point, c in laid.drawing.points.items()
+        }
+        first, *others = numbers.values()
+        for other in others:
+            for own, chart in ((0, 2), (1, 3)):
+                if abs(other[own] - first[own]) > 1e-6:
+                    scales.append((other[chart] - first[chart]) / (other[own] - first[own]))
+    assert scales == pytest.approx([scales[0]] * len(scales), rel=1e-9)
+
+
+def test_window_follows_the_dimensions():
+    laid = template("four-bar")
+    large = {symbol: 1000.0 * value for symbol, value in _lengths(laid).items()}
+    for series in laid.drawing.chart.series:
+        small_places = laid.series(laid.at(5), series)
+        large_places = laid.series(laid.at(5, **large), series)
+        if series.name != "scale bar":  # mechanism grown a thousandfold: the same picture
+            assert large_places == pytest.approx(small_places, abs=1e-9, nan_ok=True)
+
+
+def test_scale_bar_is_one_two_or_five():
+    laid = template("four-bar")
+    names = [series.name for series in laid.drawing.chart.series]
+    bar = laid.drawing.chart.series[names.index("scale bar")]
+    label = laid.drawing.chart.series[names.index("scale bar") + 1]
+    for factor in (1e-3, 0.3, 1.0, 2.7, 40.0):
+        values = laid.at(0, **{symbol: factor * value for symbol, value in _lengths(laid).items()})
+        half = _half(laid, values)
+        places = laid.series(values, bar)
+        length = (places[:, 0].max() - places[:, 0].min()) * half
+        mantissa = length / 10 ** math.floor(math.log10(length) + 1e-9)
+        assert min(abs(mantissa - digit) for digit in (1, 2, 5)) < 1e-9
+        assert 0.2 * half <= length <= 0.5 * half * (1 + 1e-12)
+        assert isinstance(label.name, CellRef)
+        text = values.get(label.name.sheet, label.name.row, label.name.col)
+        assert float(text.removesuffix(" mm")) == pytest.approx(length, rel=1e-9)
+
+
+def _half(laid, values):
+    names = {cell.content: cell.row for cell in reversed(laid.drawing.sheet.cells) if cell.col == 0}
+    return values.get(laid.drawing.sheet.title, names["half the side"], 1)
+
+
+def _lengths(laid):
+    return {dim.symbol: dim.value for dim in laid.mechanism.dimensions if dim.unit == "mm" and not dim.derived}
+
+
+def test_a_position_that_does_not_exist_draws_nothing():
+    """With a longer crank the four-bar does not close everywhere: links vanish, supports stay, the caption says why."""
+    laid = template("four-bar")
+    values = laid.at(12, a2=90.0)
+    chart = laid.drawing.chart
+    links = [series for series in chart.series if series.width == 3.0]
+    assert len(links) == 3
+    for series in links:
+        places = laid.series(values, series)
+        assert np.isfinite(places).all(axis=1).sum() <= 1  # a fixed pin alone makes no line
+    caption = next(s for s in chart.series if s.label_size == 11.0).name
+    assert "does not close" in values.get(caption.sheet, caption.row, caption.col)
+    good = laid.at(0)
+    assert values.get(caption.sheet, caption.row, caption.col) != good.get(caption.sheet, caption.row, caption.col)
+    assert good.get(caption.sheet, caption.row, caption.col) == "θ₁₂ = 0°"
+
+
+def test_paths_leave_gaps():
+    """Rows that do not exist are #N/A in the path; the window is that of the rows that do."""
+    laid = template("four-bar")
+    values = laid.at(0, a2=90.0)
+    path = next(s for s in laid.drawing.chart.series if s.x.area.last_row - s.x.area.first_row == laid.plan.rows - 1)
+    places = laid.series(values, path)
+    exists = [values.get(laid.plan.table, row, 3) for row in range(laid.plan.at.first, laid.plan.at.last + 1)]
+    assert 0 < sum(exists) < len(exists)
+    assert (np.isfinite(places).all(axis=1) == np.array(exists, dtype=bool)).all()
+    assert np.nanmax(np.abs(places)) <= 1.0
+
+
+def test_no_positions_at_all():
+    """Nothing closes anywhere: a window round the fixed pins, no error but #N/A."""
+    laid = template("four-bar")
+    values = laid.at(0, a2=900.0)
+    assert np.isfinite(_half(laid, values))
+    for series in laid.drawing.chart.series:
+        for ref in (series.x, series.y):
+            for row in range(ref.area.first_row, ref.area.last_row + 1):
+                value = values.get(ref.sheet, row, ref.area.first_col)
+                assert isinstance(value, float) or value == ErrorValue("#N/A")
+
+
+@pytest.mark.parametrize(("step", "rows", "drawn"), [("1", 361, 361), ("0.1", 3601, 721), ("0.01", 36001, 721)])
+def test_long_tables_are_thinned(step, rows, drawn):
+    mechanism = loads(FOUR_BAR.replace("step = 15", f"step = {step}"))
+    workbook, plan = lay_out(mechanism, solve(mechanism))
+    assert plan.rows == rows
+    sheet = workbook.sheet("Drawing")
+    assert max(fill.rows for fill in sheet.fills) == drawn <= SAMPLES
+    assert len(sheet.cells) < 600 and len(sheet.fills) < 600
+
+
+def test_thinned_paths_end_with_the_last_row():
+    text = FOUR_BAR.replace("step = 15", "step = 0.07")
+    laid = Laid(text)
+    values = laid.at(0)
+    path = next(s for s in laid.drawing.chart.series if s.x.area.last_row - s.x.area.first_row > 300)
+    places = laid.series(values, path)
+    first, last = laid.at(0), laid.at(laid.plan.rows - 1)
+    cells = laid.drawing.points["C"]
+    for place, there in ((places[0], first), (places[-1], last)):
+        expected = [there.get("Drawing", cell.row, cell.col) for cell in (cells.chart_x, cells.chart_y)]
+        assert list(place) == pytest.approx(expected, abs=1e-12)
