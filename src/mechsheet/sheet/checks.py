@@ -8,9 +8,11 @@ from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRe
 from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.extremes import extremes
 from mechsheet.sheet.geometry import place
 from mechsheet.sheet.plan import DRIVER, EXISTS, Plan, unit_text
 from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
+from mechsheet.sheet.rows import exists_column
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import (
     Area,
@@ -70,6 +72,10 @@ class _Sheet:
         self._group_headings()
         self._whole_table()
         self._top()
+        extremes_at = max(self.last_col, SIDE + 3) + 2
+        cells, fills, taken = extremes(plan, self.title, GROUP_ROW, extremes_at)
+        self.cells += cells
+        self.fills += fills
         area = Area(FIRST, NUMBER, self.last_row, self.last_col)
         missing = Binary("=", CellRef(plan.at.first, EXISTS, col_abs=True, sheet=plan.table), al.ZERO)
         self.conditionals.append(Conditional(area, missing, styles.MISSING))
@@ -83,7 +89,9 @@ class _Sheet:
             columns=(
                 Column(NUMBER, NUMBER, 9),
                 Column(DRIVER_COL, DRIVER_COL, 13),
-                Column(DATA, max(self.last_col, SIDE + 3), 11.5),
+                Column(DATA, extremes_at - 2, 11.5),
+                Column(extremes_at - 1, extremes_at - 1, 3),
+                *([Column(extremes_at, extremes_at + taken - 1, 13)] if taken else []),
             ),
             row_heights=((TITLE_ROW, 26.0), (ABOUT_ROW, 42.0), (HEAD_ROW, 30.0)),
             merges=tuple(self.merges),
@@ -112,11 +120,6 @@ class _Sheet:
     def own_column(self, col: int) -> RangeRef:
         """A column of this sheet's table."""
         return RangeRef(CellRef(FIRST, col, True, False), CellRef(self.last_row, col, True, False))
-
-    def table_column(self, col: int) -> RangeRef:
-        """A fixed column of the table of positions."""
-        table, at = self.plan.table, self.plan.at
-        return RangeRef(CellRef(at.first, col, True, True, table), CellRef(at.last, col, True, True, table))
 
     def verdict(self, row: int, col: int, good: Node) -> None:
         """The cell that says whether a check is passed."""
@@ -240,7 +243,7 @@ class _Sheet:
             self.formula(row, SIDE + 2, node, self._boxed(style))
             good: Node = Call("IFERROR", (Binary("<=", Call("ABS", (CellRef(row, SIDE + 2),)), limit), Number(0.0)))
             if key == "rows":
-                good = Call("AND", (good, Binary(">", Call("SUM", (self.table_column(EXISTS),)), al.ZERO)))
+                good = Call("AND", (good, Binary(">", Call("SUM", (exists_column(self.plan),)), al.ZERO)))
             self.verdict(row, SIDE + 3, good)
 
     def _fixed_points(self) -> Node:
@@ -274,7 +277,7 @@ class _Sheet:
         ]
         columns = tuple(self.plan.at.area(spot, self.title) for spot in shown)
         counts = _sum(Call("COUNT", columns[start : start + 200]) for start in range(0, len(columns), 200))
-        rows = Call("SUM", (self.table_column(EXISTS),))
+        rows = Call("SUM", (exists_column(self.plan),))
         return al.sub(counts, al.mul(al.number(len(columns)), rows))
 
     def _top(self) -> None:

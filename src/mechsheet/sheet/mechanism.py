@@ -9,9 +9,7 @@ from mechsheet.model import Dimension, Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import (
     DRIVER,
-    EXISTS,
     MEANING,
-    NUMBER,
     STATUS,
     SYMBOL,
     TOLERANCE,
@@ -21,6 +19,8 @@ from mechsheet.sheet.plan import (
     unit_text,
 )
 from mechsheet.sheet.positions import places, shown_number
+from mechsheet.sheet.rows import first_row, fixed_column, last_row
+from mechsheet.sheet.stands import write_stands
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import (
     Anchor,
@@ -91,7 +91,7 @@ def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[
     _assembly(writer)
     _variables(writer)
     _summaries(writer)
-    _stands(writer)
+    write_stands(writer)
     _derived(writer)
     return Sheet(
         plan.main,
@@ -280,14 +280,8 @@ def _position(writer: Writer) -> None:
         rows[driver.symbol], VALUE, _at_position(plan, plan.at.column(driver.symbol, plan.main)), _style(plan, unit)
     )
     writer.line(rows["status"], plan.text("head.status"), "", "")
-    column = _fixed_column(plan, STATUS)
+    column = fixed_column(plan, STATUS)
     writer.formula(rows["status"], VALUE, _at_position(plan, column), styles.VERDICT)
-
-
-def _fixed_column(plan: Plan, col: int) -> RangeRef:
-    return RangeRef(
-        CellRef(plan.at.first, col, True, True, plan.table), CellRef(plan.at.last, col, True, True, plan.table)
-    )
 
 
 def _variables(writer: Writer) -> None:
@@ -344,19 +338,9 @@ def _summary(plan: Plan, summary: Summary) -> Node:
         case "mean":
             return Call("AVERAGE", (area,))
         case "first":
-            return Call("INDEX", (area, _first_row(plan)))
+            return Call("INDEX", (area, first_row(plan)))
         case "last":
-            return Call("INDEX", (area, _last_row(plan)))
-
-
-def _first_row(plan: Plan) -> Node:
-    return Call("MATCH", (Number(1.0), _fixed_column(plan, EXISTS), Number(0.0)))
-
-
-def _last_row(plan: Plan) -> Node:
-    """1 + the largest row number among the rows that exist."""
-    product = Binary("*", _fixed_column(plan, EXISTS), Binary("+", _fixed_column(plan, NUMBER), Number(1.0)))
-    return Call("SUMPRODUCT", (Call("MAX", (product,)),))
+            return Call("INDEX", (area, last_row(plan)))
 
 
 def _where(plan: Plan, summary: Summary, row: int) -> Node | None:
@@ -367,33 +351,10 @@ def _where(plan: Plan, summary: Summary, row: int) -> Node | None:
             area = plan.at.area(plan.at.shown[f"#blank {summary.of}"], plan.main)
             return Call("INDEX", (drivers, Call("MATCH", (CellRef(row, VALUE, True, True), area, Number(0.0)))))
         case "first":
-            return Call("INDEX", (drivers, _first_row(plan)))
+            return Call("INDEX", (drivers, first_row(plan)))
         case "last":
-            return Call("INDEX", (drivers, _last_row(plan)))
+            return Call("INDEX", (drivers, last_row(plan)))
     return None
-
-
-def _stands(writer: Writer) -> None:
-    plan = writer.plan
-    writer.heading("stands")
-    rows = plan.blocks["stands"].rows
-    exists = _fixed_column(plan, EXISTS)
-    count = Call("SUM", (exists,))
-    row = rows["assembles"]
-    writer.line(row, plan.text("stands.assembles"), "", None)
-    writer.formula(row, VALUE, count, styles.decimals(styles.RESULT, 0))
-    everything = Binary("=", CellRef(row, VALUE, True, True), Number(float(plan.rows)))
-    verdict = Call("IF", (everything, Text(plan.text("stands.all", rows=plan.rows)), Text(plan.text("stands.some"))))
-    writer.formula(row, MEANING, verdict, styles.VERDICT)
-    area = Area(row, MEANING, row, MEANING)
-    writer.conditionals.append(Conditional(area, everything, styles.GOOD))
-    writer.conditionals.append(Conditional(area, Call("NOT", (everything,)), styles.WARN))
-    row = rows["gap"]
-    writer.line(row, plan.text("stands.gap"), unit_text(plan.mechanism.driver.unit), "")
-    drivers = plan.at.column(plan.mechanism.driver.symbol, plan.main)
-    missing = Call("INDEX", (drivers, Call("MATCH", (Number(0.0), exists, Number(0.0)))))
-    node = Call("IF", (everything, Text(plan.text("stands.none")), missing))
-    writer.formula(row, VALUE, node, styles.RESULT)
 
 
 def controls(plan: Plan) -> tuple[Control, ...]:

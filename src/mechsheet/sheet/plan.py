@@ -13,6 +13,7 @@ from mechsheet.kinematics.equations import Equation, Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
+from mechsheet.sheet.findings import findings
 from mechsheet.sheet.language import Language, words
 from mechsheet.sheet.workbook import Name
 
@@ -134,7 +135,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
-    _block(plan, "stands", ["assembles", "gap"])
+    _block(plan, "stands", findings(mechanism, plan.equations).entries)
     _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
     for dim in mechanism.dimensions:
         _place_dimension(plan, dim, taken)
@@ -201,7 +202,8 @@ def _plan_columns(plan: Plan) -> None:
         plan.at.shown[symbol] = _table_spot(plan, DRIVER, True)
     for equation in equations.columns:
         _plan_equation(plan, equation)
-    for of in dict.fromkeys(summary.of for summary in mechanism.summaries):
+    extremes = findings(mechanism, equations).extremes
+    for of in dict.fromkeys([*(summary.of for summary in mechanism.summaries), *extremes]):
         _add_column(plan, of, "blank", -1, inner=True, equation=None)
 
 

@@ -81,8 +81,7 @@ def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, str]:
             stepping = f"{plan.text('name.start')} + n·{plan.text('name.step')}"
             return column.symbol, _driver_unit(plan), "" if driver.values else stepping
         case "blank":
-            unit = plan.unit_shown(_unit_of(plan, column.symbol))
-            return column.symbol, unit, plan.text("column.blank")
+            return column.symbol, blank_unit(plan, column.symbol), plan.text("column.blank")
         case "shown":
             unit = _unit_of(plan, column.symbol)
             key = "column.shown" if plan.at.shown[column.symbol].degrees else "column.guarded"
@@ -105,6 +104,12 @@ def formula_text(equation: Equation) -> str:
 def _unit_of(plan: Plan, symbol: str) -> str:
     found = [equation.unit for equation in plan.equations.columns if equation.symbol == symbol]
     return found[0] if found else "angle"
+
+
+def blank_unit(plan: Plan, symbol: str) -> str:
+    """The unit of a column that repeats another: radians for an angle that people do not read."""
+    unit = _unit_of(plan, symbol)
+    return "rad" if unit == "angle" and not plan.at.shown[symbol].degrees else plan.unit_shown(unit)
 
 
 def _output_unit(plan: Plan, symbol: str) -> str:

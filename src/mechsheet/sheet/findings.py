@@ -1,0 +1,142 @@
+"""What the first sheet can say about a mechanism: four-bar loops, links that swing or turn, slides, force transmission.
+
+Found in the mechanism and its groups, before any cell has a place; `stands` writes it down as live formulas.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+
+from mechsheet.kinematics.equations import Equations, Group
+from mechsheet.model import Joint, Link, Mechanism
+
+
+@dataclass(frozen=True, slots=True)
+class FourBar:
+    """A loop of the ground, a link pivoted to it, and the two links of an RRR group: pins start, first, inner, end.
+
+    `start` and `end` are the fixed pivots of `first` and `last`; `coupler` joins the pins `pin` and `inner`.
+    """
+
+    group: int
+    start: str
+    pin: str
+    inner: str
+    end: str
+    first: Link
+    coupler: Link
+    last: Link
+
+    @property
+    def name(self) -> str:
+        """The loop by its pins: A0ABB0."""
+        return f"{self.start}{self.pin}{self.inner}{self.end}"
+
+
+@dataclass(frozen=True, slots=True)
+class Findings:
+    """All that can be said.
+
+    swings        links pivoted to the ground, without the driven one
+    strokes       sliding joints on the ground, without the driven one
+    returning     symbols of those swings and strokes that move nothing further; they have a time ratio if the driver turns
+    transmission  groups that have an angle of transmission
+    """
+
+    four_bars: tuple[FourBar, ...]
+    swings: tuple[Link, ...]
+    strokes: tuple[Joint, ...]
+    returning: tuple[str, ...]
+    transmission: tuple[Group, ...]
+
+    @property
+    def entries(self) -> list[str]:
+        """Keys of the lines of the block, in order."""
+        lines = ["rows", "missing", "closure", "leaps"]
+        lines += [f"grashof {loop.group}" for loop in self.four_bars]
+        lines += [f"swing {link.angle_symbol}" for link in self.swings]
+        lines += [f"stroke {joint.symbol}" for joint in self.strokes]
+        lines += [f"ratio {symbol}" for symbol in self.returning]
+        return lines + [f"transmission {group.transmission}" for group in self.transmission]
+
+    @property
+    def extremes(self) -> tuple[str, ...]:
+        """Symbols whose smallest and largest values the lines need."""
+        swings = [link.angle_symbol for link in self.swings]
+        strokes = [joint.symbol for joint in self.strokes]
+        return tuple(dict.fromkeys([*swings, *strokes, *(group.transmission for group in self.transmission)]))
+
+
+def findings(mechanism: Mechanism, equations: Equations) -> Findings:
+    """What can be said about a mechanism."""
+    ground = mechanism.ground
+    pivoted = [link for link in mechanism.links[1:] if any(point in ground.points for point in link.points)]
+    driver = mechanism.driver
+    loops = (_four_bar(mechanism, group, pivoted) for group in equations.groups if group.kind == "RRR")
+    names = {equation.symbol for equation in equations.columns}
+    swings = tuple(link for link in pivoted if link.name != driver.link and equations.of(link.angle_symbol).reads)
+    on_ground = (joint for joint in mechanism.joints if ground.name in (joint.on, joint.link))
+    strokes = tuple(joint for joint in on_ground if joint.symbol != driver.symbol)
+    return Findings(
+        tuple(loop for loop in loops if loop is not None),
+        swings,
+        strokes,
+        _returning(mechanism, equations, swings, strokes),
+        tuple(group for group in equations.groups if group.transmission in names),
+    )
+
+
+def _returning(
+    mechanism: Mechanism, equations: Equations, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
+) -> tuple[str, ...]:
+    if not mechanism.driver.link or mechanism.driver.values:
+        return ()
+    final = _final_links(mechanism, equations)
+    ground = mechanism.ground.name
+    slides = [joint.symbol for joint in strokes if (joint.link if joint.on == ground else joint.on) in final]
+    return (*(link.angle_symbol for link in swings if link.name in final), *slides)
+
+
+def _four_bar(mechanism: Mechanism, group: Group, pivoted: list[Link]) -> FourBar | None:
+    """The loop that an RRR group closes with the ground and one more link that is pivoted to it."""
+    fixed = mechanism.ground.points
+    own = [link for link in mechanism.links if link.name in group.links]
+    if len(own) != 2 or len(group.pins) != 3:
+        return None
+    p, q, inner = group.pins
+    if (p in fixed) == (q in fixed):
+        return None
+    pin, end = (q, p) if p in fixed else (p, q)
+    last = next((link for link in own if end in link.points and inner in link.points), None)
+    coupler = next((link for link in own if pin in link.points and inner in link.points and link is not last), None)
+    for first in pivoted:
+        start = next((point for point in first.points if point in fixed and point != end), None)
+        if first not in own and pin in first.points and start and last and coupler:
+            return FourBar(group.number, start, pin, inner, end, first, coupler, last)
+    return None
+
+
+def _final_links(mechanism: Mechanism, equations: Equations) -> frozenset[str]:
+    """Links to which no link of a later group is joined."""
+    order = {name: group.number for group in equations.groups for name in group.links}
+    final = {link.name for link in mechanism.links[1:]}
+    for one, other in _joined(mechanism):
+        first, second = order.get(one, 0), order.get(other, 0)
+        if first != second:
+            final.discard(one if first < second else other)
+    return frozenset(final)
+
+
+def _joined(mechanism: Mechanism) -> list[tuple[str, str]]:
+    """Pairs of links with a joint between them; a pin in a slot joins the slot's link to all that carry the pin."""
+    carriers = {
+        point: [link.name for link in mechanism.links if point in link.points]
+        for link in mechanism.links
+        for point in link.points
+    }
+    pairs = [pair for names in carriers.values() for pair in combinations(names, 2)]
+    for joint in mechanism.joints:
+        others = [joint.link] if joint.kind == "prismatic" else carriers[joint.point]
+        pairs += [(joint.on, other) for other in others]
+    return pairs
