@@ -100,7 +100,7 @@ class Page:
         return Call("RADIANS", (cell,)) if spot.degrees else cell
 
     def _spot(self, symbol: str) -> Spot:
-        """Where to read a quantity: as people read it (#N/A where the position does not exist), unless that is in degrees."""
+        """Where to read a quantity: as people read it (#N/A where the position does not exist), unless in degrees."""
         shown = self.plan.at.shown[symbol]
         return self.plan.at.spots[symbol] if shown.degrees or not shown.column else shown
 
