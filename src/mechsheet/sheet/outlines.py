@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
-from mechsheet.kinematics.places import Place, angle_of, cartesian, length_node, polar
+from mechsheet.kinematics.places import angle_of, cartesian, length_node
 from mechsheet.kinematics.solve import number
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar
 
@@ -61,21 +61,10 @@ def through_of(mechanism: Mechanism, joint: Joint) -> tuple[Node, Node]:
     place = cartesian(length_node(joint.through[0]), length_node(joint.through[1]))
     if joint.on == mechanism.ground.name:
         return place.u, place.v
-    base, own = anchor_of(next(link for link in mechanism.links if link.name == joint.on))
-    x, y = (place - own).turned(angle_of_link(mechanism, joint.on))
-    return al.add(Symbol(f"{base}.x"), x), al.add(Symbol(f"{base}.y"), y)
-
-
-def anchor_of(link: Link) -> tuple[str, Place]:
-    """A point of the link whose place is given directly, its origin if there is one; and that place."""
-    given: dict[str, Place] = {}
-    for point, place in link.points.items():
-        match place:
-            case Cartesian(x, y):
-                given[point] = cartesian(length_node(x), length_node(y))
-            case Polar(r, angle):
-                given[point] = polar(length_node(r), angle_of(angle))
-    return min(given.items(), key=lambda item: not item[1].is_zero)
+    # back along the line from the point that is on it: the link need not have a point of its own
+    direction = angle_of_link(mechanism, joint.on) + angle_of(joint.angle)
+    s, x, y = Symbol(joint.symbol), Symbol(f"{joint.point}.x"), Symbol(f"{joint.point}.y")
+    return al.sub(x, al.mul(s, al.cos(direction))), al.sub(y, al.mul(s, al.sin(direction)))
 
 
 def line_end(joint: Joint, mechanism: Mechanism) -> str:
