@@ -29,5 +29,8 @@ types: $(VENV)/.ready
 bench: $(VENV)/.ready
 	for script in benchmarks/bench_*.py; do echo "== $$script"; $(BIN)/python $$script || exit 1; done
 
+pictures: $(VENV)/.ready
+	$(BIN)/python tools/pictures.py
+
 clean:
 	rm -rf $(VENV) .mypy_cache .ruff_cache .hypothesis dist build
