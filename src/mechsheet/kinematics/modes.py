@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+import numpy as np
+from numpy.typing import NDArray
+
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Mechanism, Quantity
 
 BETWEEN = 0.1
@@ -29,10 +33,11 @@ def pick_mode(
 ) -> tuple[int, bool]:
     """(mode, left open): the mode whose position is nearest to the sketch, at the first row in which the group closes.
 
+    Where that row is a dead centre, in which both assemblies are one, the next row that tells them apart decides.
     `start` is the group's first column in the ledger, whose values are left as the chosen mode makes them.
     """
-    row = ledger.first_number(solved.closes)
-    if row is None:
+    first = ledger.first_number(solved.closes)
+    if first is None:
         raise MechanismError(_never_closes(solved))
     if not solved.mode:
         return 1, False
@@ -40,10 +45,12 @@ def pick_mode(
         _take(ledger, solved.mode, given, start)
         return given, False
     entries = _entries(mechanism, ledger, start, dimensions)
-    positions = {}
+    columns = {}
     for sign in (-1, 1):  # +1 last: it stays when nothing decides
         _take(ledger, solved.mode, sign, start)
-        positions[sign] = [float(ledger.values[symbol][row]) for symbol, _, _ in entries]
+        columns[sign] = [ledger.values[symbol] for symbol, _, _ in entries]
+    row = _first_apart(entries, columns, np.flatnonzero(np.isfinite(ledger.values[solved.closes])))
+    positions = {sign: [float(column[row]) for column in found] for sign, found in columns.items()}
     distance = {1: 0.0, -1: 0.0}
     separation = 0.0
     for index, (_, wanted, scale) in enumerate(entries):
@@ -58,10 +65,21 @@ def pick_mode(
         return 1, True
     apart = math.sqrt(distance[1]) - math.sqrt(distance[-1])
     if abs(apart) < BETWEEN * math.sqrt(separation):
+        if row != first:  # a good sketch of a dead centre: it is as near to the one as to the other
+            return 1, True
         raise MechanismError(_between(entries, positions, solved))
     mode = 1 if apart < 0 else -1
     _take(ledger, solved.mode, mode, start)
     return mode, False
+
+
+def _first_apart(entries: list[Entry], columns: dict[int, list[Array]], rows: NDArray[np.intp]) -> int:
+    """The first of `rows` in which the assemblies differ in what is sketched: at a dead centre they are one."""
+    for row in rows:
+        for (_, _, scale), plus, minus in zip(entries, columns[1], columns[-1], strict=True):
+            if abs(_difference(float(plus[row]), float(minus[row]), scale)) >= SEPARATE:
+                return int(row)
+    return int(rows[0])
 
 
 Entry = tuple[str, float, float]

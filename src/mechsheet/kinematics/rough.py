@@ -15,6 +15,9 @@ from mechsheet.model import Cartesian, Link, Mechanism, Polar
 CHUNKS = (200, 4_000)
 """Rows looked at first, and next, for one that exists; then all."""
 
+DISTINCT = 0.1
+"""From this part of the largest distance between its assemblies on, roughly given poses show which one is meant."""
+
 DIGITS = 3
 """Poses are rounded to so many digits of the size: a sketch, not an answer."""
 
@@ -35,24 +38,38 @@ def sweep(mechanism: Mechanism, equations: Equations, driver: Array) -> dict[str
 def rough_poses(mechanism: Mechanism, modes: Mapping[str, int]) -> dict[str, tuple[float, float, float]]:
     """(x, y, theta) of each moving link's frame, rounded, in the first row in which every group closes.
 
-    Raises MechanismError when there is none.
+    That row is away from dead centres when there is such a row: at a dead centre rough poses do not tell the assemblies
+    apart. Raises MechanismError when there is none.
     """
     equations = solve(mechanism, modes)
     dimensions = dimension_values(mechanism)
     driver = driver_values(mechanism, dimensions)
     for count in (*CHUNKS, len(driver)):
         values = sweep(mechanism, equations, driver[:count])
-        exists = np.ones(len(driver[:count]), bool)
-        for group in equations.groups:
-            exists &= np.isfinite(values[group.closes])
-        if exists.any() or count >= len(driver):
+        good = _distinct(equations, values)
+        if np.any(good >= DISTINCT) or count >= len(driver):
             break
-    row = int(np.argmax(exists))
+    row = int(np.argmax(np.minimum(good, DISTINCT)))  # the first that is good enough, else the best there is
     size = max([abs(value) for value in dimensions.values()], default=1.0) or 1.0
     return {
         link.name: _pose(link, {name: float(column[row]) for name, column in values.items()}, dimensions, size)
         for link in mechanism.links[1:]
     }
+
+
+def _distinct(equations: Equations, values: Mapping[str, Array]) -> Array:
+    """How well the assemblies of all groups are told apart, row by row: -1 where one does not close, 0 at a dead centre.
+
+    The measure is the leg or area that shrinks to nothing at the dead centre, as a part of its largest value.
+    """
+    found = np.ones_like(next(iter(values.values())))
+    for group in equations.groups:
+        apart = values[group.closes]
+        exists = np.isfinite(apart)
+        largest = float(np.max(apart[exists], initial=0.0))
+        part = np.ones_like(apart) if not group.mode else apart / largest if largest > 0 else np.zeros_like(apart)
+        found = np.where(exists, np.minimum(found, part), -1.0)
+    return found
 
 
 def _pose(
