@@ -17,8 +17,10 @@ from printed_numbers import (
 )
 
 from mechsheet import reference
+from mechsheet.building import build
 from mechsheet.description import load, loads
 from mechsheet.kinematics.solve import solve
+from mechsheet.recalculation import recalc
 
 FULL_PUMP = [(column, float(s1)) for column, s1 in enumerate(SETTINGS, 1)]
 
@@ -143,3 +145,30 @@ def test_six_link_closes_at_the_given_distance():
     found = at(mechanism, equations, np.zeros(1))
     distance = math.hypot(found["B0.x"][0] - found["D0.x"][0], found["B0.y"][0] - found["D0.y"][0])
     assert distance == pytest.approx(490, abs=1e-9)
+
+
+def test_pump_workbook_holds_the_table_where_the_text_has_it(tmp_path):
+    """B8:G26, one formula with mixed anchors, settings in row 7 and theta12 in column A, as in the text's workbook."""
+    published = table("adjustable-pump")
+    (path,) = build(load(TEMPLATES / "adjustable-pump.toml"), tmp_path)
+    for settings, columns in (({}, range(6)), ({"F7": 50.0}, (1,))):
+        sheets = recalc(path).as_dict()
+        (title,) = [title for title, cells in sheets.items() if cells.get("G7") == 250.0]
+        cells = recalc(path, {f"'{title}'!{cell}": value for cell, value in settings.items()}).as_dict()[title]
+        for row, values in enumerate(published, 8):
+            assert cells[f"A{row}"] == pytest.approx(values[0])
+            for column in columns:
+                letter = "F" if settings else "BCDEFG"[column]
+                assert cells[f"{letter}{row}"] == pytest.approx(values[1 + column], abs=6e-5), f"{letter}{row}"
+
+
+def test_cells_of_the_fivelink_carry_the_texts_names(tmp_path):
+    (path,) = build(load(TEMPLATES / "fivelink.toml"), tmp_path)
+    printed, cells = worked_values()["fivelink"], recalc(path).named()
+    for symbol, name in printed["cell_names"].items():
+        found = cells[name]
+        assert isinstance(found, float), name
+        if symbol in printed["dimensions"]:
+            assert found == printed["dimensions"][symbol], name
+    assert cells["SabitUzuv"] == pytest.approx(printed["A0B0"], abs=5e-5)
+    assert cells["Alfa1"] == pytest.approx(printed["alpha1_deg"], abs=5e-8)
