@@ -92,7 +92,7 @@ class Constants:
 
 @dataclass(slots=True)
 class Layout:
-    """The whole book in one flat array of `size` cells."""
+    """The whole book in one flat array of `size` cells; the first `lone` are constants that touch no formula."""
 
     titles: list[str]
     columns: list[dict[int, Column]]
@@ -102,7 +102,22 @@ class Layout:
     block_offsets: list[int]
     texts: Texts
     size: int = 0
+    lone: int = 0
     used_rows: list[int] = field(default_factory=list)
+    template: tuple[Numbers, Codes, list[Constants]] = field(init=False)
+
+    def filled(self) -> tuple[Numbers, Codes]:
+        """A new flat array and its codes with all constants in their places; formulas' cells hold anything, code 0."""
+        numbers, codes = np.empty(self.size), np.zeros(self.size, np.uint8)
+        lone_numbers, lone_codes, others = self.template
+        numbers[: self.lone] = lone_numbers
+        codes[: self.lone] = lone_codes
+        for run in others:
+            place = slice(run.offset, run.offset + len(run.numbers))
+            numbers[place] = run.numbers
+            if run.codes is not None:
+                codes[place] = run.codes
+        return numbers, codes
 
     def block_area(self, number: int) -> Area:
         """The cells that a block fills."""
@@ -222,31 +237,69 @@ def _fill_columns(layout: Layout, book: Book) -> None:
 
 
 def _give_places(layout: Layout) -> None:
-    """Blocks of several columns first; then, in each column, runs of touching pieces side by side."""
+    """Columns of constants that touch no formula, then blocks of several columns, then what touches side by side."""
     count = len(layout.blocks)
     layout.block_offsets = [-1] * count
+    stacks = [
+        (column, stack)
+        for columns in layout.columns
+        for col, column in sorted(columns.items())
+        for stack in _stacks(column.pieces, layout)
+    ]
+    for column, stack in stacks:
+        if all(piece.producer >= count for piece in stack):
+            _give_band(layout, column, stack)
+    layout.lone = layout.size
     for number, block in enumerate(layout.blocks):
         if block.cols > 1:
             layout.block_offsets[number] = layout.size
-            layout.size += block.rows * block.cols
+            for col in range(block.col, block.col + block.cols):
+                column = layout.columns[layout.block_sheets[number]][col]
+                column.bands.append(Band(block.row, block.rows, layout.size))
+                layout.size += block.rows
+    for column, stack in stacks:
+        if any(piece.producer < count for piece in stack):
+            _give_band(layout, column, stack)
     for columns in layout.columns:
-        for col in sorted(columns):
-            column = columns[col]
-            for piece in column.pieces:
-                wide = piece.producer < count and layout.blocks[piece.producer].cols > 1
-                if wide:
-                    block = layout.blocks[piece.producer]
-                    offset = layout.block_offsets[piece.producer] + (col - block.col) * block.rows
-                    column.bands.append(Band(piece.row, piece.rows, offset))
-                    continue
-                offset = layout.size
-                layout.size += piece.rows
-                if piece.producer < count:
-                    layout.block_offsets[piece.producer] = offset
-                else:
-                    layout.constants[piece.producer - count].offset = offset
-                last = column.bands[-1] if column.bands else None
-                if last and last.row + last.rows == piece.row and last.offset + last.rows == offset:
-                    column.bands[-1] = Band(last.row, last.rows + piece.rows, last.offset)
-                else:
-                    column.bands.append(Band(piece.row, piece.rows, offset))
+        for column in columns.values():
+            column.bands.sort()
+    layout.template = _template(layout)
+
+
+def _stacks(pieces: list[Piece], layout: Layout) -> Iterator[list[Piece]]:
+    """Pieces of a column that touch, without those of wide blocks."""
+    stack: list[Piece] = []
+    for piece in pieces:
+        wide = piece.producer < len(layout.blocks) and layout.blocks[piece.producer].cols > 1
+        if stack and (wide or stack[-1].row + stack[-1].rows != piece.row):
+            yield stack
+            stack = []
+        if not wide:
+            stack.append(piece)
+    if stack:
+        yield stack
+
+
+def _give_band(layout: Layout, column: Column, stack: list[Piece]) -> None:
+    count = len(layout.blocks)
+    column.bands.append(Band(stack[0].row, sum(piece.rows for piece in stack), layout.size))
+    for piece in stack:
+        if piece.producer < count:
+            layout.block_offsets[piece.producer] = layout.size
+        else:
+            layout.constants[piece.producer - count].offset = layout.size
+        layout.size += piece.rows
+
+
+def _template(layout: Layout) -> tuple[Numbers, Codes, list[Constants]]:
+    """The lone constants as arrays, and the runs of constants that touch formulas."""
+    numbers, codes = np.zeros(layout.lone), np.zeros(layout.lone, np.uint8)
+    others = []
+    for run in layout.constants:
+        if run.offset >= layout.lone:
+            others.append(run)
+            continue
+        place = slice(run.offset, run.offset + len(run.numbers))
+        numbers[place] = run.numbers
+        codes[place] = 0 if run.codes is None else run.codes
+    return numbers, codes, others

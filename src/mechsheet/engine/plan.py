@@ -8,16 +8,14 @@ from copy import copy
 import numpy as np
 
 from ..formula.book import Block, Book, BookSheet
-from ..formula.nodes import Node, Scalar, shifted
+from ..formula.nodes import Scalar, shifted
 from .careful import Evaluator
-from .frames import Frame
-from .graph import dependencies, ordered
-from .layout import Layout, make_layout
-from .recurrence import Held, RunningSum, compute, recognise
+from .graph import dependencies
+from .layout import Area, make_layout
 from .resolve import resolve
 from .results import Values
-from .sequence import Together
-from .values import Cells, Codes, Numbers, Texts
+from .schedule import schedule
+from .values import Texts
 
 Overrides = Mapping[tuple[str, int, int], Scalar]
 """(sheet's title, row, column) -> what to put there instead."""
@@ -41,19 +39,11 @@ class Plan:
         self.layout = make_layout(book)
         self.formulas = resolve(book)
         self.reads = dependencies(self.layout, self.formulas)
-        self.steps = [self._step(group) for group in ordered(self.reads)]
+        self.steps = schedule(self.layout, self.formulas, self.reads)
+        self._dirty = {
+            number for number, run in enumerate(self.layout.constants, len(self.layout.blocks)) if run.codes is not None
+        }
         self._replaced: dict[frozenset[tuple[int, int, int]], Plan] = {}
-
-    def _step(self, group: Sequence[int]) -> Whole | Running | Together:
-        if len(group) > 1:
-            return Together(self.layout, self.formulas, group)
-        number = group[0]
-        if number not in self.reads[number]:
-            return Whole(self.layout, number, self.formulas[number])
-        kind = recognise(self.layout, number, self.formulas[number])
-        if kind is None:
-            return Together(self.layout, self.formulas, group)
-        return Running(self.layout, number, kind)
 
     def evaluate(self, overrides: Overrides | None = None) -> Values:
         """All values, with some cells' contents replaced by constants (`None` empties a cell).
@@ -61,23 +51,23 @@ class Plan:
         Raises WorkbookError at a circular reference, naming its cells, and KeyError for a sheet that does not exist.
         """
         places = self._places(overrides or {})
-        structural = [cell for cell, (place, constant) in places.items() if not constant or place < 0]
+        count = len(self.layout.blocks)
+        structural = [cell for cell, (_, producer) in places.items() if producer < count]
         if structural:
             return self._without(frozenset(structural)).evaluate(overrides)
         layout = self.layout
-        numbers, codes = np.empty(layout.size), np.zeros(layout.size, np.uint8)
-        for run in layout.constants:
-            end = run.offset + len(run.numbers)
-            numbers[run.offset : end] = run.numbers
-            if run.codes is not None:
-                codes[run.offset : end] = run.codes
+        numbers, codes = layout.filled()
         texts = Texts(layout.texts)
+        dirty = set(self._dirty)
         for cell, value in (overrides or {}).items():
-            place, _ = places[self._cell(cell)]
+            place, producer = places[self._cell(cell)]
             numbers[place], codes[place] = texts.encode(value)
+            if codes[place]:
+                dirty.add(producer)
         ev = Evaluator(layout, numbers, codes, texts)
-        for step in self.steps:
-            step.run(ev)
+        with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+            for step in self.steps:
+                step.run(ev, dirty)
         return Values(layout, numbers, codes, texts)
 
     def _cell(self, cell: tuple[str, int, int]) -> tuple[int, int, int]:
@@ -88,16 +78,14 @@ class Plan:
                 return index, row, col
         raise KeyError(f"no sheet called {title}")
 
-    def _places(self, overrides: Overrides) -> dict[tuple[int, int, int], tuple[int, bool]]:
-        """Cell -> (its place in the flat array, whether it is a constant there)."""
+    def _places(self, overrides: Overrides) -> dict[tuple[int, int, int], tuple[int, int]]:
+        """Cell -> (its place in the flat array, what fills it: -1 for an empty cell)."""
         found = {}
         for cell in overrides:
             sheet, row, col = self._cell(cell)
             place = self.layout.place(sheet, row, col)
-            column = self.layout.columns[sheet].get(col)
-            producers = list(column.producers_in(row, 1)) if column is not None else []
-            constant = bool(producers) and producers[0] >= len(self.layout.blocks)
-            found[(sheet, row, col)] = place, constant
+            producers = self.layout.producers(Area(sheet, row, col, 1, 1)) if place >= 0 else ()
+            found[(sheet, row, col)] = place, next(iter(producers), -1)
         return found
 
     def _without(self, cells: frozenset[tuple[int, int, int]]) -> Plan:
@@ -141,49 +129,3 @@ def _around(block: Block, row: int, col: int) -> list[Block]:
         for r, c, rows, cols in parts
         if rows and cols
     ]
-
-
-def write(layout: Layout, number: int, down: int, rows: int, found: Cells, numbers: Numbers, codes: Codes) -> None:
-    """Put the values of a block's rows [down, down + rows) into the flat array."""
-    block = layout.blocks[number]
-    start = layout.block_offsets[number]
-    end = start + block.rows * block.cols
-    numbers[start:end].reshape(block.cols, block.rows)[:, down : down + rows] = found.numbers
-    if found.codes is not None:
-        codes[start:end].reshape(block.cols, block.rows)[:, down : down + rows] = found.codes
-
-
-def frame_of(layout: Layout, number: int) -> Frame:
-    """The whole block as a frame."""
-    block = layout.blocks[number]
-    return Frame(layout.block_sheets[number], block.row, block.col, block.rows, block.cols)
-
-
-class Whole:
-    """A block that reads nothing of itself: all its cells at once."""
-
-    def __init__(self, layout: Layout, number: int, formula: Node) -> None:
-        self.layout = layout
-        self.number = number
-        self.formula = formula
-        self.frame = frame_of(layout, number)
-
-    def run(self, ev: Evaluator) -> None:
-        """Compute all cells."""
-        found = ev.result(self.formula, self.frame)
-        write(self.layout, self.number, 0, self.frame.rows, found, ev.numbers, ev.codes)
-
-
-class Running:
-    """A column that reads its own previous row in one of the known ways."""
-
-    def __init__(self, layout: Layout, number: int, kind: RunningSum | Held) -> None:
-        self.layout = layout
-        self.number = number
-        self.kind = kind
-        self.frame = frame_of(layout, number)
-
-    def run(self, ev: Evaluator) -> None:
-        """Compute all cells."""
-        found = compute(self.kind, ev, self.frame)
-        write(self.layout, self.number, 0, self.frame.rows, found, ev.numbers, ev.codes)

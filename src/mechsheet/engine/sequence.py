@@ -56,7 +56,7 @@ class Together:
                     for col in range(left, last + 1):
                         yield member, row - block.row, col - block.col
 
-    def run(self, ev: Evaluator) -> None:
+    def run(self, ev: Evaluator, dirty: set[int]) -> None:
         """Compute all cells. Raises WorkbookError naming the cells of a circle."""
         done: set[Cell] = set()
         longest = max(self.layout.blocks[member].rows for member in self.members)
@@ -66,6 +66,10 @@ class Together:
                 if down < block.rows:
                     for right in range(block.cols):
                         self._compute((member, down, right), done, ev)
+        for member in self.members:
+            block, start = self.layout.blocks[member], self.layout.block_offsets[member]
+            if ev.codes[start : start + block.rows * block.cols].any():
+                dirty.add(member)
 
     def _compute(self, root: Cell, done: set[Cell], ev: Evaluator) -> None:
         if root in done:

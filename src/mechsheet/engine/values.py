@@ -54,23 +54,36 @@ class Cells(NamedTuple):
 
 
 class Texts:
-    """The table of texts of one evaluation: text <-> its number. Texts differ by case here and compare without it."""
+    """The table of texts of one evaluation: text <-> its number. Texts differ by case here and compare without it.
+
+    A table may stand on another, which it leaves as it is: the plan's own texts serve all evaluations.
+    """
 
     def __init__(self, base: Texts | None = None) -> None:
-        self._texts: list[str] = list(base._texts) if base else []
-        self._numbers: dict[str, int] = dict(base._numbers) if base else {}
+        self._base = base
+        self._first = len(base) if base is not None else 0
+        self._texts: list[str] = []
+        self._numbers: dict[str, int] = {}
+
+    def __len__(self) -> int:
+        return self._first + len(self._texts)
 
     def number(self, text: str) -> int:
         """The number of a text, new or known."""
-        found = self._numbers.get(text)
+        found = self._base._numbers.get(text) if self._base is not None else None
+        if found is None or found >= self._first:
+            found = self._numbers.get(text)
         if found is None:
-            found = self._numbers[text] = len(self._texts)
+            found = self._numbers[text] = len(self)
             self._texts.append(text)
         return found
 
     def text(self, number: float) -> str:
         """The text of a number."""
-        return self._texts[int(number)]
+        index = int(number)
+        if index < self._first and self._base is not None:
+            return self._base._texts[index]
+        return self._texts[index - self._first]
 
     def encode(self, value: Scalar) -> tuple[float, int]:
         """(number, code) of a scalar."""
@@ -91,7 +104,7 @@ class Texts:
         if code == NUMBER:
             return float(number)
         if code == TEXT:
-            return self._texts[int(number)]
+            return self.text(number)
         if code == BOOLEAN:
             return bool(number)
         return None if code == BLANK else _ERROR_VALUES[code - ERROR]

@@ -1,0 +1,413 @@
+"""From lowered values to a Python function of numpy calls: no temporaries beyond a few reused buffers, no call twice.
+
+The function computes rows [i, j) of all blocks of a segment. It stops with `TroubleError`, or an error of arithmetic that
+numpy raises from the processor's flags, as soon as something is not plain numbers; then the careful evaluator does those
+rows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .kernels_math import NEAR
+from .layout import Layout
+from .lowering import COLS, ROWS, Effect, Lowering, Value
+from .values import TEXT
+
+CHUNK = 4096
+"""Rows at a time: what fits the processor's cache with a few buffers of it."""
+
+
+class TroubleError(Exception):
+    """Something is not a plain number: the careful evaluator must do these rows."""
+
+
+Code = Callable[..., None]
+
+_SCALAR = {
+    "add": "{0} + {1}",
+    "subtract": "{0} - {1}",
+    "multiply": "{0} * {1}",
+    "divide": "{0} / {1}",
+    "square": "{0} * {0}",
+    "negative": "-{0}",
+    "absolute": "abs({0})",
+    "minimum": "{0} if {0} < {1} else {1}",
+    "maximum": "{0} if {0} > {1} else {1}",
+    "less": "{0} < {1}",
+    "less_equal": "{0} <= {1}",
+    "greater": "{0} > {1}",
+    "greater_equal": "{0} >= {1}",
+    "not_equal": "{0} != {1}",
+    "logical_and": "{0} and {1}",
+    "logical_or": "{0} or {1}",
+    "logical_not": "not {0}",
+    "where": "{1} if {0} else {2}",
+    "snap": "0.0 if abs({0}) < NEAR * abs({1}) else {0}",
+}
+"""How Python says an operation on single numbers; the others go through numpy, which gives the same bits as for a column."""
+
+_UNFLAGGED = frozenset(("add", "subtract", "multiply", "square"))
+"""Operations of Python floats that overflow in silence."""
+
+
+@dataclass(slots=True)
+class _Pool:
+    """Reusable buffers of one kind, as names in the code."""
+
+    letter: str
+    free: list[int] = field(default_factory=list)
+    count: int = 0
+
+    def take(self) -> str:
+        if self.free:
+            return f"{self.letter}{self.free.pop()}"
+        self.count += 1
+        return f"{self.letter}{self.count - 1}"
+
+    def give(self, name: str) -> None:
+        self.free.append(int(name[1:]))
+
+
+def emit(lowering: Lowering, layout: Layout) -> tuple[Code, str, dict[str, int]]:
+    """The function `code(numbers, codes, buffers, i, j)`, its source, and how many buffers of each kind it needs.
+
+    `buffers` maps "t", "b" (one value or truth a row) and "w", "v" (the same for wide blocks) to arrays of that many rows.
+    """
+    emitter = _Emitter(lowering, layout)
+    emitter.write()
+    source = emitter.source()
+    namespace = emitter.namespace
+    exec(compile(source, "<segment>", "exec"), namespace)
+    return namespace["run"], source, {pool.letter: pool.count for pool in emitter.pools.values()}
+
+
+class _Emitter:
+    def __init__(self, lowering: Lowering, layout: Layout) -> None:
+        self.lowering = lowering
+        self.layout = layout
+        self.values = lowering.values
+        self.lines: list[str] = []
+        self.names: dict[int, str] = {}
+        self.boxed: set[int] = set()
+        self.pools = {key: _Pool(letter) for key, letter in zip("tbwv", "tbwv", strict=True)}
+        self.owned: dict[int, tuple[_Pool, str]] = {}
+        self.namespace: dict[str, Any] = {
+            "TroubleError": TroubleError, "NEAR": NEAR, "isfinite": np.isfinite, "array": np.array, "empty": np.empty,
+            "copyto": np.copyto, "zero": np.zeros(()), "near": np.array(NEAR), "arange": np.arange, "take": np.take,
+        }  # fmt: skip
+        self.needed = self._needed()
+        self.uses = self._uses()
+        self.last = self._last_uses()
+        self.outputs = self._outputs()
+
+    # what is needed, how often, until when
+
+    def _roots(self, effect: Effect) -> list[int]:
+        return [effect.value, effect.data] if effect.what == "somewhere" else [effect.value]  # type: ignore[list-item]
+
+    def _needed(self) -> set[int]:
+        stack = [v for item in self.lowering.order if isinstance(item, Effect) for v in self._roots(item)]
+        found: set[int] = set()
+        while stack:
+            number = stack.pop()
+            if number not in found:
+                found.add(number)
+                stack.extend(self.values[number].args)
+        return found
+
+    def _items(self) -> list[int | Effect]:
+        return [item for item in self.lowering.order if isinstance(item, Effect) or item in self.needed]
+
+    def _uses(self) -> dict[int, int]:
+        uses = dict.fromkeys(self.needed, 0)
+        for item in self._items():
+            for number in self._roots(item) if isinstance(item, Effect) else self.values[item].args:
+                uses[number] += 1
+        return uses
+
+    def _last_uses(self) -> dict[int, int]:
+        last: dict[int, int] = {}
+        for place, item in enumerate(self._items()):
+            for number in self._roots(item) if isinstance(item, Effect) else self.values[item].args:
+                last[number] = place
+        return last
+
+    def _full(self, block: int) -> int:
+        shape = self.layout.blocks[block]
+        return (ROWS if shape.rows > 1 else 0) | (COLS if shape.cols > 1 else 0)
+
+    def _outputs(self) -> dict[int, int]:
+        """Value -> the block into whose cells it is computed directly."""
+        found: dict[int, int] = {}
+        for item in self.lowering.order:
+            if isinstance(item, Effect) and item.what == "store" and isinstance(item.data, int):
+                value = self.values[item.value]
+                fits = value.extent == self._full(item.data) and value.extent & ROWS
+                if fits and value.op not in ("column", "count") and item.value not in found:
+                    found[item.value] = item.data
+        for number in list(found):
+            value = self.values[number]
+            if value.op == "snap" and self.uses[value.args[0]] == 1:
+                found[value.args[0]] = found[number]
+        return found
+
+    # code
+
+    def write(self) -> None:
+        for place, item in enumerate(self._items()):
+            if isinstance(item, Effect):
+                self._effect(item)
+                self._release(self._roots(item), place)
+            else:
+                self._define(item, place)
+        unflagged = [self.names[n] for n in sorted(self.needed) if self._is_unflagged(self.values[n])]
+        if unflagged:
+            self.line(f"if not isfinite({' + '.join(unflagged)}): raise TroubleError")
+
+    def _is_unflagged(self, value: Value) -> bool:
+        return value.extent == 0 and value.op in _UNFLAGGED
+
+    def line(self, text: str) -> None:
+        self.lines.append(f"    {text}")
+
+    def source(self) -> str:
+        head = ["def run(numbers, codes, buffers, i, j):", "    n = j - i", "    item = numbers.item"]
+        wide = next((b.cols for b in map(self.layout.blocks.__getitem__, self.lowering.results) if b.cols > 1), 1)
+        for pool in self.pools.values():
+            for number in range(pool.count):
+                place = f'buffers["{pool.letter}"][{number}]'
+                view = f"[:n * {wide}].reshape({wide}, n)" if pool.letter in "wv" else "[:n]"
+                head.append(f"    {pool.letter}{number} = {place}{view}")
+        return "\n".join([*head, *self.lines, "    return"]) + "\n"
+
+    def _release(self, numbers: list[int] | tuple[int, ...], place: int) -> None:
+        for number in numbers:
+            if self.last.get(number) == place and number in self.owned:
+                pool, name = self.owned.pop(number)
+                pool.give(name)
+
+    def _pool(self, extent: int, mask: bool) -> _Pool:
+        wide = bool(extent & COLS)
+        return self.pools["v" if mask and wide else "b" if mask else "w" if wide else "t"]
+
+    def _target(self, number: int) -> str:
+        """Where a value along the rows is computed: its block's cells, or a buffer."""
+        value = self.values[number]
+        block = self.outputs.get(number)
+        if block is not None:
+            name = f"o{block}"
+            line = f"{name} = {self._cells(block)}"
+            if f"    {line}" not in self.lines:
+                self.line(line)
+            return name
+        pool = self._pool(value.extent, value.kind == "mask")
+        name = pool.take()
+        self.owned[number] = pool, name
+        return name
+
+    def _cells(self, block: int) -> str:
+        shape, start = self.layout.blocks[block], self.layout.block_offsets[block]
+        if shape.cols == 1:
+            return f"numbers[{start} + i:{start} + j]"
+        return f"numbers[{start}:{start + shape.rows * shape.cols}].reshape({shape.cols}, {shape.rows})[:, i:j]"
+
+    def _function(self, op: str) -> str:
+        self.namespace[op] = getattr(np, op)
+        return op
+
+    def _argument(self, number: int, along: bool) -> str:
+        """An operand's name; a single number among columns as an array without axes, which numpy takes faster."""
+        value, name = self.values[number], self.names[number]
+        if not along or value.extent or value.kind != "number":
+            return name
+        if value.op == "constant":
+            box = f"k{number}"
+            self.namespace[box] = np.array(float(str(value.data)))
+            return box
+        if number not in self.boxed:
+            self.boxed.add(number)
+            self.line(f"z{number} = array({name})")
+        return f"z{number}"
+
+    def _define(self, number: int, place: int) -> None:
+        value = self.values[number]
+        if value.kind in ("text", "error", "true", "false"):
+            return
+        if value.extent & ROWS:
+            self._along(number, value, place)
+        elif value.extent == COLS:
+            self.names[number] = f"r{number}"
+            self._across(number, value)
+            self._release(value.args, place)
+        else:
+            self.names[number] = f"s{number}"
+            self._single(number, value)
+
+    def _single(self, number: int, value: Value) -> None:
+        args = [self.names[arg] for arg in value.args]
+        if value.op == "constant":
+            self.names[number] = f"({value.data})"
+            return
+        if value.op == "cell":
+            text = f"item({value.data})"
+        elif value.op in ("min", "max", "sum") and isinstance(value.data, tuple):
+            start, end = value.data
+            text = f"float(numbers[{start}:{end}].{value.op}())"
+        elif value.op in _SCALAR:
+            text = _SCALAR[value.op].format(*args)
+        else:
+            text = f"float({self._function(value.op)}({', '.join(args)}))"
+        self.line(f"s{number} = {text}")
+
+    def _across(self, number: int, value: Value) -> None:
+        args = [self.names[arg] for arg in value.args]
+        if value.op == "across":
+            self.namespace[f"places{number}"] = np.array(value.data)[:, None]
+            text = f"numbers[places{number}]"
+        elif value.op == "snap":
+            result, left = args
+            text = f"{self._function('where')}(abs({result}) < NEAR * abs({left}), 0.0, {result})"
+        else:
+            text = f"{self._function(value.op)}({', '.join(args)})"
+        self.line(f"r{number} = {text}")
+
+    def _along(self, number: int, value: Value, place: int) -> None:
+        if value.op == "column":
+            self.names[number] = f"c{number}"
+            self.line(f"c{number} = numbers[{value.data} + i:{value.data} + j]")
+            return
+        if value.op == "count":
+            self.namespace[f"count{number}"] = np.arange(float(str(value.data)), float(str(value.data)) + self._rows())
+            self.names[number] = f"c{number}"
+            self.line(f"c{number} = count{number}[i:j]")
+            return
+        args = [self._argument(arg, True) for arg in value.args]
+        special = {"where": self._where, "snap": self._snap, "running": self._running, "held": self._held}.get(value.op)
+        if special is not None:
+            special(number, value, args)
+            self._release(value.args, place)
+            return
+        self._release(
+            value.args, place
+        )  # an operand's buffer may take the result: cell by cell they are the same place
+        self.names[number] = target = self._target(number)
+        self.line(f"{self._function(value.op)}({', '.join(args)}, {target})")
+
+    def _rows(self) -> int:
+        return max(self.layout.blocks[block].rows for block in self.lowering.results)
+
+    def _where(self, number: int, value: Value, args: list[str]) -> None:
+        self.names[number] = target = self._target(number)
+        if self.values[value.args[0]].extent == 0:
+            self.line(f"copyto({target}, {args[1]} if {args[0]} else {args[2]})")
+            return
+        self.line(f"copyto({target}, {args[2]})")
+        self.line(f"copyto({target}, {args[1]}, where={args[0]})")
+
+    def _snap(self, number: int, value: Value, args: list[str]) -> None:
+        result, left = value.args
+        if result in self.outputs and self.outputs.get(number) == self.outputs[result] and self.uses[result] == 1:
+            self.names[number] = target = args[0]
+        elif self.uses[result] == 1 and result in self.owned:
+            self.owned[number] = self.owned.pop(result)
+            self.names[number] = target = args[0]
+        else:
+            self.names[number] = target = self._target(number)
+            self.line(f"copyto({target}, {args[0]})")
+        values, masks = self._pool(value.extent, False), self._pool(value.extent, True)
+        size, mask = values.take(), masks.take()
+        self.line(f"{self._function('absolute')}({target}, {size})")
+        if self.values[left].extent == value.extent:
+            limit = values.take()
+            self.line(f"absolute({args[1]}, {limit})")
+            self.line(f"{self._function('multiply')}({limit}, near, {limit})")
+            values.give(limit)
+        else:
+            limit = f"NEAR * abs({self.names[left]})"
+        self.line(f"{self._function('less')}({size}, {limit}, {mask})")
+        self.line(f"if {mask}.tobytes().find(1) >= 0: {target}[{mask}] = 0.0")
+        values.give(size)
+        masks.give(mask)
+
+    def _running(self, number: int, value: Value, args: list[str]) -> None:
+        place = value.data[0] if isinstance(value.data, tuple) else 0
+        self.names[number] = target = self._target(number)
+        values, masks = self.pools["t"], self.pools["b"]
+        steps, mask = values.take(), masks.take()
+        self.line(f"copyto({steps}, {args[0]})")
+        self.line(f"{steps}[0] = item({place} + i) + item_of({steps})")
+        self.namespace["item_of"] = _first
+        self.namespace["accumulate"] = np.add.accumulate
+        self.line(f"accumulate({steps}, 0, None, {target})")
+        # A sum that cancels to almost nothing is snapped, and what follows starts from 0: the careful way does that.
+        self.line(f"{self._function('absolute')}({target}, {steps})")
+        limit = values.take()
+        self.line(f"absolute({args[0]}, {limit})")
+        self.line(f"{self._function('multiply')}({limit}, 2 * NEAR, {limit})")
+        self.line(f"{self._function('less')}({steps}, {limit}, {mask})")
+        self.line(f"if {mask}.tobytes().find(1) >= 0 and ({mask} & ({target} != 0)).any(): raise TroubleError")
+        for name in (steps, limit):
+            values.give(name)
+        masks.give(mask)
+
+    def _held(self, number: int, value: Value, args: list[str]) -> None:
+        self.names[number] = target = self._target(number)
+        self.namespace["latest"] = np.maximum.accumulate
+        where = self._function("where")
+        self.line(f"kept = empty(n + 1); kept[0] = item({value.data} + i); kept[1:] = {args[1]}")
+        self.line(f'take(kept, latest({where}({args[0]}, arange(1, n + 1), 0)), 0, {target}, "clip")')
+
+    def _effect(self, effect: Effect) -> None:
+        if effect.what == "store" and isinstance(effect.data, int):
+            self._store(effect.value, effect.data)
+        elif effect.what == "fill" and isinstance(effect.data, int):
+            text = self.layout.texts.number(str(self.values[effect.value].data))
+            cells = self._cells(effect.data)
+            self.line(f"{cells}.fill({float(text)})")
+            self.line(f"{cells.replace('numbers', 'codes')}.fill({TEXT})")
+        elif effect.what == "somewhere" and isinstance(effect.data, int):
+            self._somewhere(effect.value, effect.data)
+        else:
+            name, wrong = self.names[effect.value], 1 if effect.what == "never" else 0
+            if self.values[effect.value].extent:
+                self.line(f"if {name}.tobytes().find({wrong}) >= 0: raise TroubleError")
+            else:
+                self.line(f"if {'not ' * (1 - wrong)}{name}: raise TroubleError")
+
+    def _somewhere(self, x: int, y: int) -> None:
+        """ATAN2(0, 0) is an error that the processor does not know."""
+        a, b = self.names[x], self.names[y]
+        if self.values[x].extent == 0 or self.values[y].extent == 0:
+            single, other = (x, b) if self.values[x].extent == 0 else (y, a)
+            test = f"({other} == 0).any()" if self.values[x].extent or self.values[y].extent else f"{other} == 0"
+            self.line(f"if {self.names[single]} == 0 and {test}: raise TroubleError")
+            return
+        extent = self.values[x].extent
+        if extent & ROWS:
+            pool = self._pool(extent, True)
+            mask = pool.take()
+            self.line(f"{self._function('equal')}({a}, zero, {mask})")
+            pool.give(mask)
+        else:
+            mask = "beside"
+            self.line(f"beside = {a} == 0")
+        self.line(f"if {mask}.tobytes().find(1) >= 0 and ({mask} & ({b} == 0)).any(): raise TroubleError")
+
+    def _store(self, number: int, block: int) -> None:
+        if self.outputs.get(number) == block:
+            return
+        shape = self.layout.blocks[block]
+        if shape.rows == shape.cols == 1:
+            self.line(f"numbers[{self.layout.block_offsets[block]}] = {self.names[number]}")
+        else:
+            self.line(f"{self._cells(block)}[...] = {self.names[number]}")
+
+
+def _first(array: Any) -> float:
+    first: float = array.item(0)
+    return first
