@@ -11,7 +11,12 @@ from mechsheet.diagnostics import Fault, OutputError, readable_name
 from mechsheet.formula.book import Book
 from mechsheet.sheet.workbook import Workbook
 
-READERS = {".xlsx": "xlsx_read:read_xlsx", ".xlsm": "xlsx_read:read_xlsx"}
+READERS = {
+    ".xlsx": "xlsx_read:read_xlsx",
+    ".xlsm": "xlsx_read:read_xlsx",
+    ".ods": "ods_read:read_ods",
+    ".ots": "ods_read:read_ods",
+}
 """Suffix -> module and function, imported when first used."""
 
 WRITERS = {".xlsx": "xlsx_write:write_xlsx", ".ods": "ods_write:write_ods"}

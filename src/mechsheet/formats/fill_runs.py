@@ -6,6 +6,7 @@ written in the next row is predicted from the first one. Columns with the same f
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from mechsheet.diagnostics import FormulaError
@@ -20,11 +21,11 @@ class Template:
 
     __slots__ = ("level", "offsets", "pieces")
 
-    def __init__(self, text: str, row: int) -> None:
+    def __init__(self, text: str, row: int, dialect: str) -> None:
         self.pieces: list[str] = []
         self.offsets: list[int] = []
         done = 0
-        for start, end in _relative_rows(text):
+        for start, end in _relative_rows(text, dialect):
             self.pieces.append(text[done:start])
             self.offsets.append(int(text[start:end]) - 1 - row)
             done = end
@@ -42,23 +43,31 @@ class Template:
         return "".join(parts)
 
 
-def _relative_rows(text: str) -> list[tuple[int, int]]:
+_BRACKETED_ROW = re.compile(r"'(?:[^']|'')+'|\.\$?[A-Za-z]{0,3}(?P<anchor>\$?)(?P<row>[1-9][0-9]{0,6})")
+"""A row number inside OpenFormula's `[$'Sheet 1'.A$1:.B2]`; a quoted sheet name is passed over."""
+
+
+def _relative_rows(text: str, dialect: str) -> list[tuple[int, int]]:
     """Where in a formula the row numbers without `$` stand."""
     found: list[tuple[int, int]] = []
     try:
-        tokens = tokenise(text, "excel")
+        tokens = tokenise(text, dialect)
     except FormulaError:
         return found
     for token in tokens:
         start = token.column - 1
-        if token.kind == "cell":
+        if token.kind == "reference":
+            for part in _BRACKETED_ROW.finditer(token.text):
+                if part["row"] and not part["anchor"] and int(part["row"]) <= MAX_ROWS:
+                    found.append((start + part.start("row"), start + part.end("row")))
+        elif token.kind == "cell":
             match = CELL.fullmatch(token.text)
             if match and not match[3] and int(match[4]) <= MAX_ROWS:
                 found.append((start + match.start(4), start + match.end(4)))
         elif token.kind == "rows":
-            for part in (ROW.match(token.text), ROW.match(token.text, token.text.index(":") + 1)):
-                if part and not part[1]:
-                    found.append((start + part.start(2), start + part.end(2)))
+            for row in (ROW.match(token.text), ROW.match(token.text, token.text.index(":") + 1)):
+                if row and not row[1]:
+                    found.append((start + row.start(2), start + row.end(2)))
     return found
 
 
@@ -74,22 +83,26 @@ class Run:
         self.shared = shared
         self.template: Template | None = None
 
-    def predicts(self, row: int, text: str) -> bool:
+    def predicts(self, row: int, text: str, dialect: str) -> bool:
         """Whether `text` is what fill-down from this run writes in `row`."""
         if self.template is None:
             if len(self.text) + 1 < len(text):  # a row number grows by one digit at most
                 grown = sum(character.isdigit() for character in text)
                 if len(self.text) + grown < len(text):
                     return False
-            self.template = Template(self.text, self.first)
+            self.template = Template(self.text, self.first, dialect)
         return self.template.text(row) == text
 
 
 class FormulaRuns:
-    """The formulas of one sheet while it is read, and the blocks they make."""
+    """The formulas of one sheet while it is read, and the blocks they make.
 
-    def __init__(self, parse: Callable[[str, int, int], Node]) -> None:
+    parse  (text, row, col) -> the tree;  dialect  the spelling of the texts
+    """
+
+    def __init__(self, parse: Callable[[str, int, int], Node], dialect: str = "excel") -> None:
         self._parse = parse
+        self._dialect = dialect
         self._open: dict[int, Run] = {}
         self._closed: list[tuple[int, Run]] = []
         self._masters: dict[str, tuple[int, int, str]] = {}
@@ -97,7 +110,7 @@ class FormulaRuns:
     def text(self, row: int, col: int, text: str) -> None:
         """A cell with its own text."""
         run = self._open.get(col)
-        if run is not None and run.end == row and run.shared is None and run.predicts(row, text):
+        if run is not None and run.end == row and run.shared is None and run.predicts(row, text, self._dialect):
             run.end += 1
             return
         self._start(row, col, Run(row, text, None))

@@ -9,7 +9,7 @@ from mechsheet.sheet.workbook import Area, Rich
 
 from .xml_text import attribute, escaped, number
 
-_NAMES = {
+NAMESPACES = {
     "office": "urn:oasis:names:tc:opendocument:xmlns:office:1.0",
     "style": "urn:oasis:names:tc:opendocument:xmlns:style:1.0",
     "text": "urn:oasis:names:tc:opendocument:xmlns:text:1.0",
@@ -37,7 +37,7 @@ _SPACES = re.compile(r"(?<= ) +|^ +| +$|\t")
 
 def opened(element: str) -> str:
     """The start of a part whose root is `element`, with all namespaces."""
-    names = "".join(f' xmlns:{prefix}="{uri}"' for prefix, uri in _NAMES.items())
+    names = "".join(f' xmlns:{prefix}="{uri}"' for prefix, uri in NAMESPACES.items())
     return f'{DECLARATION}<{element}{names} office:version="{VERSION}">'
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -18,6 +18,8 @@ MAX_SIZE = 4 << 30
 """Most bytes of all parts together, unpacked: a full sheet of a million rows takes half of it."""
 MAX_RATIO = 300
 """Most bytes unpacked from one: sheets reach 100, what is packed to burst reaches 1,000."""
+MAX_VALUE = 16 << 20
+"""Most bytes of one tag, and most characters of one text: cells hold 32,767."""
 _ESCAPE = re.compile("_x([0-9A-Fa-f]{4})_")
 _SMALL = 32 << 20
 _PIECE = 1 << 16
@@ -55,13 +57,27 @@ class Package:
         except (zipfile.BadZipFile, zlib.error, EOFError, OSError, NotImplementedError) as problem:
             raise self.fault(f"the file is damaged ({problem})", part) from problem
 
-    def parse(self, part: str, parser: expat.XMLParserType) -> None:
-        """Run an XML parser over a part. Document types and entities are refused: no workbook has any."""
+    def parse(self, part: str, parser: expat.XMLParserType, texts: Sequence[str] = ()) -> None:
+        """Run an XML parser over a part. Document types and entities are refused: no workbook has any.
+
+        texts  where its handlers gather the text at hand, watched so that it cannot grow without end
+        """
+        for _ in self.parsed(part, parser, texts):
+            pass
+
+    def parsed(self, part: str, parser: expat.XMLParserType, texts: Sequence[str] = ()) -> Iterator[bytes]:
+        """As `parse`, giving each piece of the part after its events."""
         parser.StartDoctypeDeclHandler = self._refuse_doctype(part)
         parser.EntityDeclHandler = self._refuse_doctype(part)
+        fed = 0
         try:
             for piece in self.pieces(part):
                 parser.Parse(piece, False)
+                fed += len(piece)
+                long = len(texts) > MAX_VALUE / _PIECE and sum(map(len, texts)) > MAX_VALUE
+                if long or fed - parser.CurrentByteIndex > MAX_VALUE:
+                    raise self.fault(f"a value longer than {MAX_VALUE >> 20} MB: this is no workbook", part)
+                yield piece
             parser.Parse(b"", True)
         except expat.ExpatError as problem:
             raise self.fault(f"the part is no proper XML ({problem})", part) from problem
@@ -100,6 +116,9 @@ def _check_head(path: Path, name: str) -> None:
     if head.startswith(_OLE):
         message = "the workbook is protected by a password" if _ENCRYPTED in head else "an .xls of the old kind"
         raise WorkbookError(Fault(message, file=name, hint="save it as .xlsx without a password"))
+    if b"urn:oasis:names:tc:opendocument:xmlns:office" in head:
+        message = "a flat OpenDocument file (.fods), which is not read"
+        raise WorkbookError(Fault(message, file=name, hint="save it as .ods"))
     message = "the file is empty" if not head else "not a workbook: this is no zip file"
     hint = "" if not head or b"\0" in head else "a table as text (.csv)? save it as .xlsx first"
     raise WorkbookError(Fault(message, file=name, hint=hint))

@@ -7,16 +7,14 @@ from collections.abc import Sequence
 from typing import Any
 from xml.parsers import expat
 
-from mechsheet.diagnostics import Fault, FormulaError
+from mechsheet.diagnostics import Fault
 from mechsheet.formula.book import BookSheet
-from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Node, Scalar
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.references import CELL, cell_address, column_index
+from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
+from mechsheet.formula.references import CELL, column_index
 
+from .cell_faults import CellFaults
 from .fill_runs import FormulaRuns
 from .package import Package, local_name, unescaped
-
-MAX_FAULTS = 100
 
 
 class SheetScan:
@@ -27,33 +25,18 @@ class SheetScan:
         self.part = part
         self.sheet = sheet
         self.strings = strings
-        self.faults: list[Fault] = []
-        self.runs = FormulaRuns(self._parse_formula)
+        self.faults = CellFaults(package.name, sheet.title, "excel")
+        self.runs = FormulaRuns(self.faults.formula)
 
     def run(self) -> list[Fault]:
         """Read the part into the sheet; the faults found, one for each cell that cannot be understood."""
         parser = expat.ParserCreate()
         parser.buffer_text = True
         parser.buffer_size = 1 << 16
-        _handlers(self, parser)
-        self.package.parse(self.part, parser)
+        texts = _handlers(self, parser)
+        self.package.parse(self.part, parser, texts)
         self.sheet.blocks.extend(self.runs.blocks())
-        return self.faults
-
-    def fault(self, message: str, row: int, col: int, hint: str = "") -> None:
-        """Note what is wrong with a cell."""
-        if len(self.faults) < MAX_FAULTS:
-            place = cell_address(self.sheet.title, row, col)
-            self.faults.append(Fault(message, file=self.package.name, key=place, hint=hint))
-
-    def _parse_formula(self, text: str, row: int, col: int) -> Node:
-        try:
-            return parse_formula(text)
-        except FormulaError as problem:
-            fault = problem.faults[0]
-            shown = text if len(text) <= 60 else text[:57] + "..."
-            self.fault(f"{fault.message} of ={shown}", row, col, fault.hint)
-            return ErrorValue("#NAME?")
+        return self.faults.found
 
     def cell(self, row: int, col: int, kind: str, text: str, formula: str | None, about: dict[str, str] | None) -> None:
         """A cell with its type, the text of its value, and its formula with that one's attributes."""
@@ -71,11 +54,11 @@ class SheetScan:
             if formula:
                 self.runs.master(row, col, about["si"], formula)
             elif not self.runs.member(row, col, about["si"]):
-                self.fault(f"the shared formula {about['si']} has no text", row, col)
+                self.faults.note(f"the shared formula {about['si']} has no text", row, col)
         elif sort == "array":
-            self.fault("array formulas are not supported yet", row, col)
+            self.faults.note("array formulas are not supported yet", row, col)
         elif sort == "dataTable":
-            self.fault("what-if tables ({=TABLE()}) are not supported", row, col)
+            self.faults.note("what-if tables ({=TABLE()}) are not supported", row, col)
         elif value is not None:  # an empty formula: the value is all there is
             self.sheet.constants.put(row, col, value)
 
@@ -92,12 +75,12 @@ class SheetScan:
                 number = math.nan
             if math.isfinite(number) and "_" not in text:
                 return number
-            self.fault(f'"{text[:40]}" is no number', row, col)
+            self.faults.note(f'"{text[:40]}" is no number', row, col)
             return None
         if kind == "s":
             if text.isdecimal() and int(text) < len(self.strings):
                 return self.strings[int(text)]
-            self.fault(f"there is no shared text {text[:40]}", row, col)
+            self.faults.note(f"there is no shared text {text[:40]}", row, col)
             return None
         if kind == "b":
             return text.strip() in ("1", "true")
@@ -106,8 +89,11 @@ class SheetScan:
         return text
 
 
-def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> None:
-    """Closures over local state: attributes of an object cost half as much again here, where every cell passes."""
+def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
+    """Closures over local state: attributes of an object cost half as much again here, where every cell passes.
+
+    Returns where the text at hand is gathered.
+    """
     columns: dict[str, int] = {}
     row = col = -1
     row_text = ""
@@ -168,6 +154,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> None:
     parser.StartElementHandler = start
     parser.EndElementHandler = end
     parser.CharacterDataHandler = pieces.append
+    return pieces
 
 
 def _row(scan: SheetScan, place: str) -> int:

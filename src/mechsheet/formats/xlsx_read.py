@@ -29,8 +29,8 @@ def _read(package: Package) -> Book:
     contents = _Workbook()
     parser = expat.ParserCreate()
     parser.buffer_text = True
-    contents.attach(parser)
-    package.parse(part, parser)
+    texts = contents.attach(parser)
+    package.parse(part, parser, texts)
     links = relationships(package, part)
     strings = next((_strings(package, target) for kind, target in links.values() if kind == "sharedStrings"), [])
     book = Book([], date1904=contents.date1904, source=package.name)
@@ -77,10 +77,11 @@ class _Workbook:
         self._name: tuple[str, int | None] | None = None
         self._pieces: list[str] = []
 
-    def attach(self, parser: expat.XMLParserType) -> None:
+    def attach(self, parser: expat.XMLParserType) -> list[str]:
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
         parser.CharacterDataHandler = self._pieces.append
+        return self._pieces
 
     def _start(self, tag: str, attributes: dict[str, Any]) -> None:
         self._pieces.clear()
@@ -147,5 +148,5 @@ def _strings(package: Package, part: str) -> list[str]:
     parser.EndElementHandler = end
     parser.CharacterDataHandler = pieces.append
     if part in package:
-        package.parse(part, parser)
+        package.parse(part, parser, pieces)
     return found

@@ -51,7 +51,7 @@ class CellStore:
 
     def put(self, row: int, col: int, value: Scalar) -> None:
         """Set one cell; a cell that is set twice keeps the last value."""
-        self.extend(row, col, (value,))
+        self._put(row, self._columns.setdefault(col, []), value)
 
     def extend(self, row: int, col: int, values: Sequence[Scalar]) -> None:
         """Set the cells from (row, col) down."""
@@ -63,8 +63,9 @@ class CellStore:
         number = type(value) is float or type(value) is int
         if runs:
             last = runs[-1]
-            if row >= last.end:
-                if row == last.end and isinstance(last.values, array) == number:
+            end = last.row + len(last.values)  # every cell of a file passes here: the property costs a call
+            if row >= end:
+                if row == end and isinstance(last.values, array) == number:
                     last.values.append(value)  # type: ignore[arg-type]
                     return
             else:
