@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from mechsheet.kinematics.naming import BLOCK
 from mechsheet.model import Joint, Mechanism
 
 
@@ -62,7 +63,7 @@ def graph_of(mechanism: Mechanism) -> Graph:
         if joint.kind == "prismatic":
             slides.append(Slide(joint, joint.link, joint.on))
             continue
-        block = f"block of {joint.symbol}"
+        block = f"{BLOCK}{joint.symbol}"
         blocks[block] = joint
         points[block] = (joint.point,)
         after.setdefault(joint.on, []).append(block)

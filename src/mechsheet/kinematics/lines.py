@@ -74,8 +74,8 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
     return Solved(
         "", NO_MODE, closes or guides[0].symbol, parallel, (inner.point,),
         Words(
-            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pin {inner.point}, slides {symbols}",
-            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {inner.point} mafsalı, {symbols} kaymaları",
+            f"{poses.both(dyad).en}: pin {inner.point}, slides {symbols}",
+            f"{poses.both(dyad).tr}: {inner.point} mafsalı, {symbols} kaymaları",
         ),
     )  # fmt: skip
 
@@ -134,7 +134,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     return Solved(
         "", NO_MODE, closes or guide.symbol, parallel, (p,),
         Words(
-            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pin {p}, slides {symbols}",
-            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {p} mafsalı, {symbols} kaymaları",
+            f"{poses.both(dyad).en}: pin {p}, slides {symbols}",
+            f"{poses.both(dyad).tr}: {p} mafsalı, {symbols} kaymaları",
         ),
     )  # fmt: skip

@@ -13,6 +13,7 @@ from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words
 
 
@@ -87,6 +88,7 @@ class LinkPlaces:
 
     def __init__(self, link: Link, ledger: Ledger) -> None:
         self.link = link
+        self.words = link_words(link)
         self.ledger = ledger
         self._places: dict[str, Place] = {}
         self._lengths: dict[frozenset[str], Node] = {}
@@ -99,7 +101,7 @@ class LinkPlaces:
                 case Cartesian(x, y):
                     self._places[point] = cartesian(length_node(x), length_node(y))
                 case Polar(r, angle):
-                    label = Words(f"direction of {point} on {self.link.name}", f"{self.link.name}: {point} doğrultusu")
+                    label = Words(f"direction of {point} on {self.words.en}", f"{self.words.tr}: {point} doğrultusu")
                     hoisted = self.ledger.hoist_angle(f"beta_{point}", angle_of(angle), label)
                     self._places[point] = polar(length_node(r), hoisted)
                 case Distances():
@@ -132,8 +134,8 @@ class LinkPlaces:
             al.atan2(al.sub(al.add(al.square(a), al.square(b)), al.square(c)), al.mul(al.number(4), area)),
             "angle",
             Words(
-                f"angle {given.second}{given.first}{point} of {self.link.name}",
-                f"{self.link.name}: {given.second}{given.first}{point} açısı",
+                f"angle {given.second}{given.first}{point} of {self.words.en}",
+                f"{self.words.tr}: {given.second}{given.first}{point} açısı",
             ),
         )
         turned = Angle(gamma) if given.side == "left" else Angle(al.neg(gamma))
@@ -150,7 +152,7 @@ def arm(places: LinkPlaces, start: str, end: str) -> tuple[Node, Angle]:
         places.place(end) - places.place(start),
         places.known_length(start, end),
         name,
-        Words(f"{start}–{end} on {places.link.name}", f"{places.link.name}: {start}–{end}"),
+        Words(f"{start}–{end} on {places.words.en}", f"{places.words.tr}: {start}–{end}"),
     )
 
 

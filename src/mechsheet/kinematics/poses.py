@@ -14,8 +14,10 @@ import numpy as np
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.naming import body_words, link_words
 from mechsheet.kinematics.places import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian, length_node
 from mechsheet.model import Joint, Link, Mechanism, Words
 
@@ -120,12 +122,19 @@ class Poses:
             if body in self.places and {start, end} <= set(self.graph.points[body]):
                 known = self.places[body].known_length(start, end)
         way = self.place(assembly, end) - self.place(assembly, start)
-        label = Words(f"{start}–{end} on {self.name(assembly)}", f"{self.name(assembly)}: {start}–{end}")
+        label = Words(f"{start}–{end} on {self.name(assembly)}", f"{self.name(assembly, 'tr')}: {start}–{end}")
         return arm_of(self.ledger, way, known, f"{start}{end}", label)
 
-    def name(self, assembly: Assembly) -> str:
+    def name(self, assembly: Assembly, language: str = "en") -> str:
         """The assembly in words."""
-        return " + ".join(assembly)
+        return " + ".join(body_words(self.mechanism, body).of(language) for body in assembly)
+
+    def both(self, dyad: Dyad) -> Words:
+        """The two assemblies of a dyad in words."""
+        first, second = dyad.first, dyad.second
+        return Words(
+            f"{self.name(first)} and {self.name(second)}", f"{self.name(first, 'tr')} ve {self.name(second, 'tr')}"
+        )
 
     # --- what is solved ---------------------------------------------------------------------------------------
 
@@ -133,7 +142,7 @@ class Poses:
         """Coordinates of a place (in the body's own frame) of a solved body."""
         pose = self.known[body]
         x, y = (place - pose.base).turned(pose.angle)
-        label = Words(f"{name} on {body}", f"{body}: {name}")
+        label = Words(f"{name} on {self.name((body,))}", f"{self.name((body,), 'tr')}: {name}")
         return (
             self.ledger.hoist(f"x_{name}", al.add(pose.x, x), "length", label),
             self.ledger.hoist(f"y_{name}", al.add(pose.y, y), "length", label),
@@ -174,7 +183,7 @@ class Poses:
                 self.known[body] = Pose(own, base, x, y)
             else:
                 name = f"origin_{self._number(body)}"
-                label = Words(f"origin of {body}", f"{body}: başlangıç noktası")
+                label = Words(f"origin of {self.name((body,))}", f"{self.name((body,), 'tr')}: başlangıç noktası")
                 self.known[body] = Pose(
                     own,
                     ORIGIN,
@@ -190,9 +199,10 @@ class Poses:
     def _body_angle(self, body: str, angle: Angle) -> Angle:
         """Write `theta1n = angle` for a link; a block keeps its angle to itself."""
         if body in self.graph.blocks:
-            return self.ledger.hoist_angle("delta", angle, Words(f"angle of the {body}", f"{body} açısı"))
+            words = Words(f"angle of the {self.name((body,))}", f"{self.name((body,), 'tr')} açısı")
+            return self.ledger.hoist_angle("delta", angle, words)
         link = self.links[body]
-        label = link.label or Words(link.name, link.name)
+        label = link_words(link)
         symbol = link.angle_symbol
         if symbol == self.mechanism.driver.symbol:
             return Angle(Symbol(symbol))
@@ -221,7 +231,8 @@ class Poses:
         """Write down a sliding joint's displacement."""
         joint = next(joint for joint in self.mechanism.joints if joint.symbol == symbol)
         words = Words(
-            f"displacement of {joint.point} on {joint.on}", f"{joint.point} noktasının {joint.on} üzerindeki ötelenmesi"
+            f"displacement of {joint.point} on {self.name((joint.on,))}",
+            f"{joint.point} noktasının ötelenmesi ({self.name((joint.on,), 'tr')} üzerinde)",
         )
         self.ledger.define(symbol, expression, "length", words, "variable")
 

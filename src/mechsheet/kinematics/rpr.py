@@ -69,8 +69,8 @@ def solve_rpr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
         degenerate=together,
         pins=(p, q),
         label=Words(
-            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pins {p}, {q}, slide {joint.symbol}",
-            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {p}, {q} mafsalları, {joint.symbol} kayması",
+            f"{poses.both(dyad).en}: pins {p}, {q}, slide {joint.symbol}",
+            f"{poses.both(dyad).tr}: {p}, {q} mafsalları, {joint.symbol} kayması",
         ),
     )
 

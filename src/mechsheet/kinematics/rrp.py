@@ -75,8 +75,8 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
         degenerate=None,
         pins=(p, r),
         label=Words(
-            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pins {p}, {r}, slide {guide.symbol}",
-            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {p}, {r} mafsalları, {guide.symbol} kayması",
+            f"{poses.both(dyad).en}: pins {p}, {r}, slide {guide.symbol}",
+            f"{poses.both(dyad).tr}: {p}, {r} mafsalları, {guide.symbol} kayması",
         ),
         transmission=psi.name,
     )

@@ -64,8 +64,8 @@ def solve_rrr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
         degenerate=together,
         pins=(p, q, r),
         label=Words(
-            f"{poses.name(dyad.first)} and {poses.name(dyad.second)}: pins {p}, {q}, {r}",
-            f"{poses.name(dyad.first)} ve {poses.name(dyad.second)}: {p}, {q}, {r} mafsalları",
+            f"{poses.both(dyad).en}: pins {p}, {q}, {r}",
+            f"{poses.both(dyad).tr}: {p}, {q}, {r} mafsalları",
         ),
         transmission=mu.name,
     )

@@ -8,6 +8,7 @@ from mechsheet.sheet.charts import chart_requests, charts_of, traced_points, wit
 from mechsheet.sheet.checks import checks_sheet
 from mechsheet.sheet.drawing import drawing_of
 from mechsheet.sheet.mechanism import controls, mechanism_sheet
+from mechsheet.sheet.notes import notes_sheet
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.positions import positions_sheet
 from mechsheet.sheet.tables import table_sheets
@@ -31,6 +32,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         drawing.sheet,
         *table_sheets(plan),
         checks,
+        notes_sheet(plan),
         _description_sheet(plan),
     )
     title = mechanism.title.of(plan.language)

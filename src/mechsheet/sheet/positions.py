@@ -8,6 +8,7 @@ from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.kinematics.naming import body_words
 from mechsheet.model import Quantity, Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import DRIVER, EXISTS, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn, needs_guard
@@ -269,7 +270,7 @@ def _status(plan: Plan) -> Node:
 
 
 def _status_word(plan: Plan, group: Group) -> Node:
-    links = ", ".join(group.links)
+    links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
     open_ = Text(plan.text("status.open", links=links))
     if group.degenerate is None:
         return open_
@@ -286,7 +287,7 @@ def _group_headings(plan: Plan, cells: list[Cell]) -> list[Merge]:
     for col in range(1, len(plan.columns) + 1):
         if col < len(plan.columns) and plan.columns[col].group == plan.columns[start].group:
             continue
-        cells.append(Cell(GROUP_ROW, start, _group_title(plan, plan.columns[start].group), styles.SECTION))
+        cells.append(Cell(GROUP_ROW, start, group_title(plan, plan.columns[start].group), styles.SECTION))
         cells += [Cell(GROUP_ROW, other, None, styles.SECTION) for other in range(start + 1, col)]
         if col - start > 1:
             merges.append(Merge(Area(GROUP_ROW, start, GROUP_ROW, col - 1)))
@@ -294,7 +295,8 @@ def _group_headings(plan: Plan, cells: list[Cell]) -> list[Merge]:
     return merges
 
 
-def _group_title(plan: Plan, number: int) -> str:
+def group_title(plan: Plan, number: int) -> str:
+    """What stands over the columns of a group (0: the driver's side, -1: outputs)."""
     if number == 0:
         return plan.text("group.driver")
     if number < 0:

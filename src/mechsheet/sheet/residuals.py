@@ -18,6 +18,7 @@ from typing import Literal
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, shifted
 from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.naming import link_words
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Joint, Link
 from mechsheet.sheet.geometry import distance, measured_pairs, place
@@ -130,7 +131,7 @@ class _Ruler:
 
     def name(self, link: Link) -> str:
         """The link in words."""
-        return link.label.of(self.plan.language) if link.label else link.name
+        return link_words(link).of(self.plan.language)
 
     def lengths(self, link: Link) -> None:
         """The distance of two points against their distance in the description."""

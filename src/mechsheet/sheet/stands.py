@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks import ROUNDING
@@ -180,7 +181,7 @@ class _Block:
         open_ = Binary(">", al.sub(al.mul(al.TWO, longest), total), self._rounding())
 
         def named(word: str, turning: Link | None = None) -> Text:
-            link = self._name(turning) if turning else ""
+            link = link_words(turning).of(self.plan.language) if turning else ""
             return self.said(word, loop=loop.name, link=link)
 
         words: Node = named("grashof.one", loop.last)
@@ -195,9 +196,6 @@ class _Block:
         self.line(key, self.text("grashof"), unit, excess, style, words)
         self.colour(key, open_, styles.BAD)
         self.colour(key, change, styles.WARN)
-
-    def _name(self, link: Link) -> str:
-        return link.label.of(self.plan.language) if link.label else link.name
 
     def swing(self, link: Link, loops: list[FourBar]) -> None:
         """By how much a link turns in the sweep, and whether it is a crank or a rocker."""

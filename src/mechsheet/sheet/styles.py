@@ -26,6 +26,10 @@ SYMBOL = Style("mechsheet symbol", color=INK, align="left", border="thin", borde
 LABEL = Style("mechsheet label", color=INK, align="left", border="thin", border_color=RULE)
 UNIT = Style("mechsheet unit", color=QUIET, align="left", border="thin", border_color=RULE)
 NOTE = Style("mechsheet note", color=QUIET, italic=True, valign="top", wrap=True)
+NOTE_TEXT = Style("mechsheet text", color=INK, align="left", valign="top", wrap=True)
+NOTE_CELL = Style(
+    "mechsheet text line", color=INK, align="left", valign="top", wrap=True, border="bottom", border_color="E3E7EB"
+)
 INPUT = Style(
     "mechsheet input",
     color=INPUT_INK,
@@ -57,3 +61,8 @@ def decimals(style: Style, places: int) -> Style:
 def numbered(style: Style, number_format: str) -> Style:
     """The style with a number format of its own."""
     return replace(style, number_format=number_format, name="")
+
+
+def centred(style: Style) -> Style:
+    """The style with its text in the middle."""
+    return replace(style, align="center", name="")

@@ -1,0 +1,300 @@
+"""The sheet of notes: how to use the workbook, what the colours mean, the assumptions, the links, and every equation."""
+
+from __future__ import annotations
+
+import math
+
+from mechsheet.formula.nodes import Node
+from mechsheet.formula.parser import parse_description
+from mechsheet.formula.references import cell_name, column_letters
+from mechsheet.kinematics.equations import Equation
+from mechsheet.kinematics.naming import body_words, link_words
+from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
+from mechsheet.sheet import styles
+from mechsheet.sheet.mathematics import Part, symbol_parts, written
+from mechsheet.sheet.plan import DRIVER, EXISTS, STATUS, Plan, unit_text
+from mechsheet.sheet.positions import group_title, shown_number
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
+
+SYMBOL, UNIT, EQUATION, MEANING, PLACE = range(5)
+WIDTHS = (13, 9, 78, 44, 18)
+"""Widths of the columns in characters."""
+
+LINE = 14.0
+"""Height of one line of text [points]."""
+
+PARAGRAPHS = ("inputs", "position", "modes", "sweep", "positions", "charts", "tables", "checks", "missing")
+ASSUMPTIONS = ("planar", "angles", "radians", "continuous", "constant_mode", "rounding")
+COLOURS: tuple[tuple[str, Style], ...] = (
+    ("input", styles.INPUT),
+    ("result", styles.RESULT),
+    ("good", styles.GOOD),
+    ("warning", styles.WARN),
+    ("bad", styles.BAD),
+    ("current", styles.CURRENT),
+    ("no_position", styles.MISSING),
+)
+
+
+def notes_sheet(plan: Plan) -> Sheet:
+    """The sheet."""
+    page = _Page(plan)
+    page.opening()
+    page.colours()
+    page.list_of("assumptions", ASSUMPTIONS)
+    page.links()
+    page.equations()
+    return Sheet(
+        plan.at.titles["notes"],
+        tuple(page.cells),
+        columns=tuple(Column(col, col, width) for col, width in enumerate(WIDTHS)),
+        row_heights=tuple(sorted(page.heights.items())),
+        merges=tuple(page.merges),
+        gridlines=False,
+        tab_color="6B7280",
+        print_setup=PrintSetup(footer=plan.text("footer")),
+    )
+
+
+class _Page:
+    """The sheet, line by line."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.cells: list[Cell] = []
+        self.merges: list[Merge] = []
+        self.heights: dict[int, float] = {}
+        self.row = 0
+
+    def text(self, key: str, **parts: object) -> str:
+        """A word of the workbook."""
+        return self.plan.text(f"notes.{key}", **parts)
+
+    # --- lines ------------------------------------------------------------------------------------------------
+
+    def line(self, contents: dict[int, Content], style: Style) -> None:
+        """A line of cells, as high as its longest text needs."""
+        lines = 1
+        for col, content in contents.items():
+            self.cells.append(Cell(self.row, col, content, style))
+            lines = max(lines, _lines(content, WIDTHS[col]))
+        if lines > 1:
+            self.heights[self.row] = LINE * lines + 4
+        self.row += 1
+
+    def across(self, text: str, style: Style) -> None:
+        """A text over all columns."""
+        self.cells.append(Cell(self.row, SYMBOL, text, style))
+        self.merges.append(Merge(Area(self.row, SYMBOL, self.row, PLACE)))
+        lines = _lines(text, sum(WIDTHS))
+        self.heights[self.row] = max(LINE * lines, style.size * 1.6)
+        self.row += 1
+
+    def heading(self, text: str) -> None:
+        """A heading after an empty line."""
+        self.row += 1
+        self.cells += [Cell(self.row, col, text if col == SYMBOL else None, styles.SECTION) for col in range(PLACE + 1)]
+        self.row += 1
+
+    def list_of(self, key: str, entries: tuple[str, ...]) -> None:
+        """A heading and its paragraphs."""
+        self.heading(self.text(key))
+        for entry in entries:
+            self.across("•  " + self.text(f"{key}.{entry}", **self._facts()), styles.NOTE_TEXT)
+
+    def _facts(self) -> dict[str, object]:
+        plan = self.plan
+        titles = plan.at.titles
+        return {
+            "rows": plan.rows,
+            "last": plan.rows - 1,
+            "driver": plain(plan.mechanism.driver.symbol),
+            "unit": plan.mechanism.length_unit,
+            "checks": titles["checks"],
+            "positions": titles["positions"],
+            "mechanism": titles["mechanism"],
+            "table": plan.text("sheet.table"),
+        }
+
+    # --- parts ------------------------------------------------------------------------------------------------
+
+    def opening(self) -> None:
+        """Title, source, how to use."""
+        plan = self.plan
+        self.across(plan.mechanism.title.of(plan.language), styles.TITLE)
+        source = plan.mechanism.source.of(plan.language)
+        if source:
+            self.across(plan.text("source", source=source), styles.SUBTITLE)
+        left_out = set()
+        if not plan.mechanism.tables:
+            left_out.add("tables")
+        if not any(group.mode for group in plan.equations.groups):
+            left_out.add("modes")
+        if plan.mechanism.driver.values:
+            left_out.add("sweep")
+        self.list_of("use", tuple(entry for entry in PARAGRAPHS if entry not in left_out))
+
+    def colours(self) -> None:
+        """A sample of each colour beside its meaning."""
+        self.heading(self.text("colours"))
+        for key, style in COLOURS:
+            self.cells.append(Cell(self.row, SYMBOL, self.text(f"sample.{key}"), styles.centred(style)))
+            self.cells.append(Cell(self.row, UNIT, self.text(f"colour.{key}"), styles.NOTE_TEXT))
+            self.merges.append(Merge(Area(self.row, UNIT, self.row, PLACE)))
+            self.row += 1
+
+    def links(self) -> None:
+        """The links with their points, and the sliding joints."""
+        plan = self.plan
+        self.heading(self.text("links"))
+        head = {SYMBOL: self.text("head.symbol"), UNIT: self.text("head.number"), EQUATION: self.text("head.points")}
+        self.line({**head, MEANING: self.text("head.link"), PLACE: self.text("head.key")}, styles.HEAD_LEFT)
+        for link in plan.mechanism.links:
+            points = self._joined([self._point(name, place) for name, place in link.points.items()])
+            fixed = link is plan.mechanism.ground
+            angle: Content = self.text("fixed") if fixed else Rich(tuple(symbol_parts(link.angle_symbol)))
+            words = link_words(link).of(plan.language)
+            self._entry(angle, str(link.number), points, words, link.name)
+        for joint in plan.mechanism.joints:
+            symbol = Rich(tuple(symbol_parts(joint.symbol)))
+            self._entry(symbol, "", self._joint(joint), "", joint.name)
+
+    def _entry(self, symbol: Content, unit: str, equation: Content, meaning: str, place: str) -> None:
+        contents = {SYMBOL: symbol, UNIT: unit, EQUATION: equation, MEANING: meaning, PLACE: place}
+        self.line(contents, styles.NOTE_CELL)
+
+    def _quantity(self, quantity: Quantity, angle: bool = False) -> list[Part]:
+        if isinstance(quantity, str):
+            return list(written(parse_description(quantity), self.plan.language).parts)
+        number = f"{shown_number(quantity, angle):.10g}".replace("-", "−")
+        if self.plan.language == "tr":
+            number = number.replace(".", ",")
+        return [(number + ("°" if angle else ""), "")]
+
+    def _point(self, name: str, place: Place) -> list[Part]:
+        """`C (126.6; 30°)` and the like."""
+        match place:
+            case Cartesian(x, y):
+                inside = [*self._quantity(x), ("; ", ""), *self._quantity(y)]
+            case Polar(r, angle):
+                inside = [("r = ", ""), *self._quantity(r), (", ∠ ", ""), *self._quantity(angle, angle=True)]
+            case Distances(first, b, second, c, side):
+                inside = [(f"{name}{first} = ", ""), *self._quantity(b), (f", {name}{second} = ", "")]
+                inside += [*self._quantity(c), (", " + self.text(side, first=first, second=second), "")]
+        return [*symbol_parts(name), (" (", ""), *inside, (")", "")]
+
+    def _joined(self, pieces: list[list[Part]]) -> Rich:
+        parts: list[Part] = []
+        for index, piece in enumerate(pieces):
+            parts += [(",  ", ""), *piece] if index else piece
+        return Rich(tuple(parts))
+
+    def _joint(self, joint: Joint) -> Rich:
+        """A sliding joint in a sentence."""
+        words = {key: body_words(self.plan.mechanism, name) for key, name in (("link", joint.link), ("on", joint.on))}
+        names = {key: name.of(self.plan.language) for key, name in words.items()}
+        parts: list[Part] = [(self.text(joint.kind, point=joint.point, **names) + " ", "")]
+        if isinstance(joint.through, str):
+            parts.append((joint.through, ""))
+        else:
+            parts += [
+                ("(", ""),
+                *self._quantity(joint.through[0]),
+                ("; ", ""),
+                *self._quantity(joint.through[1]),
+                (")", ""),
+            ]
+        return Rich((*parts, (", ∠ ", ""), *self._quantity(joint.angle, angle=True)))
+
+    # --- equations --------------------------------------------------------------------------------------------
+
+    def equations(self) -> None:
+        """One line for each symbol: dimensions, constants, columns, group by group."""
+        self.heading(self.text("equations"))
+        head = {
+            SYMBOL: self.plan.text("head.symbol"),
+            UNIT: self.plan.text("head.unit"),
+            EQUATION: self.text("head.equation"),
+        }
+        self.line({**head, MEANING: self.plan.text("head.meaning"), PLACE: self.text("head.place")}, styles.HEAD_LEFT)
+        self._dimensions()
+        self._group(self.text("constants"))
+        for equation in self.plan.equations.constants:
+            self._equation(equation, self.plan.unit_shown(equation.unit))
+        self._driver()
+        groups = dict.fromkeys(equation.group for equation in self.plan.equations.columns)
+        for number in groups:
+            if number != 0:
+                self._group(group_title(self.plan, number))
+            for equation in self.plan.equations.columns:
+                if equation.group == number:
+                    self._equation(equation, self._unit(equation))
+
+    def _group(self, title: str) -> None:
+        self.cells += [
+            Cell(self.row, col, title if col == SYMBOL else None, styles.HEAD_LEFT) for col in range(PLACE + 1)
+        ]
+        self.row += 1
+
+    def _dimensions(self) -> None:
+        plan = self.plan
+        self._group(plan.text("block.dimensions"))
+        for dim in plan.mechanism.dimensions:
+            content: Content = self.text("given")
+            if isinstance(dim.value, str):
+                content = Rich((("= ", ""), *written(parse_description(dim.value), plan.language).parts))
+            label = dim.label.of(plan.language) if dim.label else ""
+            self._row(dim.symbol, unit_text(dim.unit), content, label)
+
+    def _driver(self) -> None:
+        """The table's own columns: the driver, the word on the position, whether it exists."""
+        plan, driver = self.plan, self.plan.mechanism.driver
+        self._group(plan.text("group.driver"))
+        stepping: Content = self.text("given")
+        if not driver.values:
+            stepping = f"= {plan.text('name.start')} + n·{plan.text('name.step')}"
+        self._row(driver.symbol, unit_text(driver.unit), stepping, self.text("driver"), self._column(DRIVER))
+        for col, key in ((STATUS, "status"), (EXISTS, "exists")):
+            name, words = plan.text(f"head.{key}"), self.text(f"column.{key}")
+            self.line(
+                {SYMBOL: name, UNIT: "", EQUATION: words, MEANING: "", PLACE: self._column(col)}, styles.NOTE_CELL
+            )
+
+    def _unit(self, equation: Equation) -> str:
+        """The unit in which people read the column."""
+        if equation.kind == "output":
+            output = next(output for output in self.plan.mechanism.outputs if output.symbol == equation.symbol)
+            return unit_text(output.unit)
+        if equation.unit == "angle" and equation.kind == "intermediate":
+            return "rad"
+        return self.plan.unit_shown(equation.unit)
+
+    def _equation(self, equation: Equation, unit: str) -> None:
+        parts: list[Part] = [("= ", ""), *self._written(equation.expression)]
+        if equation.first is not None:
+            parts += [(f";  {self.text('first')} ", ""), *self._written(equation.first)]
+        self._row(equation.symbol, unit, Rich(tuple(parts)), equation.label.of(self.plan.language))
+
+    def _written(self, node: Node) -> tuple[Part, ...]:
+        return written(node, self.plan.language).parts
+
+    def _row(self, symbol: str, unit: str, content: Content, label: str, place: str = "") -> None:
+        name = Rich(tuple(symbol_parts(symbol)))
+        self._entry(name, unit, content, label, place or self._place(symbol))
+
+    def _place(self, symbol: str) -> str:
+        """Where people read it: `Positions K`, `Mechanism B12`."""
+        spot = self.plan.at.shown[symbol]
+        return self._column(spot.col) if spot.column else f"{spot.sheet} {cell_name(spot.row, spot.col)}"
+
+    def _column(self, col: int) -> str:
+        return f"{self.plan.table} {column_letters(col)}"
+
+
+def _lines(content: Content, width: float) -> int:
+    """How many lines a text takes in a column, generously: words break early, and capitals are wide."""
+    if content is None or isinstance(content, bool | float):
+        return 1
+    text = content.plain if isinstance(content, Rich) else content
+    return max(1, sum(math.ceil(len(line) / (width * 1.05)) for line in text.split("\n")))
