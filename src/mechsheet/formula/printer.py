@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import NamedTuple
 
 from ..diagnostics import FormulaError
 from .dialects import DIALECTS, MAX_NESTING, Dialect
@@ -26,15 +27,17 @@ from .nodes import (
     Symbol,
     Text,
     Unary,
+    children,
+    transform,
 )
 from .parser import DESCRIPTION_FUNCTIONS
 from .references import column_letters, parse_cell, reference_text
 
 _ATOM = 1000
-_UNION = 5  # a union stands in parentheses everywhere but inside its own
+_UNION = _ATOM + 1  # a union in its own parentheses, which a union around it takes off
 _PLAIN_SHEET = re.compile(r"[^\W\d]\w*")
 _R1C1 = re.compile(r"[rR]?[0-9]*[cC]?[0-9]*")
-_DESCRIPTION_NAMES = {tree: name for name, tree in DESCRIPTION_FUNCTIONS.items()}
+_DESCRIPTION_NAMES = {tree: name for name, tree in DESCRIPTION_FUNCTIONS.items()} | {"HYPOT": "hypot"}
 
 
 def print_formula(node: Node, dialect: str = "excel") -> str:
@@ -67,120 +70,104 @@ def quote_sheet(sheet: str) -> str:
     return "'" + sheet.replace("'", "''") + "'"
 
 
+class _Printed(NamedTuple):
+    """A piece of text, how strongly its outermost operator binds, and how deep things are nested in it."""
+
+    text: str
+    power: int
+    depth: int = 0
+
+
 class _Printer:
+    """Puts texts together from the leaves up, with a stack of its own: a sum may have thousands of terms."""
+
     def __init__(self, dialect: Dialect) -> None:
         self.dialect = dialect
-        self.depth = 0
         self.reference: Callable[[CellRef | RangeRef], str] = {
             "openformula": _openformula_reference,
             "excel": _excel_reference,
             "text": _excel_reference,
         }.get(dialect.name, _no_reference)
 
-    def text(self, node: Node) -> str:
-        return self.bound(node)[0]
+    def text(self, root: Node) -> str:
+        done: list[_Printed] = []
+        stack = [(transform(root, _REWRITES.get(self.dialect.name, _unchanged)), False)]
+        while stack:
+            node, visited = stack.pop()
+            below = () if isinstance(node, RangeRef) else children(node)
+            if below and not visited:
+                stack.append((node, True))
+                stack.extend((child, False) for child in reversed(below))
+                continue
+            parts = done[len(done) - len(below) :]
+            del done[len(done) - len(below) :]
+            done.append(self.piece(node, parts))
+            if done[-1].depth > MAX_NESTING:
+                raise FormulaError(f"a formula nested deeper than {MAX_NESTING} levels cannot be written")
+        return done[0].text
 
-    def bound(self, node: Node) -> tuple[str, int]:
-        """The text and how strongly its outermost operator binds."""
+    def piece(self, node: Node, parts: list[_Printed]) -> _Printed:
+        """A node's text from those of its operands."""
         match node:
             case Number(value):
                 return self.number(value)
-            case Unary(op, operand):
-                return self.unary(op, operand)
-            case Binary():
-                return self.chain(node)
-            case Call(name, args):
-                return self.call(name, args)
+            case Unary(op, _):
+                return self.unary(op, parts[0])
+            case Binary(op, _, _):
+                return self.infix(op, *parts)
+            case Call(name, _):
+                return self.call(name, parts)
             case ArrayLiteral(rows):
-                lines = (self.dialect.array_column.join(self.text(item) for item in row) for row in rows)
-                return "{" + self.dialect.array_row.join(lines) + "}", _ATOM
+                items = iter(parts)
+                lines = (self.dialect.array_column.join(next(items).text for _ in row) for row in rows)
+                return _Printed("{" + self.dialect.array_row.join(lines) + "}", _ATOM)
             case CellRef() | RangeRef():
-                return self.reference(node), _ATOM
+                return _Printed(self.reference(node), _ATOM)
             case _:
-                return self.word(node), _ATOM
+                return _Printed(self.word(node), _ATOM)
 
-    def inside(self, node: Node, minimum: int) -> str:
-        """The text as an operand of something that binds with `minimum`: in parentheses where it binds less strongly."""
-        self.depth += 1
-        if self.depth > MAX_NESTING:
-            raise FormulaError(f"a formula nested deeper than {MAX_NESTING} levels cannot be written")
-        text, power = self.bound(node)
-        self.depth -= 1
-        return f"({text})" if power < minimum else text
-
-    def number(self, value: float) -> tuple[str, int]:
+    def number(self, value: float) -> _Printed:
         small = self.dialect.name in ("description", "text")
         text = number_text(value, "e" if small else "E")
-        return text, self.dialect.prefix if text.startswith("-") else _ATOM
+        return _Printed(text, self.dialect.prefix if text.startswith("-") else _ATOM)
 
-    def unary(self, op: str, operand: Node) -> tuple[str, int]:
+    def unary(self, op: str, operand: _Printed) -> _Printed:
         if op == "%":
-            return self.inside(operand, self.dialect.postfix) + "%", self.dialect.postfix
-        return op + self.inside(operand, self.dialect.prefix), self.dialect.prefix
+            inner = _inside(operand, self.dialect.postfix)
+            return _Printed(inner.text + "%", self.dialect.postfix, inner.depth)
+        inner = _inside(operand, self.dialect.prefix)
+        return _Printed(op + inner.text, self.dialect.prefix, inner.depth + 1)
 
-    def chain(self, node: Binary) -> tuple[str, int]:
-        """A run of operators down the left side, in one loop: a sum may have thousands of terms."""
-        run: list[Binary] = []
-        left: Node = node
-        while isinstance(left, Binary):
-            run.append(left)
-            left = left.left
-        text, power = self.operand(left)
-        for part in reversed(run):
-            text, power = self.infix(part.op, text, power, part.right)
-        return text, power
-
-    def operand(self, node: Node) -> tuple[str, int]:
-        self.depth += 1
-        text, power = self.bound(node)
-        self.depth -= 1
-        return text, power
-
-    def infix(self, op: str, left: str, left_power: int, right: Node) -> tuple[str, int]:
+    def infix(self, op: str, left: _Printed, right: _Printed) -> _Printed:
         if op == "," and self.dialect.name == "excel":
-            # The union's own parentheses come from `inside`; at the top and as an argument it binds least of all.
-            left = left[1:-1] if left_power == _UNION else left
-            return f"({left},{self.inside(right, 0)})", _UNION
+            # A union brings its own parentheses, because a comma alone would separate arguments.
+            text = left.text[1:-1] if left.power == _UNION else left.text
+            return _Printed(f"({text},{right.text})", _UNION, max(left.depth, right.depth) + 1)
         if op not in self.dialect.infix:
             raise ValueError(f"{op!r} cannot be written in {self.dialect.name}")
         power = self.dialect.infix[op]
         leans_right = op in self.dialect.leans_right
-        if left_power == _UNION:
-            left_power = _ATOM
-        if left_power < power + leans_right:
-            left = f"({left})"
-        text = self.inside(right, power + (not leans_right))
+        left, right = _inside(left, power + leans_right), _inside(right, power + (not leans_right))
         sign = self.dialect.spelling.get(op, op)
         if op in self.dialect.spaced:
             sign = f" {sign} "
-        return f"{left}{sign}{text}", power
+        depth = max(left.depth, right.depth + leans_right)
+        return _Printed(f"{left.text}{sign}{right.text}", power, depth)
 
-    def call(self, name: str, args: tuple[Node, ...]) -> tuple[str, int]:
-        if self.dialect.name == "description":
-            return self.description_call(name, args)
+    def call(self, name: str, parts: list[_Printed]) -> _Printed:
+        if name == "PI" and not parts and self.dialect.name in ("description", "text"):
+            return _Printed("pi", _ATOM)
         if self.dialect.name == "text":
-            if name == "PI" and not args:
-                return "pi", _ATOM
-            if name == "SUMSQ" and not any(isinstance(arg, RangeRef) for arg in args):
-                return self.bound(_squares(args))
             shown = name.lower()
-        else:
+        elif self.dialect.name != "description":
             shown = spelling(name, self.dialect.name)
-        return f"{shown}({self.arguments(args)})", _ATOM
-
-    def arguments(self, args: tuple[Node, ...]) -> str:
-        return self.dialect.argument.join(self.inside(arg, 0) for arg in args)
-
-    def description_call(self, name: str, args: tuple[Node, ...]) -> tuple[str, int]:
-        if name == "PI" and not args:
-            return "pi", _ATOM
-        match name, args:
-            case "SQRT", (Call("SUMSQ", (_, _) as legs),):
-                return f"hypot({self.arguments(legs)})", _ATOM
-        if name not in _DESCRIPTION_NAMES:
+        elif name in _DESCRIPTION_NAMES:
+            shown = _DESCRIPTION_NAMES[name]
+            parts = parts[::-1] if name == "ATAN2" else parts
+        else:
             raise ValueError(f"{name} cannot be written in a description")
-        ordered = args[::-1] if name == "ATAN2" else args
-        return f"{_DESCRIPTION_NAMES[name]}({self.arguments(ordered)})", _ATOM
+        arguments = self.dialect.argument.join(part.text for part in parts)
+        return _Printed(f"{shown}({arguments})", _ATOM, max((part.depth for part in parts), default=0) + 1)
 
     def word(self, node: Node) -> str:
         name = self.dialect.name
@@ -208,12 +195,33 @@ class _Printer:
                 raise ValueError(f"{type(node).__name__} cannot be written in {name}")
 
 
-def _squares(args: tuple[Node, ...]) -> Node:
+def _inside(part: _Printed, minimum: int) -> _Printed:
+    """An operand of something that binds with `minimum`: in parentheses where it binds less strongly."""
+    return part if part.power >= minimum else _Printed(f"({part.text})", _ATOM, part.depth + 1)
+
+
+def _unchanged(node: Node) -> Node:
+    return node
+
+
+def _with_squares(node: Node) -> Node:
     """x^2 + y^2, which a person reads sooner than SUMSQ(x; y)."""
-    total: Node = Binary("^", args[0], Number(2))
-    for arg in args[1:]:
+    if not isinstance(node, Call) or node.name != "SUMSQ" or any(isinstance(arg, RangeRef) for arg in node.args):
+        return node
+    total: Node = Binary("^", node.args[0], Number(2))
+    for arg in node.args[1:]:
         total = Binary("+", total, Binary("^", arg, Number(2)))
     return total
+
+
+def _with_hypot(node: Node) -> Node:
+    match node:
+        case Call("SQRT", (Call("SUMSQ", (x, y)),)):
+            return Call("HYPOT", (x, y))
+    return node
+
+
+_REWRITES = {"text": _with_squares, "description": _with_hypot}
 
 
 def _no_reference(node: CellRef | RangeRef) -> str:

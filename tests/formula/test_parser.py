@@ -1,0 +1,113 @@
+import tomllib
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from formula_trees import spelt_out
+from mechsheet.diagnostics import FormulaError
+from mechsheet.formula.nodes import Binary, Number, shifted, walk
+from mechsheet.formula.parser import parse_description, parse_formula
+from mechsheet.formula.printer import print_formula
+
+CASES = Path(__file__).parent.parent / "cases" / "formula"
+
+
+def load(name):
+    return tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))
+
+
+DESCRIPTION = load("description")["case"]
+SHEET = load("sheet")["case"]
+FAULTS = load("faults")
+
+
+@pytest.mark.parametrize("case", DESCRIPTION, ids=lambda case: case["text"])
+def test_description(case):
+    node = parse_description(case["text"])
+    assert spelt_out(node) == case["tree"]
+    if "excel" in case:
+        assert print_formula(node, "excel") == case["excel"]
+    assert parse_description(print_formula(node, "description")) == node
+
+
+@pytest.mark.parametrize("case", SHEET, ids=lambda case: case["excel"])
+def test_sheet(case):
+    node = parse_formula(case["excel"])
+    assert spelt_out(node) == case["tree"]
+    assert print_formula(node, "excel") == case["excel"]
+    assert print_formula(node, "openformula") == case["openformula"]
+    assert parse_formula(case["openformula"], "openformula") == node
+    assert parse_formula("=" + case["excel"]) == node
+    assert parse_formula("of:=" + case["openformula"], "openformula") == node
+
+
+@pytest.mark.parametrize("dialect", ["description", "excel"])
+@pytest.mark.parametrize("what", ["said"])
+def test_faults(dialect, what):
+    for text, messages in FAULTS[dialect].items():
+        with pytest.raises(FormulaError) as caught:
+            parse_description(text) if dialect == "description" else parse_formula(text, dialect)
+        assert [fault.message for fault in caught.value.faults] == messages, text
+        assert all(fault.source == text.removeprefix("=") for fault in caught.value.faults)
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("a**2", 'write "^" for a power'),
+        ("2a", 'a product is written with "*"'),
+        ("2,5", 'the decimal sign is "."; "," stands between arguments only'),
+        ("sinn(2)", 'did you mean "sin"?'),
+        ("pi()", 'pi is a number: write it without parentheses, "2*pi"'),
+        ("30°", 'angles are in radians here; write "radians(30)" for 30 degrees'),
+    ],
+)
+def test_hints(text, hint):
+    with pytest.raises(FormulaError) as caught:
+        parse_description(text)
+    assert caught.value.faults[0].hint == hint
+
+
+def test_lower_case_and_spaces_do_not_matter_in_a_sheet():
+    assert parse_formula("= sum( a1 : $b$2 , 3 )") == parse_formula("SUM(A1:$B$2,3)")
+
+
+@pytest.mark.parametrize("opening", ["(", "-", "SIN(", "IF(1,", "2^"])
+def test_nesting_is_limited_without_a_traceback(opening):
+    depth = 5000
+    with pytest.raises(FormulaError, match="nested deeper than 64 levels"):
+        parse_description(opening.lower() * depth)
+    if opening != "2^":  # in a sheet ^ leans left: a run of it is no nesting
+        with pytest.raises(FormulaError, match="nested deeper than 64 levels"):
+            parse_formula(opening * depth)
+
+
+def test_sixty_levels_are_read():
+    text = "SIN(1+2*3^" * 60 + "A1" + ")" * 60
+    assert print_formula(parse_formula(text)) == text
+
+
+def test_long_sums_are_no_nesting():
+    text = "+".join(["A1"] * 4000)
+    node = parse_formula(text)
+    assert print_formula(node) == text
+    assert print_formula(shifted(node, 1)) == text.replace("A1", "A2")
+    assert sum(isinstance(part, Binary) for part in walk(node)) == 3999
+
+
+@given(st.text(max_size=30) | st.text("()+-*/^%,;:{}[]'\"!#$&<>= .A1aé9E\\_|~", max_size=30))
+def test_any_text_is_parsed_or_refused(text):
+    for parse in (parse_description, parse_formula, lambda t: parse_formula(t, "openformula")):
+        try:
+            parse(text)
+        except FormulaError as problem:
+            assert problem.faults
+
+
+def test_numbers_keep_their_value():
+    assert parse_formula("0.1") == Number(0.1)
+    assert parse_formula("1.7976931348623157E+308") == Number(1.7976931348623157e308)
+    with pytest.raises(FormulaError, match="too large"):
+        parse_formula("1E309")
