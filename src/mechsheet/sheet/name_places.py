@@ -55,15 +55,17 @@ def place_names(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Gu
             terms.append(Call("ABS", (along,)))
         if name in mechanism.ground.points:
             terms += [_fixed(math.radians(side), c, s) for side in SUPPORT_SIDES]
-        score = Call("MAX", tuple(terms)) if terms else al.ZERO
+        # Rounded, so that of equally free directions every program takes the same.
+        score = Call("ROUND", (Call("MAX", tuple(terms)), Number(6.0))) if terms else al.ZERO
         page.fills.append(Fill(page.row, FIRST, score, NUMBER_STYLE, cols=len(DIRECTIONS)))
         scores = _across(page.row)
         row = here.x.row
         least = Call("MATCH", (Call("MIN", (scores,)), scores, al.ZERO))
         side = page.formula(SEVENTH, least, styles.decimals(styles.INNER, 0), row)
+        # gnumeric takes the number after a range of one row for that of a row: both are given.
         reach = Number(BLOCK_REACH if at_block else REACH)
         for col, place, parts in ((EIGHTH, here.chart_x, cosines), (NINTH, here.chart_y, sines)):
-            page.formula(col, al.add(place, al.mul(reach, Call("INDEX", (parts, side)))), row=row)
+            page.formula(col, al.add(place, al.mul(reach, Call("INDEX", (parts, al.ONE, side)))), row=row)
         page.row += 1
 
 
