@@ -18,6 +18,12 @@ from .ods_styles import FONT_FACES, OdsStyles
 from .ods_text import absolute, opened
 from .xml_text import attribute
 
+_CALCULATION = (
+    '<table:calculation-settings table:case-sensitive="false" table:automatic-find-labels="false"'
+    ' table:use-regular-expressions="false" table:use-wildcards="true"/>'
+)
+"""Comparisons and searches of texts as in an .xlsx: OpenDocument's own defaults differ."""
+
 
 def write_ods(workbook: Workbook, path: Path) -> None:
     """Write the workbook to `path`, replacing what is there only when all went well.
@@ -77,7 +83,7 @@ class _Document:
         tables = "".join(_table_style(i, sheet) for i, sheet in enumerate(sheets, 1))
         yield opened("office:document-content") + FONT_FACES
         yield f"<office:automatic-styles>{tables}{self.styles.automatic()}</office:automatic-styles>"
-        yield f"<office:body><office:spreadsheet>{content_validations(sheets)}"
+        yield f"<office:body><office:spreadsheet>{_CALCULATION}{content_validations(sheets)}"
         for i, sheet in enumerate(sheets):
             yield from table(sheet, self.rows[i], self.styles, f"ta{i + 1}", self.first_control[i])
         yield _names(self.workbook)
