@@ -10,10 +10,9 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
 
-from random_mechanisms import Grower
-
 from mechsheet.building import build
 from mechsheet.description import load, loads
+from random_mechanisms import Grower
 
 ROOT = Path(__file__).parent.parent
 DYADS = (2, 5, 10, 20, 40)

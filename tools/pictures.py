@@ -25,7 +25,9 @@ def picture(pdf: Path, target: Path, dpi: int) -> None:
     first_page = ["-f", "1", "-l", "1", "-singlefile", "-png"]
     subprocess.run(["pdftoppm", "-r", str(dpi), *first_page, str(pdf), str(page)], check=True)
     trim = ["-trim", "+repage", "-bordercolor", "white", "-border", "8", "-colors", "64", "-strip"]
-    subprocess.run(["convert", f"{page}.png", *trim, "-define", "png:exclude-chunks=date,time", str(target)], check=True)
+    subprocess.run(
+        ["convert", f"{page}.png", *trim, "-define", "png:exclude-chunks=date,time", str(target)], check=True
+    )
 
 
 def main() -> None:

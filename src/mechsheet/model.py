@@ -158,7 +158,7 @@ class Sketch:
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A further quantity: an expression over variables (also `C.x`) and dimensions; `unit` as for a dimension, or any label."""
+    """A further quantity: an expression over variables (`C.x` too) and dimensions; `unit` as a dimension's, or any label."""
 
     symbol: str
     formula: str

@@ -15,13 +15,17 @@ from mechsheet.formula.references import cell_name
 TIMEOUT = 600
 """Seconds that a spreadsheet program may take."""
 
-RECALCULATE = """<?xml version="1.0" encoding="UTF-8"?>
-<oor:items xmlns:oor="http://openoffice.org/2001/registry" xmlns:xs="http://www.w3.org/2001/XMLSchema"
- xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
-<item oor:path="/org.openoffice.Office.Calc/Formula/Load"><prop oor:name="OOXMLRecalcMode" oor:op="fuse"><value>0</value></prop></item>
-<item oor:path="/org.openoffice.Office.Calc/Formula/Load"><prop oor:name="ODFRecalcMode" oor:op="fuse"><value>0</value></prop></item>
-</oor:items>
-"""
+_ALWAYS = (
+    '<item oor:path="/org.openoffice.Office.Calc/Formula/Load">'
+    '<prop oor:name="{}" oor:op="fuse"><value>0</value></prop></item>'
+)
+
+RECALCULATE = (
+    '<?xml version="1.0" encoding="UTF-8"?>\n'
+    '<oor:items xmlns:oor="http://openoffice.org/2001/registry" xmlns:xs="http://www.w3.org/2001/XMLSchema" '
+    'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">'
+    f"{_ALWAYS.format('OOXMLRecalcMode')}{_ALWAYS.format('ODFRecalcMode')}</oor:items>\n"
+)
 """LibreOffice believes the values stored in an .xlsx unless its profile says otherwise."""
 
 

@@ -1,4 +1,4 @@
-"""Would anybody notice? Each fault is built into a workbook that is otherwise right, with values that fit the faulty formula."""
+"""Would anybody notice? Each fault is built into a workbook that is otherwise right, its values fitting the fault."""
 
 from dataclasses import replace
 from pathlib import Path

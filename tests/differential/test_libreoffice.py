@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from random_mechanisms import KINDS, Grower
 
 from mechsheet.checking import check
 from mechsheet.checking.cells import angles_in, compare_cells
@@ -15,6 +14,7 @@ from mechsheet.formats import read, write
 from mechsheet.kinematics.solve import solve
 from mechsheet.programs import convert_with_libreoffice, stored_values
 from mechsheet.sheet.layout import lay_out
+from random_mechanisms import KINDS, Grower
 
 pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
 

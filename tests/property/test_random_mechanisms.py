@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from judging import judged
-from random_mechanisms import KINDS, Grower
 
+from judging import judged
 from mechsheet.description import loads
 from mechsheet.kinematics.solve import solve
+from random_mechanisms import KINDS, Grower
 
 CHUNK = 20
 CHUNKS = 15

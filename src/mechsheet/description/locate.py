@@ -13,7 +13,6 @@ def located(error: MechanismError, text: str, file: str) -> MechanismError:
     def place(fault: Fault) -> Fault:
         if fault.file or not fault.key:
             return fault
-        found = source.fault(tuple(fault.key.split(".")), fault.message, fault.hint)
-        return found
+        return source.fault(tuple(fault.key.split(".")), fault.message, fault.hint)
 
     return MechanismError(place(fault) for fault in error.faults)

@@ -105,7 +105,8 @@ def _no_pivot(driver: Driver, graph: Graph) -> Fault:
         if body != driver.link and body not in graph.blocks and set(graph.points[body]) & set(graph.points[driver.link])
     ]
     return Fault(
-        f'link "{driver.link}" and link "{driver.relative_to}" share no point: a link can only be turned about a revolute joint',
+        f'link "{driver.link}" and link "{driver.relative_to}" share no point: '
+        "a link can only be turned about a revolute joint",
         key="driver.link",
         hint=f'"{driver.link}" is joined to {", ".join(neighbours) or "no link"}: name one of them as relative_to',
     )

@@ -33,7 +33,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "COS": np.cos,
     "DEGREES": np.degrees,
     "EXP": np.exp,
-    "IF": lambda test, yes, no: np.where(test, yes, no),
+    "IF": np.where,
     "ISNUMBER": lambda x: ~np.isnan(x),
     "LN": np.log,
     "MAX": lambda *args: _fold(np.maximum, args),

@@ -208,7 +208,7 @@ def _plan_columns(plan: Plan) -> None:
 
 
 def _plan_equation(plan: Plan, equation: Equation) -> None:
-    """One column, or two: what formulas read (folded away), and what people read (in degrees; #N/A in rows that do not exist)."""
+    """One column, or two: what formulas read (folded away), and what people read (degrees; #N/A where nothing exists)."""
     if equation.kind == "output":
         in_degrees = next(out for out in plan.mechanism.outputs if out.symbol == equation.symbol).unit == "deg"
         col = _add_column(plan, equation.symbol, "equation", -1, False, equation)
