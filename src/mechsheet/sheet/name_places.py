@@ -4,7 +4,8 @@ Of eight directions u the one is taken whose largest cosine with the directions 
 
     score(u) = max over neighbours of  u . n / |n|,
 
-so a name moves round its point as the mechanism moves and never lies on a link of that point.
+plus a little that grows from direction to direction, lest rounding decide between equals. So a name moves round its
+point as the mechanism moves, and never lies on a link of that point.
 """
 
 from __future__ import annotations
@@ -26,6 +27,9 @@ from mechsheet.sheet.workbook import Fill
 DIRECTIONS = (45, 135, 90, 0, 180, 315, 225, 270)
 """In degrees; of equally free ones the first is taken."""
 
+PREFERENCE = 1e-4
+"""What each direction's score is raised by over that of the one before."""
+
 REACH, BLOCK_REACH = 0.085, 0.125
 """How far from its point a name stands: from a joint, and from a sliding block."""
 
@@ -43,8 +47,12 @@ def place_names(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Gu
         for n, direction in enumerate(DIRECTIONS):
             page.put(FIRST + n, round(function(math.radians(direction)), 6) + 0.0, NUMBER_STYLE)
         page.row += 1
+    page.put(NAME, "+")
+    for n in range(len(DIRECTIONS)):
+        page.put(FIRST + n, n * PREFERENCE, NUMBER_STYLE)
+    page.row += 1
     cosines, sines = _across(first), _across(first + 1)
-    c, s = CellRef(first, FIRST, row_abs=True), CellRef(first + 1, FIRST, row_abs=True)
+    c, s, handicap = (CellRef(first + n, FIRST, row_abs=True) for n in range(3))
     for name in labelled_points(mechanism):
         here = cells[name]
         page.put(NAME, rich(name), styles.SYMBOL)
