@@ -24,6 +24,9 @@ def first_row(plan: Plan) -> Node:
 
 
 def last_row(plan: Plan) -> Node:
-    """The same for the last one: 1 + the largest row number among the rows that exist."""
+    """The same for the last one: 1 + the largest row number among the rows that exist.
+
+    LARGE, not MAX: gnumeric evaluates only the former's argument as an array here.
+    """
     product = Binary("*", exists_column(plan), Binary("+", fixed_column(plan, NUMBER), Number(1.0)))
-    return Call("SUMPRODUCT", (Call("MAX", (product,)),))
+    return Call("SUMPRODUCT", (Call("LARGE", (product, Number(1.0))),))
