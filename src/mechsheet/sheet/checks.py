@@ -42,6 +42,10 @@ SIDE = 6
 """First column of the second block of them: its label, value and verdict are two, one and one columns wide."""
 
 
+COLUMNS_OF_A_PAGE = 20
+"""More columns are printed on several pages side by side."""
+
+
 def checks_sheet(plan: Plan) -> Sheet:
     """The sheet. Writes down where `#clear`, `#worst` and `#leaps` stand, for the first sheet to read."""
     return _Sheet(plan).sheet()
@@ -100,7 +104,12 @@ class _Sheet:
             selected=(CLEAR_ROW, VALUE),
             gridlines=False,
             tab_color="B8860B",
-            print_setup=PrintSetup(repeat_rows=(GROUP_ROW, VERDICT_ROW), footer=plan.text("footer")),
+            print_setup=PrintSetup(
+                fit_width=1 + self.last_col // COLUMNS_OF_A_PAGE,
+                repeat_rows=(GROUP_ROW, VERDICT_ROW),
+                area=Area(0, 0, self.last_row, max(self.last_col, SIDE + 3)),
+                footer=plan.text("footer"),
+            ),
         )
 
     # --- small things -----------------------------------------------------------------------------------------
@@ -185,21 +194,22 @@ class _Sheet:
         return " [rad]" if check.unit == "angle" else f" [{self.plan.mechanism.length_unit}]"
 
     def _summary(self, col: int, check: Check, style: Style) -> None:
-        """The largest value (or the number of leaps), where it occurs, and the verdict."""
+        """The largest value (or the number of leaps), the verdict, and where the error is if there is one."""
         column = self.own_column(col)
         most = Call("SUM" if check.unit == "leap" else "MAX", (column,))
         self.formula(MOST_ROW, col, most, self._boxed(style))
+        if check.unit in ("move", "turn"):
+            self.put(AT_ROW, col, None, styles.VERDICT_MIDDLE)
+            self.put(VERDICT_ROW, col, None, styles.VERDICT_MIDDLE)
+            return
         cell = CellRef(MOST_ROW, col, True, False)
+        good = self._within(cell, check.unit)
+        self.verdict(VERDICT_ROW, col, good)
         sought: Node = al.ONE if check.unit == "leap" else cell
         drivers = RangeRef(CellRef(FIRST, DRIVER_COL, True, True), CellRef(self.last_row, DRIVER_COL, True, True))
         where = Call("INDEX", (drivers, Call("MATCH", (sought, column, al.ZERO))))
-        if self.plan.rows > (1 if check.after else 0):
-            style = self._boxed(styles.decimals(styles.COLUMN, 2))
-            self.formula(AT_ROW, col, Call("IFERROR", (where, Text(""))), style)
-        if check.unit in ("move", "turn"):
-            self.put(VERDICT_ROW, col, None, styles.VERDICT_MIDDLE)
-        else:
-            self.verdict(VERDICT_ROW, col, self._within(cell, check.unit))
+        place = Call("IF", (good, Text(""), Call("IFERROR", (where, Text("")))))
+        self.formula(AT_ROW, col, place, self._boxed(styles.decimals(styles.COLUMN, 2)))
 
     def _boxed(self, style: Style) -> Style:
         return styles.numbered(styles.RESULT, style.number_format)
