@@ -248,10 +248,11 @@ def _caption(page: Page) -> Series:
     words = Binary("&", words, Text(unit if unit in ("", "°") else f" {unit}"))
     exists = Binary("=", page.indexed(plan.at.spots["#exists"]), al.ONE)
     why = Binary("&", Text(" – "), page.indexed(plan.at.spots["#status"]))
+    note = Call("IFERROR", (Call("IF", (exists, Text(""), why)), Text(f" – {plan.text('drawing.nothing')}")))
     page.section(plan.text("drawing.caption"), ["", "", "X", "Y"])
-    cell = page.formula(NAME, Binary("&", words, Call("IF", (exists, Text(""), why))), styles.INNER)
+    cell = page.formula(NAME, Binary("&", words, note), styles.INNER)
     page.put(CHART_X, -0.97, styles.INNER)
-    page.put(CHART_Y, 0.95, styles.INNER)
+    page.put(CHART_Y, 0.93, styles.INNER)
     series = label(page, page.named(cell), page.row, CHART_X, CHART_Y)
     page.row += 1
     return Series(series.name, series.x, series.y, show_name=True, label_side="right", label_size=11.0, in_legend=False)

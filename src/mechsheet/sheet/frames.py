@@ -89,8 +89,11 @@ class Page:
     # --- the sweep -------------------------------------------------------------------------------------------
 
     def read(self, symbol: str) -> Node:
-        """The quantity (internal units) in the row of the table that a row of a sweep column stands for."""
-        spot = self._spot(symbol)
+        """The quantity (internal units) in the row of the table that a row of a sweep column stands for.
+
+        Taken from where people read it: there it is #N/A in rows that do not exist.
+        """
+        spot = self.plan.at.shown[symbol]
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
         cell: Node = CellRef(self.first, spot.col, sheet=spot.sheet)
@@ -99,14 +102,9 @@ class Page:
             cell = Call("INDEX", (self.plan.at.area(spot, self.title), al.add(number, al.ONE)))
         return Call("RADIANS", (cell,)) if spot.degrees else cell
 
-    def _spot(self, symbol: str) -> Spot:
-        """Where to read a quantity: as people read it (#N/A where the position does not exist), unless in degrees."""
-        shown = self.plan.at.shown[symbol]
-        return self.plan.at.spots[symbol] if shown.degrees or not shown.column else shown
-
     def at_position(self, symbol: str) -> Node:
-        """The quantity (internal units) in the row of the position shown."""
-        spot = self._spot(symbol)
+        """The quantity (internal units) in the row of the position shown; #N/A where it does not exist."""
+        spot = self.plan.at.shown[symbol]
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
         cell = self.indexed(spot)

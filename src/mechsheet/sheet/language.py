@@ -265,17 +265,17 @@ WORDS: dict[str, tuple[str, str]] = {
     "notes.driver": ("the driver, row by row", "tahrik, satır satır"),
     "notes.column.status": (
         "a word on the position: which links cannot be joined",
-        "konum için bir söz: hangi uzuvlar birleşmiyor",
+        "konumun durumu: hangi uzuvlar birleşmiyor",
     ),
     "notes.column.exists": ("1 where all groups close, else 0", "bütün gruplar kapanıyorsa 1, yoksa 0"),
     "notes.first": ("in the first row", "ilk satırda"),
     "notes.above": ("row above", "üst satır"),
-    "notes.if": ("if", "eğer"),
+    "notes.missing": ("#N/A", "#YOK"),
     "notes.otherwise": ("otherwise", "değilse"),
     "notes.or": ("or", "veya"),
     "notes.and": ("and", "ve"),
     "notes.round": ("round", "yuvarla"),
-    "notes.is_number": ("is a number", "bir sayıysa"),
+    "notes.is_number": ("is a number", "bir sayı"),
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.hint": (
         "The yellow cells of the head row may be changed, and so may the dimensions on the first sheet. "
@@ -314,6 +314,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "drawing.slot": ("slot of {symbol}", "{symbol} kanalı"),
     "drawing.block": ("block of {symbol}", "{symbol} bloğu"),
     "drawing.support": ("support {point}", "{point} mesnedi"),
+    "drawing.nothing": ("not possible with these dimensions", "bu boyutlarla olmuyor"),
     "drawing.caption": ("Caption", "Yazı"),
     "drawing.alt": ("{title}: drawing at the position shown", "{title}: gösterilen konumdaki çizim"),
     "source": ("Source: {source}", "Kaynak: {source}"),
