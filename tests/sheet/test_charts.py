@@ -1,0 +1,150 @@
+"""Which charts a workbook has, what is in them, and where they stand."""
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from mechsheet.description import loads
+from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests
+from mechsheet.sheet.layout import lay_out
+from mechsheet.sheet.mechanism import CHARTS
+
+ROOT = Path(__file__).parents[2]
+TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
+
+SLIDER_CRANK = """
+format = 1
+[mechanism]
+name = "slider-crank"
+[dimensions]
+a2 = 50
+a3 = 250
+b3 = 120
+[links.ground]
+points = { A0 = [0, 0] }
+[links.crank]
+points = { A0 = [0, 0], A = ["a2", 0] }
+[links.coupler]
+points = { B = [0, 0], A = ["a3", 0], C = { r = "b3", angle = -30 } }
+[links.piston]
+points = { B = [0, 0] }
+[[joints]]
+type = "prismatic"
+link = "piston"
+on = "ground"
+point = "B"
+through = "A0"
+[driver]
+link = "crank"
+start = 0
+stop = 360
+step = 10
+[outputs]
+mu = { formula = "theta13 - theta12", unit = "deg" }
+nu = { formula = "theta12 - 2*theta13", unit = "deg" }
+near = { formula = "s14 - a3", unit = "mm" }
+far = { formula = "100*s14", unit = "mm" }
+area = { formula = "a2*s14", unit = "mm^2" }
+"""
+
+
+@cache
+def laid(text):
+    mechanism = loads(text)
+    return lay_out(mechanism, solve(mechanism))
+
+
+def template(name):
+    return laid((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"))
+
+
+def test_charts_that_suit_any_mechanism():
+    """Angles that move, displacements, outputs by unit and size, the path of the coupler point; the crank's pin has none."""
+    _, plan = laid(SLIDER_CRANK)
+    requests = chart_requests(plan)
+    assert [request.y or request.paths for request in requests] == [
+        ("theta13",), ("s14",), ("mu", "nu"), ("near",), ("far",), ("area",), ("C",),
+    ]  # fmt: skip
+
+
+def test_charts_of_the_description_take_their_place():
+    text = (
+        SLIDER_CRANK
+        + '[[charts]]\ntitle = "One"\nx = "theta12"\ny = ["mu", "theta13"]\n[[charts]]\npaths = ["A", "C"]\n'
+    )
+    workbook, _ = laid(text)
+    drawing, one, paths = workbook.sheets[0].charts
+    assert (drawing.name, one.title) == ("drawing", "One")
+    assert [series.name for series in one.series if series.in_legend] == ["μ", "θ₁₃"]
+    assert [series.name for series in paths.series if series.in_legend] == ["A", "C"]
+
+
+def test_axes_say_symbol_and_unit():
+    workbook, _ = laid(SLIDER_CRANK)
+    _, angles, displacements, outputs, *_ = workbook.sheets[0].charts
+    assert (angles.x_axis.title, angles.y_axis.title) == ("θ₁₂ [°]", "θ₁₃ [°]")
+    assert (angles.x_axis.low, angles.x_axis.high, angles.x_axis.step) == (0, 360, 30)
+    assert displacements.y_axis.title == "s₁₄ [mm]"
+    assert outputs.y_axis.title == "μ, ν [°]"
+    assert (angles.y_axis.low, angles.y_axis.high) == (None, None)  # dimensions change while the file lives
+
+
+@pytest.mark.parametrize(("start", "stop", "low", "high", "step"), [
+    (0, 360, 0, 360, 30), (0, 720, 0, 720, 60), (-70, 70, -75, 75, 15), (10, 32, 10, 32, 2), (30, 30, None, None, None),
+])  # fmt: skip
+def test_steps_of_the_driver(start, stop, low, high, step):
+    text = SLIDER_CRANK.replace("start = 0\nstop = 360\nstep = 10", f"start = {start}\nstop = {stop}\nstep = 2")
+    axis = laid(text)[0].sheets[0].charts[1].x_axis
+    assert (axis.low, axis.high, axis.step) == (low, high, step)
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_every_curve_has_its_marker(name):
+    """One point from single cells for each curve, in its colour; curves read whole columns of the table of positions."""
+    workbook, _ = template(name)
+    for chart in workbook.sheets[0].charts:
+        if chart.name == "drawing":
+            continue
+        curves = [series for series in chart.series if series.in_legend]
+        markers = {(series.name, series.marker_fill) for series in chart.series if series.marker}
+        assert curves and {(series.name, series.line) for series in curves} == markers
+        for series in chart.series:
+            if series.marker:
+                assert series.x.area.first_row == series.x.area.last_row
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_charts_do_not_overlap(name):
+    """On the grid by which they are placed; the drawing first, under the scroll bar, everything else right of the blocks."""
+    workbook, _ = template(name)
+    sheet = workbook.sheets[0]
+    boxes = []
+    for chart in sheet.charts:
+        left = (chart.anchor.col - CHARTS) * COLUMN_WIDTH + chart.anchor.dx
+        top = chart.anchor.row * ROW_HEIGHT + chart.anchor.dy
+        boxes.append((left, top, left + chart.anchor.width, top + chart.anchor.height))
+        assert chart.anchor.dx < COLUMN_WIDTH and chart.anchor.dy < ROW_HEIGHT
+    assert sheet.charts[0].name == "drawing" and sheet.charts[0].anchor.row == 3
+    for n, a in enumerate(boxes):
+        assert a[0] >= 0
+        for b in boxes[:n]:
+            assert a[0] >= b[2] or b[0] >= a[2] or a[1] >= b[3] or b[1] >= a[3]
+    heights = dict(sheet.row_heights)
+    for row in range(sheet.charts[0].anchor.row, max(chart.anchor.row for chart in sheet.charts)):
+        assert row in heights  # not left to a program, else charts run into each other
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_true_scale(name):
+    """Drawing and paths: square frame, square plot area, the same fixed axes, hidden."""
+    workbook, _ = template(name)
+    for chart in workbook.sheets[0].charts:
+        if chart.inner is None:
+            continue
+        assert chart.anchor.width == chart.anchor.height
+        assert chart.inner[2] == chart.inner[3]
+        assert chart.inner[0] + chart.inner[2] <= 1 and chart.inner[1] + chart.inner[3] <= 1
+        for axis in (chart.x_axis, chart.y_axis):
+            assert (axis.low, axis.high, axis.visible) == (-1, 1, False)
