@@ -13,6 +13,8 @@ import numpy as np
 
 from ..diagnostics import Fault, WorkbookError
 from ..formula.nodes import (
+    MAX_COLUMNS,
+    MAX_ROWS,
     ArrayLiteral,
     Binary,
     Boolean,
@@ -32,7 +34,7 @@ from .frames import Frame, Span, UnsupportedError, VaryingSizeError
 from .kernels import KERNELS
 from .kernels_math import OPERATORS, snapped
 from .layout import Area, Layout
-from .values import BLANK, REF, VALUE, Cells, Codes, Numbers, Texts, codes_of, error, finished, first_error
+from .values import BLANK, NULL, REF, VALUE, Cells, Codes, Numbers, Texts, codes_of, error, finished, first_error
 
 _COMPARISONS = frozenset(("=", "<>", "<", "<=", ">", ">="))
 
@@ -99,6 +101,8 @@ class Evaluator:
 
     def chain(self, node: Binary, frame: Frame, spread: bool) -> Cells:
         """A run of operators down the left side, in one loop: a sum may have thousands of terms."""
+        if node.op == " ":
+            return self.shared(node, frame)
         run: list[Binary] = []
         left: Node = node
         while isinstance(left, Binary):
@@ -162,20 +166,33 @@ class Evaluator:
             raise VaryingSizeError
         rows = sorted(ref.row if ref.row_abs else ref.row + frame.down for ref in (start, end))
         cols = sorted(ref.col if ref.col_abs else ref.col + frame.right for ref in (start, end))
-        return Span(
-            self.sheets[start.sheet],
-            rows[0],
-            cols[0],
-            rows[1] - rows[0] + 1,
-            cols[1] - cols[0] + 1,
-            several[0] and not start.row_abs,
-            several[1] and not start.col_abs,
-        )
+        down, right = several[0] and not start.row_abs, several[1] and not start.col_abs
+        last = rows[1] + (frame.rows - 1 if down else 0), cols[1] + (frame.cols - 1 if right else 0)
+        if last[0] >= MAX_ROWS or last[1] >= MAX_COLUMNS:
+            if frame.rows == frame.cols == 1:
+                return None
+            raise VaryingSizeError
+        height, width = rows[1] - rows[0] + 1, cols[1] - cols[0] + 1
+        return Span(self.sheets[start.sheet], rows[0], cols[0], height, width, down, right)
+
+    def shared(self, node: Binary, frame: Frame) -> Cells:
+        """The cells that two ranges have in common (the operator ` `): #NULL! when there are none."""
+        if frame.rows > 1 or frame.cols > 1:
+            raise VaryingSizeError
+        first, second = self.span(node.left, frame), self.span(node.right, frame)
+        if first is None or second is None or first.sheet != second.sheet:
+            return error(REF if first is None or second is None else VALUE)
+        row, col = max(first.row, second.row), max(first.col, second.col)
+        height = min(first.row + first.height, second.row + second.height) - row
+        width = min(first.col + first.width, second.col + second.width) - col
+        if height < 1 or width < 1:
+            return error(NULL)
+        return self.spread_out(Span(first.sheet, row, col, height, width, False, False), frame)
 
     def cell(self, node: CellRef, frame: Frame) -> Cells:
         """A single cell's value over the frame."""
         span = self.span(node, frame)
-        if span is None or span.row < 0 or span.col < 0:
+        if span is None:
             return error(REF)
         rows = frame.rows if span.moves_down else 1
         cols = frame.cols if span.moves_right else 1
@@ -193,8 +210,10 @@ class Evaluator:
     def range(self, node: RangeRef, frame: Frame) -> Cells:
         """A range as an array value, (height, width, cols or 1, rows or 1). Whole columns end with the sheet's data."""
         span = self.span(node, frame)
-        if span is None or span.row < 0 or span.col < 0:
-            return error(REF)
+        return error(REF) if span is None else self.spread_out(span, frame)
+
+    def spread_out(self, span: Span, frame: Frame) -> Cells:
+        """The cells of a span as an array value."""
         rows = frame.rows if span.moves_down else 1
         cols = frame.cols if span.moves_right else 1
         area = Area(span.sheet, span.row, span.col, span.height + rows - 1, span.width + cols - 1)

@@ -47,7 +47,7 @@ _SCALAR = {
     "logical_or": "{0} or {1}",
     "logical_not": "not {0}",
     "where": "{1} if {0} else {2}",
-    "snap": "0.0 if abs({0}) < NEAR * abs({1}) else {0}",
+    "snap": "0.0 if abs({0}) < NEAR * abs({1}) and abs({0}) < 1 else {0}",
 }
 """How Python says an operation on single numbers; the others go through numpy, which gives the same bits as for a column."""
 
@@ -271,7 +271,9 @@ class _Emitter:
             text = f"numbers[places{number}]"
         elif value.op == "snap":
             result, left = args
-            text = f"{self._function('where')}(abs({result}) < NEAR * abs({left}), 0.0, {result})"
+            text = (
+                f"{self._function('where')}((abs({result}) < NEAR * abs({left})) & (abs({result}) < 1), 0.0, {result})"
+            )
         else:
             text = f"{self._function(value.op)}({', '.join(args)})"
         self.line(f"r{number} = {text}")
@@ -330,7 +332,7 @@ class _Emitter:
         else:
             limit = f"NEAR * abs({self.names[left]})"
         self.line(f"{self._function('less')}({size}, {limit}, {mask})")
-        self.line(f"if {mask}.tobytes().find(1) >= 0: {target}[{mask}] = 0.0")
+        self.line(f"if {mask}.tobytes().find(1) >= 0: {target}[{mask} & ({size} < 1)] = 0.0")
         values.give(size)
         masks.give(mask)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..formula.nodes import ArrayLiteral, CellRef, Node, Number, RangeRef
+from ..formula.nodes import ArrayLiteral, Binary, CellRef, Node, Number, RangeRef
 from .coerce import numbers_of
 from .frames import Frame, UnsupportedError
 from .kernels_logic import _first_of, _flat
@@ -51,9 +51,22 @@ def is_reference(node: Node) -> bool:
     return isinstance(node, CellRef | RangeRef | ArrayLiteral)
 
 
+def united(args: Args) -> list[Node]:
+    """The arguments, unions `(A1:A3,B2)` as their parts."""
+    found: list[Node] = []
+    stack = list(reversed(args))
+    while stack:
+        arg = stack.pop()
+        if isinstance(arg, Binary) and arg.op == ",":
+            stack += (arg.right, arg.left)
+        else:
+            found.append(arg)
+    return found
+
+
 def gather(ev: Evaluator, args: Args, frame: Frame) -> Gathered:
     """The values of all arguments in one array."""
-    parts = [_part(ev, arg, frame) for arg in args]
+    parts = [_part(ev, arg, frame) for arg in united(args)]
     if len(parts) == 1:
         return parts[0]
     tail = np.broadcast_shapes(*(np.shape(part.numbers)[1:] for part in parts))
@@ -186,7 +199,7 @@ def counta(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """COUNTA: everything but blanks, errors and empty texts too."""
     del spread
     number: Any = np.float64(0)
-    for arg in args:
+    for arg in united(args):
         cells = ev.value(arg, frame, spread=True)
         filled = np.broadcast_to(codes_of(cells) != BLANK, cells.shape)
         number = number + np.add.reduce(_flat(filled).astype(np.float64))

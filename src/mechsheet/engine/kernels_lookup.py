@@ -18,6 +18,7 @@ from .values import (
     BOOLEAN,
     DIV0,
     ERROR,
+    ERROR_NAMES,
     NA,
     NUMBER,
     REF,
@@ -27,6 +28,7 @@ from .values import (
     choose,
     codes_of,
     error,
+    error_code,
     errors_of,
     finished,
     first_error,
@@ -66,10 +68,11 @@ def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         row, col = np.where(width == 1, row, 1.0), np.where(width == 1, col, row)
     row, col = np.trunc(row), np.trunc(col)
     several = (np.equal(row, 0) & (height > 1)) | (np.equal(col, 0) & (width > 1))
-    row, col = np.maximum(row, np.equal(row, 0)), np.maximum(col, np.equal(col, 0))
+    row, col = np.where(np.equal(row, 0), 1.0, row), np.where(np.equal(col, 0), 1.0, col)
     own = np.where(several, np.uint8(VALUE), np.uint8(0))
     outside = (row < 1) | (row > height) | (col < 1) | (col > width) | ~np.isfinite(row) | ~np.isfinite(col)
     own = np.where(outside, np.uint8(REF), own)
+    own = np.where((row < 0) | (col < 0), np.uint8(VALUE), own)
     beyond = ~outside & ((row > table.numbers.shape[0]) | (col > table.numbers.shape[1]))
     safe = outside | beyond
     i, j = np.where(safe, 0, row - 1).astype(np.intp), np.where(safe, 0, col - 1).astype(np.intp)
@@ -245,6 +248,9 @@ def criterion(value: Any, ev: Evaluator) -> Callable[[Cells], Any]:
 
 
 def _text_criterion(op: str, word: str, explicit: bool, ev: Evaluator) -> Callable[[Cells], Any]:
+    if word.upper() in ERROR_NAMES and op in ("=", "<>"):
+        wanted = error_code(word)
+        return lambda cells: (codes_of(cells) == wanted) ^ (op == "<>")
     if word.upper() in ("TRUE", "FALSE") and op in ("=", "<>"):
         flag = float(word.upper() == "TRUE")
         return lambda cells: ((codes_of(cells) == BOOLEAN) & (cells.numbers == flag)) ^ (op == "<>")

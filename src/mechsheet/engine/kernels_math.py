@@ -20,11 +20,12 @@ NEAR = 2.0**-48
 
 
 def snapped(result: Any, left: Any) -> Any:
-    """A sum or difference, with what is left over from cancellation (below NEAR of an operand) taken as 0.
+    """A sum or difference, with what is left over from cancellation (below NEAR of an operand, and below 1) taken as 0.
 
     Excel does this where + or - is the last operation of a formula: 0.1+0.2-0.3 is 0 there.
     """
-    return np.where(np.abs(result) < NEAR * np.abs(left), 0.0, result)
+    size = np.abs(result)
+    return np.where((size < NEAR * np.abs(left)) & (size < 1), 0.0, result)
 
 
 def power(base: Any, exponent: Any) -> Result:

@@ -39,6 +39,7 @@ class Format(NamedTuple):
     decimals: int
     optional: int
     whole: int
+    point: bool
     thousands: bool
     percent: bool
     exponent: int
@@ -65,9 +66,16 @@ def number_format(text: str) -> Format | None:
     if match is None or not (match["whole"] or match["decimals"] or match["optional"]):
         return None
     return Format(
-        _literal(match["before"]), _literal(match["after"]), len(match["decimals"] or ""), len(match["optional"] or ""),
-        match["whole"].count("0"), "," in match["whole"], bool(match["percent"]), len(match["exponent"] or ""),
-    )  # fmt: skip
+        before=_literal(match["before"]),
+        after=_literal(match["after"]),
+        decimals=len(match["decimals"] or ""),
+        optional=len(match["optional"] or ""),
+        whole=match["whole"].count("0"),
+        point=match["decimals"] is not None,
+        thousands="," in match["whole"],
+        percent=bool(match["percent"]),
+        exponent=len(match["exponent"] or ""),
+    )
 
 
 def formatted(value: float, pattern: str) -> str | None:
@@ -94,7 +102,7 @@ def _written(value: float, shape: Format) -> str:
         exponent = f"E{'-' if power < 0 else '+'}{abs(power):0{shape.exponent}d}"
     # Excel rounds the decimal number of 15 digits that a person sees, halves away from zero.
     number = Decimal(f"{value:.15g}").quantize(Decimal(1).scaleb(-shape.decimals - shape.optional), ROUND_HALF_UP)
-    sign = "-" if number < 0 else ""
+    sign = "-" if value < 0 else ""  # also before what is rounded to 0, as Excel shows it
     whole, _, fraction = f"{abs(number):f}".partition(".")
     kept = fraction[: shape.decimals] + fraction[shape.decimals :].rstrip("0")
     if shape.whole == 0 and whole == "0":
@@ -102,7 +110,7 @@ def _written(value: float, shape: Format) -> str:
     whole = whole.rjust(shape.whole, "0")
     if shape.thousands:
         whole = re.sub(r"(?<=\d)(?=(?:\d{3})+$)", ",", whole)
-    body = whole + ("." + kept if kept or shape.decimals else "") + exponent
+    body = whole + ("." + kept if shape.point else "") + exponent
     return f"{sign}{shape.before}{body}{'%' if shape.percent else ''}{shape.after}"
 
 

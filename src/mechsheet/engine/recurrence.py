@@ -137,7 +137,7 @@ def running(start: float, steps: Any, step_first: bool) -> Any:
         sums = np.add.accumulate(np.concatenate(([start], steps[place:])))
         found = sums[1:]
         left = steps[place:] if step_first else sums[:-1]
-        snaps = np.flatnonzero((np.abs(found) < NEAR * np.abs(left)) & (found != 0))
+        snaps = np.flatnonzero((np.abs(found) < np.minimum(NEAR * np.abs(left), 1)) & (found != 0))
         end = int(snaps[0]) if len(snaps) else len(found)
         result[place : place + end] = found[:end]
         place += end

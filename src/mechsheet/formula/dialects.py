@@ -44,8 +44,8 @@ _COMPARISONS = dict.fromkeys(("=", "<>", "<", "<=", ">", ">="), 10)
 _SHEET = {**_COMPARISONS, "&": 20, "+": 30, "-": 30, "*": 40, "/": 40, "^": 50}
 _MATHEMATICS = {"+": 30, "-": 30, "*": 40, "/": 40, "^": 50}
 
-EXCEL = Dialect("excel", {**_SHEET, " ": 90, ":": 100}, prefix=70, postfix=60)
-"""Union is a comma inside parentheses of its own, so it stands in no table."""
+EXCEL = Dialect("excel", {**_SHEET, ",": 80, " ": 90, ":": 100}, prefix=70, postfix=60, spelling={",": "~"})
+"""A union is written as a comma inside parentheses of its own; `~` for it is read because LibreOffice writes that."""
 
 OPENFORMULA = Dialect(
     "openformula",

@@ -46,7 +46,7 @@ _EXCEL = re.compile(
     | (?P<columns>\$?[A-Za-z]{{1,3}}:\$?[A-Za-z]{{1,3}}(?![\w.(!?\\$]))
     | (?P<function>[^\W\d][\w.]*(?=\())
     | (?P<name>(?:[^\W\d]|\\)[\w.?\\]*)
-    | (?P<op><>|<=|>=|[-+*/^&=<>%:])
+    | (?P<op><>|<=|>=|[-+*/^&=<>%:~])
     | (?P<open>\() | (?P<close>\)) | (?P<array>\{{) | (?P<array_end>\}})
     | (?P<separator>,) | (?P<row_separator>;)
     """,

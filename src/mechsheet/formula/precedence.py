@@ -52,8 +52,14 @@ class Parser:
 
     def expression(self, minimum: int) -> Node:
         """An operand, and every operator after it that binds at least as strongly as `minimum`."""
-        left = self.signed(minimum)
+        left = self.signed()
         while (op := self.operator()) is not None:
+            if op == "%":
+                if self.dialect.postfix < minimum:
+                    break
+                self.take()
+                left = Unary("%", left)
+                continue
             power = self.dialect.infix[op]
             if power < minimum:
                 break
@@ -68,8 +74,10 @@ class Parser:
         return left
 
     def operator(self) -> str | None:
-        """The infix operator that comes next, in the tree's spelling, or None."""
+        """The infix operator (or `%`) that comes next, in the tree's spelling, or None."""
         token = self.next
+        if self.dialect.postfix and token.kind == "op" and token.text == "%":
+            return "%"
         return self.operators.get(token.text) if token.kind == "op" else None
 
     def pass_operator(self, op: str) -> None:
@@ -81,21 +89,17 @@ class Parser:
         """The node of an infix operator."""
         return Binary(op, left, right)
 
-    def signed(self, minimum: int) -> Node:
-        """An operand with its signs before and its `%` behind, as far as they bind with `minimum`."""
+    def signed(self) -> Node:
+        """An operand with its signs."""
         self.skip_space()
         token = self.next
         if token.kind == "op" and token.text in "+-":
             self.take()
             self.deeper()
-            node: Node = Unary("-" if token.text == "-" else "+", self.expression(self.dialect.prefix))
+            node = Unary("-" if token.text == "-" else "+", self.expression(self.dialect.prefix))
             self.depth -= 1
-        else:
-            node = self.operand()
-        while self.dialect.postfix > minimum and self.next.kind == "op" and self.next.text == "%":
-            self.take()
-            node = Unary("%", node)
-        return node
+            return node
+        return self.operand()
 
     def operand(self) -> Node:
         """What an operator works on; each dialect has its own."""

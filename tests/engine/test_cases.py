@@ -1,0 +1,92 @@
+"""Every function and operator against the case files: alone, in a column, and the second time (on the fast path)."""
+
+import pytest
+
+from engine_cases import COLUMN, FILES, FIRST_ROW, book_of, cases, same
+from mechsheet.engine import compile_book, evaluate
+from mechsheet.engine.kernels import KERNELS
+from mechsheet.formula.book import BookBuilder
+from mechsheet.formula.functions import FUNCTIONS
+from mechsheet.formula.nodes import Call, CellRef, shifted, transform, walk
+from mechsheet.formula.parser import parse_formula
+
+CASES = cases()
+
+
+@pytest.fixture(scope="module")
+def plan():
+    return compile_book(book_of([formula for _, formula, _ in CASES]))
+
+
+@pytest.mark.parametrize("time", ["first", "second"])
+@pytest.mark.parametrize("file", [path.stem for path in FILES])
+def test_cases(plan, file, time):
+    values = plan.evaluate()
+    wrong = [
+        (formula, value, values.get("S", row, COLUMN))
+        for row, (stem, formula, value) in enumerate(CASES, FIRST_ROW)
+        if stem == file and not same(values.get("S", row, COLUMN), value)
+    ]
+    assert wrong == [], time
+
+
+def _anchored(node):
+    """The formula with every reference absolute: filled down it says the same in each row."""
+
+    def change(part):
+        return CellRef(part.row, part.col, True, True, part.sheet) if isinstance(part, CellRef) else part
+
+    return transform(node, change)
+
+
+@pytest.mark.parametrize("file", [path.stem for path in FILES])
+def test_cases_filled_down_and_right(file):
+    """The same values when a formula fills a block of 3 x 2."""
+    chosen = [(formula, value) for stem, formula, value in CASES if stem == file]
+    book = book_of([])
+    sheet = book.sheets[0]
+    for index, (formula, _) in enumerate(chosen):
+        sheet.block(FIRST_ROW + 4 * index, COLUMN, 3, 2, _anchored(parse_formula(formula)))
+    plan = compile_book(book)
+    for _ in range(2):
+        values = plan.evaluate()
+        for index, (formula, value) in enumerate(chosen):
+            for row in range(3):
+                for col in range(2):
+                    found = values.get("S", FIRST_ROW + 4 * index + row, COLUMN + col)
+                    assert same(found, value), (formula, row, col, found)
+
+
+def test_every_function_has_cases():
+    used = {part.name for _, formula, _ in CASES for part in walk(parse_formula(formula)) if isinstance(part, Call)}
+    assert set(FUNCTIONS) - used == set()
+
+
+def test_the_tables_of_functions_and_kernels_have_the_same_names():
+    assert set(FUNCTIONS) == set(KERNELS)
+
+
+MOVING = (
+    "SUM(A1:B3)", "SUM(A$1:A1)", "MAX($A1:B1)", "INDEX(A1:B3,2,2)", "COUNTIF(A1:A3,A1)", "SUM(A1:A1048576)",
+    "AND(A1:B1>0)", "SUMPRODUCT(A1:A3,B1:B3)", "LARGE(A1:B2,2)", "MATCH(3,A1:A5,1)", "AVERAGE(B$1:B$9,A1)",
+    "SUM(A1:B2 B1:C3)", "SUM((A1:A2,B$1))", "ROW(A2)+COLUMN(B1)", "ROWS(A$1:A1)", "A1:A9+1", "VLOOKUP(5,A$1:B$5,2,FALSE)",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("formula", MOVING)
+def test_ranges_that_move_with_the_cell(formula):
+    """Windows, growing ranges and fixed ones, filled down and right, are what each cell by itself gives."""
+    node = parse_formula(formula)
+    together, alone = BookBuilder(), BookBuilder()
+    sheets = [builder.sheet("S") for builder in (together, alone)]
+    for sheet in sheets:
+        for col, column in enumerate([[3, 5, 5, 9, 2], [1, 9, 3, 7, 3], [4, 2, 5, 9, 8], [1, 6, 8, 3, 4]]):
+            sheet.column_constants(0, col, [float(value) for value in column])
+    sheets[0].block(0, 10, 4, 2, node)
+    for row in range(4):
+        for col in range(2):
+            sheets[1].block(row, 10 + col, 1, 1, shifted(node, row, col))
+    ours, theirs = evaluate(together.build()), evaluate(alone.build())
+    for row in range(4):
+        for col in range(2):
+            assert same(ours.get("S", row, 10 + col), theirs.get("S", row, 10 + col)), (row, col)

@@ -1,0 +1,79 @@
+"""The case files computed by other programs. Where they differ from Excel, the difference is listed with its value."""
+
+import subprocess
+
+import openpyxl
+import pytest
+
+from engine_cases import COLUMN, FIRST_ROW, FOLDER, cases, cells, load, same, scalar
+from mechsheet.formula.nodes import ErrorValue
+from mechsheet.formula.parser import parse_formula
+from mechsheet.formula.printer import print_formula
+from mechsheet.programs import convert_with_libreoffice
+
+CASES = cases()
+DIFFERENCES = load(FOLDER / "differences.toml")
+
+
+@pytest.fixture(scope="module")
+def workbook(tmp_path_factory):
+    """All cases in one file without stored values, so that every program computes them."""
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.title = "S"
+    for row, col, value in cells():
+        cell = sheet.cell(row + 1, col + 1)
+        if isinstance(value, ErrorValue):
+            cell.value, cell.data_type = value.code, "e"
+        elif value == "":
+            cell.value = '=""'
+        else:
+            cell.value = value
+            cell.data_type = "s" if isinstance(value, str) else cell.data_type
+    for row, (_, formula, _) in enumerate(CASES, FIRST_ROW):
+        sheet.cell(row + 1, COLUMN + 1).value = "=" + print_formula(parse_formula(formula))
+    path = tmp_path_factory.mktemp("cases") / "cases.xlsx"
+    book.save(path)
+    return path
+
+
+def answers(path):
+    """The values of the cases in a file, empty cells as the empty text."""
+    sheet = openpyxl.load_workbook(path, data_only=True)["S"]
+    for row, (_, formula, value) in enumerate(CASES, FIRST_ROW):
+        found = sheet.cell(row + 1, COLUMN + 1).value
+        if isinstance(found, int) and not isinstance(found, bool):
+            found = float(found)
+        if isinstance(found, str) and found.startswith("#"):
+            found = ErrorValue(found)
+        yield formula, value, "" if found is None else found
+
+
+def disagreements(path, program):
+    known = {formula: scalar(value) for formula, value in DIFFERENCES[program].items()}
+    for formula, value, found in answers(path):
+        expected = known.get(formula, value)
+        if expected == "*" or agree(expected, found):
+            continue
+        yield formula, value, found
+
+
+def agree(expected, found):
+    """Any error is as good as any other: programs name the same fault differently. An empty result may stand for 0."""
+    if isinstance(expected, ErrorValue) and isinstance(found, ErrorValue):
+        return True
+    return same(expected, found, 1e-12) or (expected == 0.0 and found == "")
+
+
+@pytest.mark.libreoffice
+def test_libreoffice(workbook, tmp_path):
+    (path,) = convert_with_libreoffice([workbook], "xlsx", tmp_path)
+    assert list(disagreements(path, "libreoffice")) == []
+
+
+@pytest.mark.gnumeric
+def test_gnumeric(workbook, tmp_path):
+    path = tmp_path / "gnumeric.xlsx"
+    subprocess.run(["ssconvert", "--recalc", str(workbook), str(path)], check=True, capture_output=True)
+    with pytest.warns(UserWarning, match="no default style"):
+        assert list(disagreements(path, "gnumeric")) == []

@@ -1,0 +1,56 @@
+"""The case files of the engine: formulas with what they give, over one set of cells."""
+
+import tomllib
+from pathlib import Path
+
+from mechsheet.engine.values import ERROR_NAMES
+from mechsheet.formula.book import Book, BookBuilder
+from mechsheet.formula.nodes import ErrorValue
+from mechsheet.formula.parser import parse_formula
+
+FOLDER = Path(__file__).parent / "cases" / "engine"
+FILES = sorted(path for path in FOLDER.glob("*.toml") if path.stem not in ("cells", "differences"))
+FIRST_ROW = 20
+COLUMN = 8
+
+
+def load(path):
+    return tomllib.loads(path.read_text(encoding="utf-8"))
+
+
+def scalar(value):
+    """A value of a case file as a scalar."""
+    if isinstance(value, str) and value in ERROR_NAMES:
+        return ErrorValue(value)
+    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+def cells():
+    """(row, column, value) of the cells that all cases read."""
+    for letter, column in load(FOLDER / "cells.toml").items():
+        for row, value in enumerate(column):
+            if value != "":
+                yield row, ord(letter) - 65, value[1:] if isinstance(value, str) and value[0] == "'" else scalar(value)
+
+
+def cases():
+    """(file, formula, value) of all cases."""
+    return [(path.stem, formula, scalar(value)) for path in FILES for formula, value in load(path)["cases"]]
+
+
+def book_of(formulas) -> Book:
+    """The cells, and the formulas below one another."""
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    for row, col, value in cells():
+        sheet.constant(row, col, value)
+    for row, formula in enumerate(formulas, FIRST_ROW):
+        sheet.block(row, COLUMN, 1, 1, parse_formula(formula))
+    return builder.build()
+
+
+def same(ours, theirs, tolerance=1e-13):
+    """Whether two scalars are equal: numbers nearly, everything else exactly and of the same kind."""
+    if isinstance(ours, float) and isinstance(theirs, float):
+        return abs(ours - theirs) <= tolerance * max(abs(ours), abs(theirs))
+    return type(ours) is type(theirs) and ours == theirs
