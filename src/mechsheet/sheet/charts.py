@@ -165,7 +165,7 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
     symbols = ", ".join(plain(symbol) for symbol in request.y)
     title = request.title.of(plan.language) if request.title else _title(plan, request)
     return Chart(
-        title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), _driver_axis(plan, request.x),
+        title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x),
         Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
         legend="right" if len(curves) > 1 else "", alt_text=title,
     )  # fmt: skip
@@ -185,7 +185,7 @@ def _title(plan: Plan, request: ChartRequest) -> str:
     return plan.text("chart.outputs", symbol=", ".join(plain(symbol) for symbol in request.y), driver=driver)
 
 
-def _driver_axis(plan: Plan, symbol: str) -> Axis:
+def driver_axis(plan: Plan, symbol: str) -> Axis:
     """An axis from the first to the last driver value, in steps of a sensible part of a turn."""
     unit = shown_unit(plan, symbol)
     title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)

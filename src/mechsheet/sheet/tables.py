@@ -24,7 +24,7 @@ from mechsheet.kinematics.numeric import Array, evaluate_column
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
-from mechsheet.sheet.charts import _driver_axis
+from mechsheet.sheet.charts import driver_axis
 from mechsheet.sheet.expansion import Expansion, definitions, expand, varying
 from mechsheet.sheet.mechanism import shown_unit
 from mechsheet.sheet.plan import Plan, needs_guard, unit_text
@@ -312,7 +312,7 @@ class _Table:
             title,
             Anchor(CORNER_ROW, self.count + 2, WIDTH, HEIGHT),
             series,
-            _driver_axis(plan, plan.mechanism.driver.symbol),
+            driver_axis(plan, plan.mechanism.driver.symbol),
             Axis(plain(value) + _bracketed(shown_unit(plan, value))),
             legend="right",
             name=f"table {quote_sheet(self.title)}",
