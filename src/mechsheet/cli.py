@@ -180,10 +180,12 @@ def check(files: tuple[Path, ...], programs: str, as_json: bool) -> None:
     \b
     mechsheet check four-bar.xlsx
     mechsheet check four-bar.toml --with libreoffice,ironcalc
+    mechsheet check four-bar.xlsx four-bar.ods      also: are they the same, cell by cell?
 
     Exit code 0: all agree; 1: something differs; 2: cannot be read.
     """
     from mechsheet.checking import check as check_file
+    from mechsheet.checking import with_twins
 
     judges = [part.strip() for part in programs.split(",") if part.strip()]
     reports = []
@@ -194,6 +196,7 @@ def check(files: tuple[Path, ...], programs: str, as_json: bool) -> None:
                 reports.append(check_file(file, judges, say))
             except MechsheetError as error:
                 faults += error.faults
+    reports = with_twins(reports)
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:
@@ -211,7 +214,7 @@ def _print_report(report: Any) -> None:
         verdict = "agrees " if item.agrees else "DIFFERS"
         click.echo(f"  {item.judge:<14} {verdict} {item.cells:>8} values, worst {item.worst:9.2e}  {item.where}")
         if not item.agrees:
-            click.echo(f"  {'':<14} engine {item.ours}, {item.judge} {item.theirs or 'nothing'}")
+            click.echo(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
     for remark in report.remarks:
         click.echo(f"  note: {remark}")
 
@@ -238,6 +241,36 @@ def recalc(workbook: Path, settings: tuple[str, ...], output: Path | None, as_js
     elif output is None:
         for name, value in result.named().items():
             click.echo(f"{name} = {value}")
+
+
+@main.command()
+@click.argument("description", type=click.Path(path_type=Path))
+@click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write: .svg, .png, .gif or .html.")
+@click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the picture.")
+@SET
+def plot(
+    description: Path, at: float | None, output: Path | None, language: str | None, settings: tuple[str, ...]
+) -> None:
+    """Draw the mechanism: a picture, an animation, or a web page with a slider.
+
+    \b
+    mechsheet plot four-bar.toml --at 60               four-bar.svg
+    mechsheet plot four-bar.toml --at 60 -o fb.png     a picture
+    mechsheet plot four-bar.toml -o fb.gif             an animation of the sweep
+    mechsheet plot four-bar.toml -o fb.html            one page: slider, play button, curves
+
+    Pictures and animations need matplotlib: pip install 'mechsheet[plot]'
+    """
+    from mechsheet.description import load
+    from mechsheet.plotting import plot as draw
+
+    mechanism = load(description, _settings(settings), language)
+    path = output or Path(f"{mechanism.name}.svg")
+    with _progress(description.name) as say, _at_lines_of(mechanism, description):
+        say("drawing")
+        draw(mechanism, path, at)
+    click.echo(path.as_posix())
 
 
 @main.command()

@@ -120,8 +120,15 @@ def _gnumeric(path: Path) -> Answers:
         return stored_values(result)
 
 
+def _only_xlsx(path: Path, program: str) -> None:
+    if path.suffix.lower() not in (".xlsx", ".xlsm"):
+        hint = "libreoffice and gnumeric read both formats"
+        raise WorkbookError(Fault(f"{program} reads .xlsx only", readable_name(path), key="--with", hint=hint))
+
+
 def _formulas(path: Path) -> Answers:
     """The `formulas` package: cell by cell, about 2 ms each."""
+    _only_xlsx(path, "formulas")
     import logging
     import os
     import warnings
@@ -166,6 +173,7 @@ def _ironcalc(path: Path) -> Answers:
         raise MissingProgramError(
             Fault("the package ironcalc is not installed", hint="pip install 'mechsheet[ironcalc]'")
         ) from None
+    _only_xlsx(path, "ironcalc")
     model = ironcalc.load_from_xlsx(str(path), "en", "UTC", "en")
     model.evaluate()
     sheets = {sheet["name"].casefold(): index for index, sheet in enumerate(model.get_worksheets_properties())}

@@ -11,6 +11,7 @@ from mechsheet.checking.against_reference import against_reference
 from mechsheet.checking.cells import Angles, angles_in, compare_cells
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.report import TOLERANCE, Comparison, Report, Tally, difference
+from mechsheet.checking.twins import with_twins
 from mechsheet.description import load
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError, readable_name
@@ -20,7 +21,7 @@ from mechsheet.formula.book import Book
 from mechsheet.model import Mechanism
 from mechsheet.programs import answers
 
-__all__ = ["TOLERANCE", "Comparison", "Report", "Tally", "check", "difference"]
+__all__ = ["TOLERANCE", "Comparison", "Report", "Tally", "check", "difference", "with_twins"]
 
 
 def check(path: str | Path, programs: Sequence[str] = (), progress: Callable[[str], None] | None = None) -> Report:

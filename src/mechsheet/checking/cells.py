@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally, difference
+from mechsheet.checking.sought import names_an_equal_row
 from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar
+from mechsheet.formula.nodes import Scalar, shifted
 from mechsheet.formula.references import cell_address
 from mechsheet.sheet.plan import Plan
 
@@ -55,11 +56,15 @@ def compare_cells(
         for block in sheet.blocks:
             for col in range(block.col, block.col + block.cols):
                 ours = values.column(sheet.title, col, block.row, block.row + block.rows - 1)
-                scale = _scale(ours, angles.size)
+                scale = column_scale(ours, angles.size)
                 period = angles.periods.get((sheet.title, col))
                 for row, value in enumerate(ours, block.row):
                     other = theirs(sheet.title, row, col)
                     apart = difference(value, other, scale, period)
+                    if apart > TOLERANCE:
+                        formula = shifted(block.formula, row - block.row, col - block.col)
+                        if names_an_equal_row(formula, sheet.title, values, other, angles.size):
+                            apart = 0.0
                     if apart > tally.worst or apart > TOLERANCE:
                         tally.note(apart, cell_address(sheet.title, row, col), value, other)
                     else:
@@ -67,7 +72,7 @@ def compare_cells(
     return tally.result()
 
 
-def _scale(column: Sequence[Scalar], size: float) -> float:
+def column_scale(column: Sequence[Scalar], size: float) -> float:
     """What a difference in a column is measured by: its largest value, or the size where the values are smaller still.
 
     A column that passes through zero has rounding errors of its large values there.

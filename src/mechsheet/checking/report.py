@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,6 +22,7 @@ class Comparison:
     worst   largest difference (lengths as a part of the size, angles in radians, other numbers relative), 0 if none
     where   cell and quantity of the worst difference;  ours, theirs  the two values there
     agrees  nothing differs by more than the tolerance, and errors stand in the same cells
+    subject whose values `ours` are
     """
 
     judge: str
@@ -30,6 +32,7 @@ class Comparison:
     ours: str = ""
     theirs: str = ""
     agrees: bool = True
+    subject: str = "engine"
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +108,8 @@ def difference(ours: Scalar, theirs: Scalar, scale: float = 1.0, period: float |
     """How far two cell values are apart: numbers as a part of `scale` (or of themselves, if larger); else 0 or infinity.
 
     Numbers with a period are compared modulo it, as a part of it. Any error equals any error: programs name the same
-    fault differently (#NUM! and #VALUE!).
+    fault differently (#NUM! and #VALUE!). Numbers inside texts are compared as numbers: programs write them with 15 or
+    17 digits.
     """
     if isinstance(ours, ErrorValue) or isinstance(theirs, ErrorValue):
         return 0.0 if isinstance(ours, ErrorValue) and isinstance(theirs, ErrorValue) else math.inf
@@ -115,4 +119,18 @@ def difference(ours: Scalar, theirs: Scalar, scale: float = 1.0, period: float |
         if period is not None:
             return abs(math.remainder(ours - theirs, period)) / period
         return abs(ours - theirs) / max(scale, abs(ours), abs(theirs))
-    return 0.0 if (ours or "") == (theirs or "") else math.inf
+    if (ours or "") == (theirs or ""):
+        return 0.0
+    return _texts_apart(ours, theirs) if isinstance(ours, str) and isinstance(theirs, str) else math.inf
+
+
+_NUMBER = re.compile(r"([0-9]+\.[0-9]+(?:[eE][-+]?[0-9]+)?|[0-9]+)")
+
+
+def _texts_apart(ours: str, theirs: str) -> float:
+    """The largest relative difference of the numbers in two texts, infinity when anything else differs."""
+    parts = _NUMBER.split(ours), _NUMBER.split(theirs)
+    if parts[0][::2] != parts[1][::2]:
+        return math.inf
+    numbers = zip(map(float, parts[0][1::2]), map(float, parts[1][1::2]), strict=True)
+    return max((abs(one - other) / max(one, other) for one, other in numbers if one != other), default=0.0)

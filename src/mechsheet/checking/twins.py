@@ -1,0 +1,144 @@
+"""The same workbook in two formats: do they agree cell by cell, whatever their formats spell differently?"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+from mechsheet.checking.cells import column_scale
+from mechsheet.checking.inputs import description_in
+from mechsheet.checking.report import TOLERANCE, Comparison, Report, Tally, difference
+from mechsheet.formats import READERS, read
+from mechsheet.formula.book import Block, Book, BookSheet, CellStore
+from mechsheet.formula.nodes import Call, CellRef, NameRef, Node, RangeRef, Scalar, shifted, transform
+from mechsheet.formula.printer import print_formula
+from mechsheet.formula.references import cell_address
+
+
+def with_twins(reports: Sequence[Report]) -> list[Report]:
+    """The reports, each of a workbook whose twin came before it with the comparison of the two.
+
+    Twins differ by the suffix of their files only, and carry the same description; where they carry different ones, a
+    remark says so.
+    """
+    done: list[Report] = []
+    for report in reports:
+        path = Path(report.file)
+        twin = next((Path(other.file) for other in done if _are_twins(Path(other.file), path)), None)
+        done.append(report if twin is None else _with_twin(report, path, twin))
+    return done
+
+
+def _are_twins(one: Path, other: Path) -> bool:
+    suffixes = {one.suffix.lower(), other.suffix.lower()}
+    return len(suffixes) == 2 and suffixes <= READERS.keys() and one.with_suffix("") == other.with_suffix("")
+
+
+def _with_twin(report: Report, path: Path, twin: Path) -> Report:
+    ours, theirs = read(path), read(twin)
+    if description_in(ours) is None or description_in(ours) != description_in(theirs):
+        remark = f"{twin.name} does not carry the same description: not compared"
+        return replace(report, remarks=(*report.remarks, remark))
+    return replace(report, comparisons=(*report.comparisons, compare_twins(ours, theirs, f"twin {twin.suffix}")))
+
+
+def compare_twins(ours: Book, theirs: Book, judge: str) -> Comparison:
+    """Sheets, names, constants, formulas as trees, and stored values of two books."""
+    tally = Tally(judge)
+    mine, yours = (", ".join(sheet.title for sheet in book.sheets) for book in (ours, theirs))
+    tally.note(0.0 if mine == yours else math.inf, "sheets", mine, yours)
+    _compare_names(tally, ours, theirs)
+    for sheet in ours.sheets:
+        other = theirs.sheet(sheet.title)
+        if other is not None:
+            _compare_formulas(tally, sheet, other)
+            _compare_values(tally, sheet.title, sheet.constants, other.constants, scaled=False)
+            _compare_values(tally, sheet.title, sheet.cached, other.cached, scaled=True)
+    return replace(tally.result(), subject="this file")
+
+
+def _compare_names(tally: Tally, ours: Book, theirs: Book) -> None:
+    mine, yours = ({(d.name, d.sheet): _neutral(d.formula, "") for d in book.names} for book in (ours, theirs))
+    for name in sorted(mine.keys() | yours.keys(), key=str):
+        _compare_nodes(tally, f"name {name[0]}", mine.get(name), yours.get(name))
+
+
+def _compare_nodes(tally: Tally, where: str, ours: Node | None, theirs: Node | None) -> None:
+    if ours == theirs:
+        tally.note(0.0, where, "", "")
+    else:
+        tally.note(math.inf, where, _printed(ours), _printed(theirs))
+
+
+def _printed(node: Node | None) -> str:
+    return "no formula" if node is None else "=" + print_formula(node)
+
+
+def _compare_formulas(tally: Tally, ours: BookSheet, theirs: BookSheet) -> None:
+    """Column by column, from one row where either side begins another formula to the next."""
+    mine, yours = _by_column(ours.blocks), _by_column(theirs.blocks)
+    for col in sorted(mine.keys() | yours.keys()):
+        sides = mine.get(col, []), yours.get(col, [])
+        edges = sorted({edge for side in sides for block in side for edge in (block.row, block.row + block.rows)})
+        for start, stop in pairwise(edges):
+            nodes = [_formula_at(side, start, col, ours.title) for side in sides]
+            if nodes != [None, None]:
+                _compare_nodes(tally, cell_address(ours.title, start, col), nodes[0], nodes[1])
+                tally.cells += stop - start - 1
+
+
+def _by_column(blocks: Iterable[Block]) -> dict[int, list[Block]]:
+    found: dict[int, list[Block]] = {}
+    for block in blocks:
+        for col in range(block.col, block.col + block.cols):
+            found.setdefault(col, []).append(block)
+    return {col: sorted(column, key=lambda block: block.row) for col, column in found.items()}
+
+
+def _formula_at(column: Sequence[Block], row: int, col: int, title: str) -> Node | None:
+    index = bisect_right(column, row, key=lambda block: block.row) - 1
+    if index < 0 or row >= column[index].row + column[index].rows:
+        return None
+    block = column[index]
+    return _neutral(shifted(block.formula, row - block.row, col - block.col), title)
+
+
+def _neutral(node: Node, title: str) -> Node:
+    """The formula without what only spelling decides: capital letters of names, a sheet's own name before a reference."""
+
+    def change(part: Node) -> Node:
+        match part:
+            case CellRef(sheet=str(sheet)):
+                return replace(part, sheet=None if sheet.casefold() == title.casefold() else sheet.casefold())
+            case RangeRef(start, end) if end.sheet is None and start.sheet is not None:
+                return RangeRef(start, replace(end, sheet=start.sheet))
+            case NameRef(name, sheet):
+                return NameRef(name.casefold(), sheet and sheet.casefold())
+            case Call(name, args):
+                return Call(name.upper(), args)
+        return part
+
+    return transform(node, change)
+
+
+def _compare_values(tally: Tally, title: str, ours: CellStore, theirs: CellStore, scaled: bool) -> None:
+    """`scaled`: results are compared by the size of their column, what was typed each by itself."""
+    for col in sorted(ours.columns.keys() | theirs.columns.keys()):
+        mine, yours = ours.columns.get(col, ()), theirs.columns.get(col, ())
+        if mine == yours:
+            tally.cells += sum(len(run.values) for run in mine)
+            tally.worst = max(tally.worst, 0.0)
+            continue
+        scale = column_scale([value for run in mine for value in run.values], 1.0) if scaled else 0.0
+        rows = {row for runs in (mine, yours) for run in runs for row in range(run.row, run.end)}
+        for row in sorted(rows):
+            _compare_value(tally, cell_address(title, row, col), ours.get(row, col), theirs.get(row, col), scale)
+
+
+def _compare_value(tally: Tally, where: str, ours: Scalar, theirs: Scalar, scale: float) -> None:
+    apart = 0.0 if ours == theirs else difference(ours, theirs, scale)
+    tally.note(apart, where, ours, theirs, TOLERANCE)
