@@ -95,7 +95,7 @@ class _Sheet:
                 Column(DRIVER_COL, DRIVER_COL, 13),
                 Column(DATA, extremes_at - 2, 11.5),
                 Column(extremes_at - 1, extremes_at - 1, 3),
-                *([Column(extremes_at, extremes_at + taken - 1, 13)] if taken else []),
+                *([Column(extremes_at, extremes_at + taken - 1, 20)] if taken else []),
             ),
             row_heights=((TITLE_ROW, 26.0), (ABOUT_ROW, 42.0), (HEAD_ROW, 30.0)),
             merges=tuple(self.merges),

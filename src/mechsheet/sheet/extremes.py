@@ -1,6 +1,6 @@
 """Extremes of columns between rows: a parabola through the extreme row and its two neighbours.
 
-    k        row of the extreme value y;  a, b: the values before and after it
+    k        (first) row of the extreme value y;  a, b: the values before and after it
     offset   (a - b) / (2 (a - 2 y + b))   steps from row k to the vertex, at most half a step
     value    y - (a - b)^2 / (8 (a - 2 y + b))
 
@@ -78,7 +78,7 @@ def _formulas(
     plan: Plan, sheet: str, symbol: str, take: str, sweep: Sweep, corner: tuple[int, int]
 ) -> tuple[Node, Node, Node, Node, Node]:
     top, col = corner
-    column = plan.at.area(plan.at.shown[f"#blank {symbol}"], sheet)
+    column = plan.at.area(plan.at.shown[f"#rounded {symbol}"], sheet)
     drivers = plan.at.column(plan.mechanism.driver.symbol, sheet)
     k, a, b = (CellRef(top + part, col) for part in (ROW, BEFORE, AFTER))
     y = Call("INDEX", (column, k))
@@ -88,8 +88,16 @@ def _formulas(
         turn = Number(360.0) if blank_unit(plan, symbol) == "°" else al.mul(al.TWO, al.PI)
     before, after = _neighbours(plan, column, k, y, sweep, turn)
     both = Binary("=", Call("COUNT", (a, b)), al.TWO)
-    peak = Binary(">", al.mul(al.sub(y, a), al.sub(y, b)), al.ZERO)
     bend = al.add(al.sub(a, al.mul(al.TWO, y)), b)
+    falls = (al.sub(y, a), al.sub(y, b)) if take == "max" else (al.sub(a, y), al.sub(b, y))
+    flat = _rounding(y)
+    peak = Call(
+        "AND",
+        (
+            Binary(">=", Call("MIN", falls), al.mul(al.number(-2), flat)),
+            Binary(">", Call("ABS", (bend,)), al.mul(al.number(4), flat)),
+        ),
+    )
     vertex = al.sub(y, al.div(al.square(al.sub(a, b)), al.mul(al.number(8), bend)))
     value = Call("IF", (both, Call("IF", (peak, vertex, y)), y))
     place: Node = Call("INDEX", (drivers, k))
@@ -99,6 +107,11 @@ def _formulas(
     offset = al.div(al.mul(step, al.sub(a, b)), al.mul(al.TWO, bend))
     there = Call("IF", (peak, al.add(place, offset), place))
     return row, before, after, value, Call("IF", (both, there, place))
+
+
+def _rounding(value: Node) -> Node:
+    """Values this near to each other count as equal."""
+    return al.add(al.mul(Number(1e-9), Call("ABS", (value,))), Number(1e-12))
 
 
 def _neighbours(plan: Plan, column: RangeRef, k: Node, y: Node, sweep: Sweep, turn: Node | None) -> tuple[Node, Node]:

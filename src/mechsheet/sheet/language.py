@@ -42,6 +42,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "column.guarded": ("the same, in rows that exist", "aynısı, var olan satırlarda"),
     "column.radians": ("the driver in radians", "tahrik, radyan olarak"),
     "column.blank": ("value or nothing, for the summaries", "değer ya da boş, özetler için"),
+    "column.rounded": ("the same to twelve digits, to find extremes", "aynısı, on iki basamak: uç değerleri bulmak için"),
     "stands.rows": ("positions", "konumlar"),
     "stands.all": ("assembles over the whole range", "bütün aralıkta kapanıyor"),
     "stands.nowhere": ("assembles nowhere", "hiçbir yerde kapanmıyor"),

@@ -97,7 +97,7 @@ class _Pen:
             case "PI", ():
                 return [("π", "")], _ATOM
             case "NA", ():
-                return [("#N/A", "")], _ATOM
+                return [(words(self.language, "notes.missing"), "")], _ATOM
             case "SQRT", (arg,):
                 return [("√", ""), *self.inside(arg, _ATOM)], _ATOM
             case "ABS", (arg,):
@@ -130,12 +130,19 @@ class _Pen:
         return pieces
 
     def cases(self, test: Node, yes: Node, no: Node) -> list[Part]:
-        """`value; #N/A if test`: the usual case first."""
-        if_ = f" {words(self.language, 'notes.if')} "
+        """`value; #N/A if test`: the usual case first. In Turkish the condition stands before what it leads to."""
         if yes == Call("NA"):
-            return [*self.inside(no, 2), ("; #N/A", ""), (if_, ""), *self.inside(test, 2)]
+            missing: list[Part] = [(words(self.language, "notes.missing"), "")]
+            return [*self.inside(no, 2), ("; ", ""), *self.provided(test, missing)]
         otherwise = f"; {words(self.language, 'notes.otherwise')} "
-        return [*self.inside(yes, 2), (if_, ""), *self.inside(test, 2), (otherwise, ""), *self.inside(no, 2)]
+        return [*self.provided(test, self.inside(yes, 2)), (otherwise, ""), *self.inside(no, 2)]
+
+    def provided(self, test: Node, then: list[Part]) -> list[Part]:
+        """`value if test`, `test ise value`."""
+        condition = self.inside(test, 2)
+        if self.language == "tr":
+            return [*condition, (" ise ", ""), *then]
+        return [*then, (" if ", ""), *condition]
 
 
 def symbol_parts(symbol: str) -> list[Part]:

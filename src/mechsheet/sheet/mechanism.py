@@ -348,8 +348,9 @@ def _where(plan: Plan, summary: Summary, row: int) -> Node | None:
     drivers = plan.at.column(plan.mechanism.driver.symbol, plan.main)
     match summary.take:
         case "max" | "min":
-            area = plan.at.area(plan.at.shown[f"#blank {summary.of}"], plan.main)
-            return Call("INDEX", (drivers, Call("MATCH", (CellRef(row, VALUE, True, True), area, Number(0.0)))))
+            area = plan.at.area(plan.at.shown[f"#rounded {summary.of}"], plan.main)
+            extreme = Call(summary.take.upper(), (area,))
+            return Call("INDEX", (drivers, Call("MATCH", (extreme, area, Number(0.0)))))
         case "first":
             return Call("INDEX", (drivers, first_row(plan)))
         case "last":

@@ -232,9 +232,9 @@ class _Page:
                     self._equation(equation, self._unit(equation))
 
     def _group(self, title: str) -> None:
-        self.cells += [
-            Cell(self.row, col, title if col == SYMBOL else None, styles.HEAD_LEFT) for col in range(PLACE + 1)
-        ]
+        for col in range(PLACE + 1):
+            self.cells.append(Cell(self.row, col, title if col == SYMBOL else None, styles.HEAD_LEFT))
+        self.merges.append(Merge(Area(self.row, SYMBOL, self.row, PLACE)))
         self.row += 1
 
     def _dimensions(self) -> None:

@@ -41,13 +41,14 @@ class TableColumn:
     """One column of the table.
 
     kind   "number", "driver", "status", "exists" for the fixed ones; "equation" (internal units), "shown" (the same in
-           degrees), "blank" (value or nothing: what summaries read, since MAX must not meet #N/A)
+           degrees), "blank" (value or nothing: what summaries read, since MAX must not meet #N/A), "rounded" (the same to
+           twelve digits: of two equal peaks, MATCH must find the same in every program)
     inner  folded away with the intermediate columns
     """
 
     col: int
     symbol: str
-    kind: Literal["number", "driver", "status", "exists", "equation", "shown", "blank"]
+    kind: Literal["number", "driver", "status", "exists", "equation", "shown", "blank", "rounded"]
     group: int
     inner: bool
     equation: Equation | None = None
@@ -202,9 +203,11 @@ def _plan_columns(plan: Plan) -> None:
         plan.at.shown[symbol] = _table_spot(plan, DRIVER, True)
     for equation in equations.columns:
         _plan_equation(plan, equation)
-    extremes = findings(mechanism, equations).extremes
-    for of in dict.fromkeys([*(summary.of for summary in mechanism.summaries), *extremes]):
+    for of in dict.fromkeys(summary.of for summary in mechanism.summaries):
         _add_column(plan, of, "blank", -1, inner=True, equation=None)
+    placed = (summary.of for summary in mechanism.summaries if summary.take in ("max", "min"))
+    for of in dict.fromkeys([*placed, *findings(mechanism, equations).extremes]):
+        _add_column(plan, of, "rounded", -1, inner=True, equation=None)
 
 
 def _plan_equation(plan: Plan, equation: Equation) -> None:
@@ -244,7 +247,7 @@ def needs_guard(plan: Plan, symbol: str) -> bool:
 def _add_column(
     plan: Plan,
     symbol: str,
-    kind: Literal["equation", "shown", "blank"],
+    kind: Literal["equation", "shown", "blank", "rounded"],
     group: int,
     inner: bool,
     equation: Equation | None,
@@ -255,8 +258,8 @@ def _add_column(
         spot = _table_spot(plan, col, False)
         plan.at.spots[symbol] = spot
         plan.at.shown[symbol] = spot
-    elif kind == "blank":
-        plan.at.shown[f"#blank {symbol}"] = _table_spot(plan, col, False)
+    elif kind in ("blank", "rounded"):
+        plan.at.shown[f"#{kind} {symbol}"] = _table_spot(plan, col, False)
     return col
 
 

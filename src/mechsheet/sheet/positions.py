@@ -81,8 +81,8 @@ def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, str]:
         case "driver":
             stepping = f"{plan.text('name.start')} + n·{plan.text('name.step')}"
             return column.symbol, _driver_unit(plan), "" if driver.values else stepping
-        case "blank":
-            return column.symbol, blank_unit(plan, column.symbol), plan.text("column.blank")
+        case "blank" | "rounded":
+            return column.symbol, blank_unit(plan, column.symbol), plan.text(f"column.{column.kind}")
         case "shown":
             unit = _unit_of(plan, column.symbol)
             key = "column.shown" if plan.at.shown[column.symbol].degrees else "column.guarded"
@@ -111,6 +111,14 @@ def blank_unit(plan: Plan, symbol: str) -> str:
     """The unit of a column that repeats another: radians for an angle that people do not read."""
     unit = _unit_of(plan, symbol)
     return "rad" if unit == "angle" and not plan.at.shown[symbol].degrees else plan.unit_shown(unit)
+
+
+def _digits(plan: Plan, symbol: str) -> int:
+    """Decimals that leave a column about twelve digits."""
+    unit = blank_unit(plan, symbol)
+    if _unit_of(plan, symbol) == "length":
+        return max(0, 12 - math.ceil(math.log10(_largest_length(plan))))
+    return {"°": 9, "rad": 11}.get(unit, 10)
 
 
 def _output_unit(plan: Plan, symbol: str) -> str:
@@ -144,9 +152,11 @@ def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
             return [], [_fill(plan, EXISTS, _exists(plan), _decimals(styles.INNER, 0))]
         case "shown":
             return [], [_fill(plan, column.col, _shown(plan, column), _shown_style(plan, column))]
-        case "blank":
+        case "blank" | "rounded":
             value = plan.at.reading_shown(column.symbol, plan.table, plan.at.first)
-            node = Call("IF", (Call("ISNUMBER", (value,)), value, Text("")))
+            digits = Number(float(_digits(plan, column.symbol)))
+            kept = Call("ROUND", (value, digits)) if column.kind == "rounded" else value
+            node = Call("IF", (Call("ISNUMBER", (value,)), kept, Text("")))
             return [], [_fill(plan, column.col, node, styles.INNER)]
     if column.equation is None:
         cell = CellRef(plan.at.first, DRIVER)
@@ -235,13 +245,17 @@ def places(plan: Plan, unit: str) -> int:
         return 2 if plan.mechanism.angle_unit == "deg" else 4
     if unit == "number":
         return 4
+    finest = min(tolerances) if tolerances else _largest_length(plan) / 1e4
+    return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))
+
+
+def _largest_length(plan: Plan) -> float:
     sizes = [
         abs(dim.value)
         for dim in plan.mechanism.dimensions
         if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
     ]
-    finest = min(tolerances) if tolerances else max([*sizes, 1e-9]) / 1e4
-    return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))
+    return max([*sizes, 1e-9])
 
 
 def _decimals(style: Style, count: int) -> Style:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
+from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import link_words
@@ -222,11 +222,11 @@ class _Block:
         """TRUE for a link that has gone on by at least a turn when the driver has; None when the driver does not."""
         if sweep_of(self.plan) not in ("closed", "open"):
             return None
-        column = self.plan.at.area(self.plan.at.shown[f"#blank {symbol}"], self.plan.main)
-        ends = (Call("INDEX", (column, row(self.plan))) for row in (last_row, first_row))
-        net = al.sub(*ends)
+        column = self.plan.at.column(symbol, self.plan.main)
+        last, first = (Call("INDEX", (column, al.number(row))) for row in (self.plan.rows, 1))
         turn = al.number(360.0) if self.plan.shown_in_degrees("angle") else al.mul(al.TWO, al.PI)
-        return Binary("<>", Call("ROUND", (al.div(net, turn), al.ZERO)), al.ZERO)
+        on = Binary("<>", Call("ROUND", (al.div(al.sub(last, first), turn), al.ZERO)), al.ZERO)
+        return Call("IFERROR", (on, Boolean(False)))  # a link that does not exist in some rows does not turn fully
 
     def _extent(self, symbol: str) -> Node:
         return Call("IFERROR", (al.sub(self.value(f"#max {symbol}"), self.value(f"#min {symbol}")), Text("")))
@@ -267,13 +267,13 @@ class _Block:
         if group.kind == "RRR":  # the angle between coupler and follower itself, 0 to 180 degrees
             ends = (low, high)
             worst: Node = Call("MIN", (low, al.sub(al.PI, high)))
-            at_low = Binary("<=", low, al.sub(al.PI, high))
+            at_low = Binary("<=", low, al.add(al.sub(al.PI, high), Number(1e-9)))
             label: Content = rich(symbol)
         else:  # the rod against the guide: the angle of transmission is what is missing to 90 degrees
             quarter = al.div(al.PI, al.TWO)
             worst = al.sub(quarter, Call("MAX", (high, al.neg(low))))
             ends = (worst, al.sub(quarter, Call("MAX", (al.ZERO, low, al.neg(high)))))
-            at_low = Binary(">=", al.neg(low), high)
+            at_low = Binary(">=", al.neg(low), al.sub(high, Number(1e-9)))
             label = f"90°−|{plain(symbol)}|" if self.plan.shown_in_degrees("angle") else f"π/2−|{plain(symbol)}|"
         degrees = self.plan.shown_in_degrees("angle")
         shown = [Call("DEGREES", (node,)) if degrees else node for node in (worst, *ends)]
