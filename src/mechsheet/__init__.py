@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from mechsheet.description import load, loads
     from mechsheet.diagnostics import MechsheetError
     from mechsheet.model import Mechanism
+    from mechsheet.plotting import plot
     from mechsheet.recalculation import Result, recalc
 
 _HOMES = {
@@ -31,6 +32,7 @@ _HOMES = {
     "loads": "description",
     "MechsheetError": "diagnostics",
     "Mechanism": "model",
+    "plot": "plotting",
     "recalc": "recalculation",
     "Result": "recalculation",
 }
@@ -48,6 +50,7 @@ __all__ = [
     "compile_workbook",
     "load",
     "loads",
+    "plot",
     "recalc",
 ]
 

@@ -1,0 +1,67 @@
+"""The workbook's drawing outside the workbook: as a picture, as an animation, as a web page.
+
+What the drawing shows is decided once, for the workbook; here its charts are computed by the engine at any position and
+drawn by other means. Scale is true: a circle is round.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
+from mechsheet.model import Mechanism
+
+KINDS = ("svg", "png", "gif", "html")
+
+GIF_FRAMES = 60
+
+
+def plot(
+    mechanism: Mechanism,
+    path: str | Path,
+    at: float | None = None,
+    language: Literal["en", "tr"] | None = None,
+) -> Path:
+    """Draw a mechanism into the file `path`, whose ending says how, and return it.
+
+    .svg, .png   a picture of the mechanism at the driver value `at`, exactly there, also outside of the sweep
+    .gif         an animation of the sweep that starts near `at`; one that does not come round is run to and fro
+    .html        a page with a slider for the sweep, set to `at`, and the charts; it needs no network and no other file
+
+    at        in the driver's unit (degrees, radians or the length unit); without it, the first position that exists
+    language  "en" or "tr"; without it, the description's
+
+    Raises MechsheetError for another ending and for a position that an animation does not have, MechanismError when
+    the mechanism cannot be solved or has no position at `at`, MissingProgramError when a picture is wanted and
+    matplotlib (`pip install 'mechsheet[plot]'`) is not there, OutputError when the file cannot be written.
+    """
+    path = Path(path)
+    kind = path.suffix.lower().removeprefix(".")
+    if kind not in KINDS:
+        hint = near_miss(kind, KINDS) or f"endings: {', '.join(f'.{known}' for known in KINDS)}"
+        raise MechsheetError(Fault("the ending of the name says how to draw", readable_name(path), hint=hint))
+    from mechsheet.formats.archive import replace_file
+
+    replace_file(path, _drawn(mechanism, kind, at, language))
+    return path
+
+
+def _drawn(mechanism: Mechanism, kind: str, at: float | None, language: Literal["en", "tr"] | None) -> bytes:
+    from mechsheet.plotting import pictures
+    from mechsheet.plotting.page import page
+    from mechsheet.plotting.sampling import sample
+    from mechsheet.plotting.scenes import Stage, journey
+
+    stage = Stage(sample(mechanism, at, language))
+    shown, sweep = stage.sample.shown, stage.sample.sweep
+    title = mechanism.title.of(stage.sample.plan.language)
+    if kind in ("gif", "html") and shown >= sweep:
+        fault = f"{at:g} lies outside of the sweep, which is what a .{kind} shows"
+        raise MechsheetError(Fault(fault, key="--at", hint="draw a .svg or .png, or widen the sweep"))
+    if kind == "html":
+        return page(stage)
+    if kind == "gif":
+        rows, _ = journey(stage, GIF_FRAMES)
+        return pictures.gif([stage.drawing(row) for row in rows], title)
+    return (pictures.svg if kind == "svg" else pictures.png)(stage.drawing(shown), title)

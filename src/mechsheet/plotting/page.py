@@ -1,0 +1,110 @@
+"""One web page that needs nothing else: the drawing with a slider, and the curves with a marker at the position shown."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from html import escape
+from importlib.resources import files
+from string import Template
+
+import numpy as np
+
+from mechsheet.plotting import words
+from mechsheet.plotting.figures import Figure, Move, figure
+from mechsheet.plotting.scenes import Piece, Scene, Stage, comes_round
+from mechsheet.sheet.workbook import Chart, SeriesRef, Workbook
+
+
+def page(stage: Stage) -> bytes:
+    """The page, UTF-8. Every position of the sweep stands in it: the script only shows them."""
+    sample = stage.sample
+    mechanism, language = sample.plan.mechanism, sample.plan.language
+    rows = range(sample.sweep)
+    scenes = [stage.at(row, stage.charts) for row in rows]
+    by_chart: list[list[Scene]] = [[scene[index] for scene in scenes] for index in range(len(stage.charts))]
+    drawing = figure(stage.charts[0], by_chart[0], sample.shown, "m")
+    figures = [
+        _curve(chart, found, sample.shown, f"c{index}", sample.workbook)
+        for index, (chart, found) in enumerate(zip(stage.charts[1:], by_chart[1:], strict=True), 1)
+    ]
+    driver = [sample.plan.driver[row] for row in rows]
+    shown_driver = np.degrees(driver).tolist() if mechanism.driver.unit == "deg" else driver
+    captions = [_caption(scene) for scene in by_chart[0]]
+    data = {
+        "driver": [round(value, 9) for value in shown_driver],
+        "captions": captions,
+        "round": all(sample.exists[: sample.sweep]) and comes_round(by_chart[0][0], by_chart[0][-1]),
+        "play": words.PLAY.of(language),
+        "pause": words.PAUSE.of(language),
+        "moves": [[move.id, move.kind, move.frames] for made in (drawing, *figures) for move in made.moves],
+    }
+    source = mechanism.source.of(language)
+    text = Template(_part("page.html")).substitute(
+        language=language,
+        title=escape(mechanism.title.of(language)),
+        source=f"<p>{words.SOURCE.of(language)}: {escape(source)}</p>" if source else "",
+        style=_part("page.css"),
+        script=_part("page.js"),
+        picture=drawing.markup,
+        charts="\n".join(made.markup for made in figures),
+        data=_json(data),
+        last=len(captions) - 1,
+        shown=sample.shown,
+        caption=escape(captions[sample.shown]),
+        play=words.PLAY.of(language),
+        position=words.POSITION.of(language),
+        drawing=words.DRAWING.of(language),
+        curves=words.CURVES.of(language),
+        help=words.HELP.of(language),
+        no_script=words.NO_SCRIPT.of(language),
+    )
+    return text.encode()
+
+
+def _part(name: str) -> str:
+    return files("mechsheet.plotting").joinpath(name).read_text(encoding="utf-8")
+
+
+def _json(data: object) -> str:
+    """JSON that cannot end the script element it stands in."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def _caption(scene: Scene) -> str:
+    """The words of the label that says where the driver stands: the largest one."""
+    return max((piece for piece in scene if piece.series.show_name), key=lambda piece: piece.series.label_size).words
+
+
+def _curve(chart: Chart, scenes: Sequence[Scene], shown: int, name: str, workbook: Workbook) -> Figure:
+    """A chart with its title over it, and the value of each curve at the position shown."""
+    made = figure(chart, scenes, shown, name, cut=not chart.x_axis.visible)
+    items, moves = [], list(made.moves)
+    if chart.x_axis.visible:
+        for index, piece in enumerate(scenes[shown]):
+            if piece.series.marker:
+                digits = _decimals(workbook, _curve_of(scenes[shown], piece))
+                values = [_value(scene[index], digits) for scene in scenes]
+                key = f"{name}-{index}-value"
+                color = f'style="--color: #{piece.series.marker_fill}"'
+                items.append(f'<li {color}>{escape(piece.words)} = <span id="{key}">{values[shown]}</span></li>')
+                moves.append(Move(key, "words", values))
+    listed = f'<ul class="values">{"".join(items)}</ul>\n' if items else ""
+    return Figure(f"<figure>\n<h2>{escape(chart.title)}</h2>\n{listed}{made.markup}\n</figure>", moves)
+
+
+def _value(piece: Piece, digits: int) -> str:
+    value = float(piece.points[0, 1])
+    return "–" if math.isnan(value) else f"{value:.{digits}f}".replace("-", "−")
+
+
+def _curve_of(scene: Scene, marker: Piece) -> SeriesRef:
+    """The column of the curve that a marker runs on."""
+    return next(p.series.y for p in scene if p.series.line == marker.series.marker_fill and p.words == marker.words)
+
+
+def _decimals(workbook: Workbook, column: SeriesRef) -> int:
+    """As many decimals as the workbook shows in that column."""
+    fill = next(fill for fill in workbook.sheet(column.sheet).fills if fill.col == column.area.first_col)
+    return len(fill.style.number_format.partition(".")[2])

@@ -1,0 +1,152 @@
+"""Scenes drawn by matplotlib: a picture (SVG, PNG) and an animation (GIF). The same scene gives the same bytes.
+
+A picture is as large as the drawing on the workbook's first sheet: 360 points square, the window 2 units wide.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from mechsheet.diagnostics import Fault, MissingProgramError
+from mechsheet.plotting.scenes import Piece, Scene
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from PIL.Image import Image
+
+SIDE = 5.0
+"""Inches."""
+
+PNG_DPI, GIF_DPI = 192, 80
+
+FRAME_MILLISECONDS = 60
+"""A multiple of 10: what a GIF can say."""
+
+COLORS = 48
+"""Colours of an animation: the lines' own and the steps between them and the paper."""
+
+EDGE = 0.75
+"""Width of the line round a marker whose inside has another colour, in points."""
+
+ANCHORS = {
+    "center": ("center", "center"),
+    "right": ("left", "center"),
+    "left": ("right", "center"),
+    "above": ("center", "bottom"),
+    "below": ("center", "top"),
+}
+"""Side on which a label stands -> its alignment at the point."""
+
+
+@contextmanager
+def _settings() -> Iterator[None]:
+    """Matplotlib's own defaults, whatever the user's are, and nothing random in the file."""
+    try:
+        import matplotlib as mpl
+    except ImportError as error:
+        raise MissingProgramError(
+            Fault("matplotlib is not installed: it draws the pictures", hint="pip install 'mechsheet[plot]'")
+        ) from error
+    with mpl.rc_context():
+        mpl.rcdefaults()
+        mpl.rcParams.update({"svg.hashsalt": "mechsheet", "font.family": "DejaVu Sans", "path.simplify": False})
+        yield
+
+
+def svg(scene: Scene, title: str) -> bytes:
+    """A picture as SVG; letters are outlines, so it looks the same everywhere. Raises MissingProgramError."""
+    return _saved(scene, "svg", {"Title": title, "Date": None, "Creator": None})
+
+
+def png(scene: Scene, title: str) -> bytes:
+    """A picture of 960 x 960 pixels as PNG. Raises MissingProgramError."""
+    return _saved(scene, "png", {"Title": title, "Software": None}, dpi=PNG_DPI)
+
+
+def gif(scenes: Sequence[Scene], title: str) -> bytes:
+    """An animation of 400 x 400 pixels that starts again at its end. Raises MissingProgramError."""
+    with _settings():
+        frames = _few_colors([_image(scene) for scene in scenes])
+    file = io.BytesIO()
+    frames[0].save(
+        file,
+        "GIF",
+        save_all=True,
+        append_images=frames[1:],
+        duration=FRAME_MILLISECONDS,
+        loop=0,
+        comment=title.encode(),
+    )
+    return file.getvalue()
+
+
+def _saved(scene: Scene, kind: str, metadata: dict[str, Any], dpi: float = 72) -> bytes:
+    file = io.BytesIO()
+    with _settings():
+        _figure(scene).savefig(file, format=kind, metadata=metadata, dpi=dpi)
+    return file.getvalue()
+
+
+def _figure(scene: Scene) -> Figure:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(SIDE, SIDE))
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.set_axis_off()
+    axes.set_xlim(-1.0, 1.0)
+    axes.set_ylim(-1.0, 1.0)
+    axes.set_aspect("equal")
+    for order, piece in enumerate(scene):
+        _draw(axes, piece, order)
+    return figure
+
+
+def _draw(axes: Any, piece: Piece, order: int) -> None:
+    series, (x, y) = piece.series, piece.points.T
+    if series.line:
+        axes.plot(
+            x, y, color=f"#{series.line}", linewidth=series.width, solid_joinstyle="round", solid_capstyle="round",
+            zorder=order,
+        )  # fmt: skip
+    if series.marker:
+        edge = EDGE if series.marker_line != series.marker_fill else 0.0
+        axes.plot(
+            x, y, linestyle="none", marker="o", markersize=series.marker_size, markeredgewidth=edge, zorder=order,
+            markerfacecolor=f"#{series.marker_fill}" if series.marker_fill else "none",
+            markeredgecolor=f"#{series.marker_line}" if series.marker_line else "none",
+        )  # fmt: skip
+    if series.show_name:
+        across, along = ANCHORS[series.label_side]
+        for place in piece.points[np.isfinite(piece.points).all(axis=1)]:
+            axes.text(*place, piece.words, fontsize=series.label_size, ha=across, va=along, zorder=order)
+
+
+def _image(scene: Scene) -> Image:
+    from PIL import Image
+
+    file = io.BytesIO()
+    _figure(scene).savefig(file, format="rgba", dpi=GIF_DPI)
+    side = round(SIDE * GIF_DPI)
+    return Image.frombytes("RGBA", (side, side), file.getvalue()).convert("RGB")
+
+
+def _few_colors(images: Sequence[Image]) -> list[Image]:
+    """All images in one palette: then a frame holds only what has changed since the one before."""
+    from PIL import Image
+
+    probes = images[:: max(1, len(images) // 4)]
+    width, height = images[0].size
+    sheet = Image.new("RGB", (width, height * len(probes)))
+    for index, probe in enumerate(probes):
+        sheet.paste(probe, (0, index * height))
+    palette = sheet.quantize(COLORS)
+    colors = palette.getpalette() or []
+    paper = 3 * palette.tobytes()[0]  # the corner: its white must stay white, not become a mean
+    colors[paper : paper + 3] = [255, 255, 255]
+    palette.putpalette(colors)
+    return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]

@@ -1,0 +1,129 @@
+"""The workbook that a picture is taken from: the mechanism's own, at as many positions as an animation needs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+
+from mechsheet.compute import computed
+from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.model import Mechanism
+from mechsheet.sheet.layout import lay_out
+from mechsheet.sheet.plan import EXISTS, STATUS, Plan, unit_text
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.workbook import Workbook
+
+LEAST, MOST = 121, 361
+"""A sweep with fewer positions is refined, each of its steps alike; of one with more, every second, third … is taken."""
+
+SAME = 1e-9
+"""A driver value this part of the sweep away from a position is that position."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """A computed workbook and its plan.
+
+    sweep  how many of the table's rows are the sweep; one more follows when a position outside of it is asked for
+    shown  the row of the position asked for; without one, the first that exists
+    exists which rows exist
+    """
+
+    workbook: Workbook
+    plan: Plan
+    sweep: int
+    shown: int
+    exists: tuple[bool, ...]
+
+
+def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None) -> Sample:
+    """The mechanism's workbook at the positions to be drawn, `at` (in the driver's unit) among them exactly.
+
+    The assembly modes are those of the description's own sweep. Raises MechanismError when the mechanism cannot be
+    solved, or cannot be assembled at `at`; MechsheetError when `at` is no number.
+    """
+    if at is not None and not math.isfinite(at):
+        raise MechsheetError(Fault(f"{at} is not a position of the driver", key="--at"))
+    modes = {group.mode: group.mode_value for group in solve(mechanism).groups if group.mode}
+    values = resampled([float(value) for value in driver_values(mechanism, dimension_values(mechanism))])
+    shown, sweep = None, len(values)
+    if at is not None:
+        values, shown = with_value(values, math.radians(at) if mechanism.driver.unit == "deg" else at)
+        sweep = sweep if shown == sweep else len(values)
+    drawn = replace(
+        mechanism,
+        driver=replace(mechanism.driver, values=tuple(values)),
+        language=language or mechanism.language,
+        tables=(),
+        summaries=(),
+    )
+    layout, plan = lay_out(drawn, solve(drawn, modes))
+    workbook = computed(layout)
+    exists = tuple(value == 1.0 for value in _column(workbook, plan, EXISTS))
+    if shown is None:
+        shown = exists.index(True) if True in exists else 0
+    elif not exists[shown]:
+        raise MechanismError(_missing(workbook, plan, at, shown, exists[:sweep]))
+    return Sample(workbook, plan, sweep, shown, exists)
+
+
+def resampled(values: Sequence[float]) -> list[float]:
+    """The driver's values with equal parts between them, or thinned; first and last stay."""
+    steps = len(values) - 1
+    if steps < 1:
+        return list(values)
+    if len(values) > MOST:
+        every = math.ceil(steps / (MOST - 1))
+        return [*values[:-1:every], values[-1]]
+    parts = math.ceil((LEAST - 1) / steps)
+    fine = [a + (b - a) * part / parts for a, b in pairwise(values) for part in range(parts)]
+    return [*fine, values[-1]]
+
+
+def with_value(values: Sequence[float], value: float) -> tuple[list[float], int]:
+    """The values with one more, and its row: where the sweep passes it, or after the end when it does not.
+
+    Never before the first: the sketch belongs to that one.
+    """
+    near = SAME * (max(values) - min(values) or 1.0)
+    for row, known in enumerate(values):
+        if abs(known - value) <= near:
+            return list(values), row
+    for row, (a, b) in enumerate(pairwise(values), 1):
+        if (a - value) * (b - value) < 0:
+            return [*values[:row], value, *values[row:]], row
+    return [*values, value], len(values)
+
+
+def _column(workbook: Workbook, plan: Plan, col: int) -> list[object]:
+    """The values of a column of the table."""
+    fill = next(fill for fill in workbook.sheet(plan.table).fills if fill.col == col and fill.row == plan.at.first)
+    return [fill.value(row, col) for row in range(plan.at.first, plan.at.last + 1)]
+
+
+def _missing(workbook: Workbook, plan: Plan, at: float | None, row: int, exists: Sequence[bool]) -> Fault:
+    driver = plan.mechanism.driver
+    unit = unit_text(driver.unit)
+    space = "" if unit in ("", "°") else " "
+    shown = np.degrees(plan.driver) if driver.unit == "deg" else np.array(plan.driver)
+    symbol = plain(driver.symbol)
+    runs = _runs(exists)
+    ranges = ", ".join(f"{shown[a]:.6g} … {shown[b]:.6g}{space}{unit}" for a, b in runs)
+    why = _column(workbook, plan, STATUS)[row]
+    return Fault(
+        f"no position at {symbol} = {at:g}{space}{unit}: {why}",
+        key="--at",
+        hint=f"the sweep has positions at {symbol} = {ranges}" if runs else "no position of the sweep exists",
+    )
+
+
+def _runs(exists: Sequence[bool]) -> list[tuple[int, int]]:
+    """First and last row of each run of rows that exist."""
+    edges = np.flatnonzero(np.diff([False, *exists, False]))
+    return [(int(a), int(b) - 1) for a, b in edges.reshape(-1, 2)]

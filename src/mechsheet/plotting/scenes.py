@@ -1,0 +1,126 @@
+"""The charts of a workbook at any position, as numbers: what a picture shows, before any picture format is known."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.engine import Values, compile_book
+from mechsheet.formula.nodes import CellRef, ErrorValue
+from mechsheet.plotting.following import following_book
+from mechsheet.plotting.sampling import Sample
+from mechsheet.sheet.workbook import Chart, Series, SeriesRef
+
+Points = NDArray[np.float64]
+
+CLOSED = 1e-6
+"""A sweep whose last picture is this near the first (in the drawing's units, 2 wide) comes round."""
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One series of a chart at one position.
+
+    points  (n, 2) in the chart's units; NaN where there is nothing
+    words   the series' name, which is the text of a label
+    """
+
+    series: Series
+    points: Points
+    words: str
+
+
+Scene = tuple[Piece, ...]
+"""The pieces of a chart from back to front."""
+
+
+class Follower(Protocol):
+    """Computes a book with some cells changed."""
+
+    def evaluate(self, overrides: dict[tuple[str, int, int], float]) -> Values:
+        """The values of all cells."""
+
+
+class Stage:
+    """A sample's charts, to be looked at in any of its rows."""
+
+    def __init__(self, sample: Sample) -> None:
+        self.sample = sample
+        spot = sample.plan.at.spots["#position"]
+        self._position = (spot.sheet, spot.row, spot.col)
+        self._book: Follower = compile_book(following_book(sample.workbook, self._position))
+
+    @property
+    def charts(self) -> tuple[Chart, ...]:
+        """The charts of the first sheet; the drawing comes first."""
+        return self.sample.workbook.sheets[0].charts
+
+    def at(self, row: int, charts: Sequence[Chart]) -> list[Scene]:
+        """The scenes of charts with the position cell at `row`."""
+        values = self._book.evaluate({self._position: float(row)})
+        return [tuple(self._piece(values, series) for series in _shown(chart)) for chart in charts]
+
+    def drawing(self, row: int) -> Scene:
+        """The drawing alone."""
+        return self.at(row, self.charts[:1])[0]
+
+    def _piece(self, values: Values, series: Series) -> Piece:
+        columns = [self._numbers(values, ref) for ref in (series.x, series.y)]
+        points = np.column_stack(columns)
+        points[~np.isfinite(points).all(axis=1)] = math.nan
+        return Piece(series, points, _words(values, series.name))
+
+    def _numbers(self, values: Values, ref: SeriesRef) -> Points:
+        """The numbers of a series; a row that stands after the sweep belongs to no curve."""
+        area, plan = ref.area, self.sample.plan
+        last = area.last_row
+        if (area.first_row, area.last_row) == (plan.at.first, plan.at.last):
+            last = area.first_row + self.sample.sweep - 1
+        return values.arrays(ref.sheet, area.first_col, area.first_row, last)[0]
+
+
+def _shown(chart: Chart) -> list[Series]:
+    """The series of a chart without those that come again later: programs that draw the other way round need both."""
+    return [series for index, series in enumerate(chart.series) if series not in chart.series[index + 1 :]]
+
+
+def _words(values: Values, name: str | CellRef) -> str:
+    if isinstance(name, str):
+        return name
+    value = values.get(name.sheet or "", name.row, name.col)
+    return "" if value is None or isinstance(value, ErrorValue) else str(value)
+
+
+def comes_round(first: Scene, last: Scene) -> bool:
+    """True when the last position of a sweep looks like the first: an animation can go on from there."""
+    return all(
+        np.allclose(a.points, b.points, rtol=0, atol=CLOSED) for a, b in zip(first, last, strict=True) if _moves(a)
+    )
+
+
+def _moves(piece: Piece) -> bool:
+    return not piece.series.show_name
+
+
+def journey(stage: Stage, most: int) -> tuple[list[int], bool]:
+    """Rows of an animation in order, from the row shown on, at most `most` of them, and whether the sweep comes round.
+
+    Positions that do not exist are left out. A sweep that does not come round is run to and fro.
+    """
+    sample = stage.sample
+    rows = [row for row in range(sample.sweep) if sample.exists[row]]
+    if len(rows) < 2:
+        return rows, False
+    whole = len(rows) == sample.sweep
+    closed = whole and comes_round(stage.drawing(rows[0]), stage.drawing(rows[-1]))
+    every = math.ceil((len(rows) - 1) / (most if closed else most // 2))
+    chosen = rows[:-1:every] if closed else [*rows[:-1:every], rows[-1]]
+    if not closed:
+        chosen += chosen[-2:0:-1]
+    start = min(range(len(chosen)), key=lambda index: abs(chosen[index] - sample.shown))
+    return chosen[start:] + chosen[:start], closed
