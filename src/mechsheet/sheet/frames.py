@@ -216,7 +216,8 @@ def _scale_bar(page: Page, half: CellRef) -> tuple[Series, ...]:
     page.row += 1
     page.put(NAME, text("drawing.bar.label"))
     unit = page.plan.mechanism.length_unit
-    words: Node = Binary("&", length, Text(f" {unit}")) if unit else Binary("&", length, Text(""))
+    rounded = Call("ROUND", (length, Number(15.0)))  # gnumeric computes with more digits and would show them
+    words = Binary("&", rounded, Text(f" {unit}" if unit else ""))
     label = page.formula(FIRST, words, styles.INNER)
     page.formula(CHART_X, al.add(al.number(LEFT), al.div(length, al.mul(al.TWO, half))))
     page.put(CHART_Y, BOTTOM + 0.07, NUMBER_STYLE)
