@@ -13,7 +13,7 @@ CASES = sorted(path.stem for path in FOLDER.glob("*.toml"))
 
 def test_folder_is_not_empty() -> None:
     assert len(CASES) >= 60
-    assert CASES == sorted(path.stem for path in FOLDER.glob("*.txt"))
+    assert sorted(path.stem for path in FOLDER.glob("*.txt")) == CASES
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -25,7 +25,7 @@ def test_messages(case: str, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_missing_file(tmp_path: Path) -> None:
-    with pytest.raises(DescriptionError, match="no-such.toml: there is no such file"):
+    with pytest.raises(DescriptionError, match=r"no-such\.toml: there is no such file"):
         load(tmp_path / "no-such.toml")
 
 

@@ -10,6 +10,7 @@ import re
 import unicodedata
 from collections.abc import Mapping
 
+from mechsheet.description.index import Path
 from mechsheet.description.report import quoted, suggestion
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault
@@ -36,11 +37,13 @@ def with_values(source: Source, values: Mapping[str, str]) -> tuple[str, list[Fa
             faults.append(Fault(message, source.file, key=key, hint=hint))
         elif reason := _reason_against(value):
             faults.append(Fault(reason[0], source.file, key=key, hint=reason[1]))
-        else:
-            path = ("dimensions", name)
-            spot = source.spots[(*path, "value") if isinstance(entries[name], dict) else path]
+        elif spot := source.spots.get(_place(name, entries[name])):  # without a value the reader will complain
             changes.append((spot.start, spot.end, toml_number(value)))
     return _replaced(source.text, changes), faults
+
+
+def _place(name: str, entry: object) -> Path:
+    return ("dimensions", name, "value") if isinstance(entry, dict) else ("dimensions", name)
 
 
 def _reason_against(value: str) -> tuple[str, str] | None:
