@@ -145,6 +145,18 @@ class _Pen:
         return [*then, (" if ", ""), *condition]
 
 
+def shortened(text: Rich, most: int) -> Rich:
+    """The text cut after `most` characters, an ellipsis in place of the rest."""
+    if len(text.plain) <= most:
+        return text
+    kept: list[Part] = []
+    room = most - 1
+    for piece, kind in text.parts:
+        kept += [(piece[:room], kind)] if room > 0 else []
+        room -= len(piece)
+    return Rich((*kept, ("…", "")))
+
+
 def symbol_parts(symbol: str) -> list[Part]:
     """A symbol with its subscript."""
     letter, subscript = parts(symbol)

@@ -6,11 +6,11 @@ import math
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text
 from mechsheet.formula.parser import parse_description
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.kinematics.naming import body_words
 from mechsheet.model import Quantity, Words
 from mechsheet.sheet import styles
+from mechsheet.sheet.mathematics import shortened, written
 from mechsheet.sheet.plan import DRIVER, EXISTS, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn, needs_guard
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import (
@@ -19,6 +19,7 @@ from mechsheet.sheet.workbook import (
     Column,
     Comment,
     Conditional,
+    Content,
     Fill,
     Merge,
     PrintSetup,
@@ -37,9 +38,9 @@ def positions_sheet(plan: Plan) -> Sheet:
     fills: list[Fill] = []
     comments: list[Comment] = []
     for column in plan.columns:
-        label, unit, formula_text = _heading(plan, column)
+        label, unit, formula = _heading(plan, column)
         cells.append(Cell(SYMBOL_ROW, column.col, rich(label, f" [{unit}]" if unit else ""), styles.HEAD))
-        cells.append(Cell(FORMULA_ROW, column.col, _shortened(formula_text), styles.FORMULA_TEXT))
+        cells.append(Cell(FORMULA_ROW, column.col, formula, styles.FORMULA_TEXT))
         words = _meaning(plan, column)
         if words:
             comments.append(Comment(SYMBOL_ROW, column.col, words))
@@ -64,12 +65,8 @@ def positions_sheet(plan: Plan) -> Sheet:
     )
 
 
-def _shortened(text: str) -> str:
-    return text if len(text) <= COMMENT_LIMIT else text[: COMMENT_LIMIT - 1] + "…"
-
-
-def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, str]:
-    """(symbol, unit, formula as text) over a column."""
+def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, Content]:
+    """(symbol, unit, formula for people) over a column."""
     driver = plan.mechanism.driver
     match column.kind:
         case "number":
@@ -94,12 +91,7 @@ def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, str]:
         shown = _output_unit(plan, column.symbol)
     else:
         shown = "rad" if unit == "angle" else plan.unit_shown(unit)
-    return column.symbol, shown, formula_text(column.equation)
-
-
-def formula_text(equation: Equation) -> str:
-    """`s = sqrt(…)` without the symbol: the right-hand side as people read it."""
-    return print_formula(equation.expression, "text")
+    return column.symbol, shown, shortened(written(column.equation.expression, plan.language), COMMENT_LIMIT)
 
 
 def _unit_of(plan: Plan, symbol: str) -> str:

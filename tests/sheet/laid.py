@@ -1,0 +1,55 @@
+"""A mechanism's workbook laid out, and its values after any change of cells or formulas."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from mechsheet.compute import book_of
+from mechsheet.description import loads
+from mechsheet.engine import evaluate
+from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.layout import lay_out
+
+ROOT = Path(__file__).parents[2]
+TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
+
+
+def template_text(name):
+    return (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")
+
+
+class Laid:
+    """The workbook of a description. Cells are read by key: a spot's name ("#clear"), or a line of a block."""
+
+    def __init__(self, text, language=None, overrides=None):
+        self.mechanism = loads(text, language=language, overrides=overrides)
+        self.workbook, self.plan = lay_out(self.mechanism, solve(self.mechanism))
+        self.values = evaluate(book_of(self.workbook))
+
+    def change(self, **symbols):
+        """Type numbers (as shown) into input cells."""
+        spots = {symbol: self.plan.at.spots[symbol] for symbol in symbols}
+        changes = {(spot.sheet, spot.row, spot.col): float(symbols[symbol]) for symbol, spot in spots.items()}
+        self.values = evaluate(book_of(self.workbook), changes)
+        return self
+
+    def damage(self, sheet, col, change):
+        """Replace the formulas of a column of a sheet: `change` takes and gives a tree."""
+        sheets = []
+        for own in self.workbook.sheets:
+            fills = own.fills
+            if own.title == sheet:
+                fills = tuple(
+                    replace(fill, formula=change(fill.formula)) if fill.col == col else fill for fill in own.fills
+                )
+            sheets.append(replace(own, fills=fills))
+        self.values = evaluate(book_of(replace(self.workbook, sheets=tuple(sheets))))
+        return self
+
+    def spot(self, key):
+        """The value at a registered place."""
+        spot = self.plan.at.shown[key]
+        return self.values.get(spot.sheet, spot.row, spot.col)
+
+    def stands(self, key, col=1):
+        """A cell of a line of the block "How it stands": 1 the value, 3 where, 4 the words."""
+        return self.values.get(self.plan.main, self.plan.blocks["stands"].rows[key], col)
