@@ -19,7 +19,7 @@ ALLOWED = {
     "sheet": {"model", "formula", "kinematics"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
-    # plotting draws what the sheet's drawing shows, at positions that the engine computes; only the way to a file is formats'
+    # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
     "plotting": {"model", "formula", "kinematics", "sheet", "compute", "engine", "formats.archive"},
 }
 PARTS = sorted(ALLOWED)

@@ -64,7 +64,7 @@ function play(on) {
 function showAddressed() { // page.html#at=60: the position nearest to that value of the driver
   const match = /^#at=(.+)$/.exec(decodeURIComponent(location.hash));
   const wanted = match ? Number(match[1]) : NaN;
-  if (Number.isNaN(wanted)) return;
+  if (!Number.isFinite(wanted)) return;
   let best = 0;
   data.driver.forEach((value, i) => {
     if (Math.abs(value - wanted) < Math.abs(data.driver[best] - wanted)) best = i;

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault, MissingProgramError
 from mechsheet.plotting.scenes import Piece, Scene
@@ -18,6 +19,8 @@ from mechsheet.plotting.scenes import Piece, Scene
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from PIL.Image import Image
+
+Codes = NDArray[np.int32]
 
 SIDE = 5.0
 """Inches."""
@@ -27,8 +30,8 @@ PNG_DPI, GIF_DPI = 192, 80
 FRAME_MILLISECONDS = 60
 """A multiple of 10: what a GIF can say."""
 
-COLORS = 48
-"""Colours of an animation: the lines' own and the steps between them and the paper."""
+COLORS, APART = 64, 24
+"""Colours of an animation: the lines' own and the steps between them and the paper; how far they are apart at least."""
 
 EDGE = 0.75
 """Width of the line round a marker whose inside has another colour, in points."""
@@ -71,7 +74,7 @@ def png(scene: Scene, title: str) -> bytes:
 def gif(scenes: Sequence[Scene], title: str) -> bytes:
     """An animation of 400 x 400 pixels that starts again at its end. Raises MissingProgramError."""
     with _settings():
-        frames = _few_colors([_image(scene) for scene in scenes])
+        frames = _few_colors([_pixels(scene) for scene in scenes])
     file = io.BytesIO()
     frames[0].save(
         file,
@@ -126,27 +129,34 @@ def _draw(axes: Any, piece: Piece, order: int) -> None:
             axes.text(*place, piece.words, fontsize=series.label_size, ha=across, va=along, zorder=order)
 
 
-def _image(scene: Scene) -> Image:
-    from PIL import Image
-
+def _pixels(scene: Scene) -> Codes:
+    """The picture as one number a pixel: red * 65536 + green * 256 + blue."""
     file = io.BytesIO()
     _figure(scene).savefig(file, format="rgba", dpi=GIF_DPI)
     side = round(SIDE * GIF_DPI)
-    return Image.frombytes("RGBA", (side, side), file.getvalue()).convert("RGB")
+    channels = np.frombuffer(file.getvalue(), np.uint8).reshape(side, side, 4).astype(np.int32)
+    return channels[..., 0] << 16 | channels[..., 1] << 8 | channels[..., 2]
 
 
-def _few_colors(images: Sequence[Image]) -> list[Image]:
-    """All images in one palette: then a frame holds only what has changed since the one before."""
+def _few_colors(frames: Sequence[Codes]) -> list[Image]:
+    """All frames in one palette: then a frame of the file holds only what has changed since the one before.
+
+    The palette takes the most frequent colours that are not too much alike; every other becomes the nearest of these.
+    """
     from PIL import Image
 
-    probes = images[:: max(1, len(images) // 4)]
-    width, height = images[0].size
-    sheet = Image.new("RGB", (width, height * len(probes)))
-    for index, probe in enumerate(probes):
-        sheet.paste(probe, (0, index * height))
-    palette = sheet.quantize(COLORS)
-    colors = palette.getpalette() or []
-    paper = 3 * palette.tobytes()[0]  # the corner: its white must stay white, not become a mean
-    colors[paper : paper + 3] = [255, 255, 255]
-    palette.putpalette(colors)
-    return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    found, counts = np.unique(np.concatenate([frame.ravel() for frame in frames]), return_counts=True)
+    colors = np.column_stack([found >> 16, found >> 8 & 255, found & 255])
+    chosen: list[int] = []
+    for index in np.argsort(-counts, kind="stable"):
+        if len(chosen) < COLORS and all(np.abs(colors[index] - colors[other]).max() >= APART for other in chosen):
+            chosen.append(int(index))
+    distances = np.stack([((colors - colors[index]) ** 2).sum(axis=1) for index in chosen])
+    nearest = distances.argmin(axis=0).astype(np.uint8)
+    palette = colors[chosen].ravel().tolist()
+    images = []
+    for frame in frames:
+        image = Image.frombytes("P", (frame.shape[1], frame.shape[0]), nearest[np.searchsorted(found, frame)].tobytes())
+        image.putpalette(palette)
+        images.append(image)
+    return images
