@@ -56,9 +56,10 @@ class Evaluator:
                 found = self.value(formula, frame)
                 if isinstance(formula, Binary) and formula.op in "+-":
                     found = self._snapped(formula, found, frame)
-        except UnsupportedError as problem:
+        except (UnsupportedError, RecursionError) as problem:
             place = cell_address(self.layout.titles[frame.sheet], frame.row, frame.col)
-            raise WorkbookError(Fault(str(problem), key=place)) from problem
+            message = str(problem) if isinstance(problem, UnsupportedError) else "a formula nested too deeply"
+            raise WorkbookError(Fault(message, key=place)) from problem
         if np.ndim(found.numbers) > 2:
             found = Cells(found.numbers[0, 0], None if found.codes is None else codes_of_all(found)[0, 0])
         if found.codes is not None:

@@ -51,7 +51,7 @@ _SCALAR = {
 }
 """How Python says an operation on single numbers; the others go through numpy, which gives the same bits as for a column."""
 
-_UNFLAGGED = frozenset(("add", "subtract", "multiply", "square"))
+_UNFLAGGED = frozenset(("add", "subtract", "multiply", "divide", "square"))
 """Operations of Python floats that overflow in silence."""
 
 
@@ -298,7 +298,9 @@ class _Emitter:
             value.args, place
         )  # an operand's buffer may take the result: cell by cell they are the same place
         self.names[number] = target = self._target(number)
-        self.line(f"{self._function(value.op)}({', '.join(args)}, {target})")
+        # numpy wants the word for these two; for the others the place alone is faster
+        out = f"out={target}" if value.op in ("minimum", "maximum") else target
+        self.line(f"{self._function(value.op)}({', '.join(args)}, {out})")
 
     def _rows(self) -> int:
         return max(self.layout.blocks[block].rows for block in self.lowering.results)

@@ -19,6 +19,10 @@ NEAR = 2.0**-48
 """Two numbers nearer than this, relatively, are equal, and their difference is nothing: some 14 to 15 digits."""
 
 
+BELOW_HALF = 0.49999999999999994
+"""The largest number below a half: added before cutting off, it rounds no sum up to the next whole number by itself."""
+
+
 def snapped(result: Any, left: Any) -> Any:
     """A sum or difference, with what is left over from cancellation (below NEAR of an operand, and below 1) taken as 0.
 
@@ -56,7 +60,7 @@ def modulo(number: Any, divisor: Any) -> Result:
 
 def half_away(number: Any) -> Any:
     """Rounded to a whole number, halves away from zero."""
-    return np.copysign(np.floor(np.abs(number) + 0.5), number)
+    return np.trunc(number + np.copysign(BELOW_HALF, number))
 
 
 def _scaled(number: Any, digits: Any, whole: Callable[[Any], Any]) -> Any:
@@ -79,7 +83,7 @@ def _scaled(number: Any, digits: Any, whole: Callable[[Any], Any]) -> Any:
 
 def rounded(number: Any, digits: Any) -> Any:
     """To `digits` decimals, halves away from zero (2.675 to two decimals is 2.68, as a person reads it)."""
-    return _scaled(number, digits, _half_up)
+    return half_away(number) if np.ndim(digits) == 0 and digits == 0 else _scaled(number, digits, _half_up)
 
 
 def _half_up(size: Any) -> Any:

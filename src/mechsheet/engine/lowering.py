@@ -24,7 +24,7 @@ from ..formula.nodes import (
     Unary,
 )
 from .graph import area_read
-from .kernels_math import NEAR
+from .kernels_math import BELOW_HALF, NEAR
 from .layout import Area, Layout
 from .recurrence import Held, RunningSum
 
@@ -100,9 +100,9 @@ class Lowering:
                 if isinstance(formula, Binary) and formula.op in "+-":
                     result = self._snapped(result)
             self._store(number, result)
-        except UnsuitableError:
+        except (UnsuitableError, RecursionError) as problem:
             self._undo(*mark)
-            raise
+            raise UnsuitableError from problem
         self.results[number] = result
 
     def _undo(self, values: int, order: int, columns: dict[int, frozenset[int]], others: set[int]) -> None:
@@ -337,8 +337,7 @@ class Lowering:
         if not isinstance(args[1], Number) or args[1].value != 0:
             raise UnsuitableError
         number = self._number(args[0])
-        # The largest number below a half, so that no sum is rounded up to the next whole number.
-        half = self._value("copysign", (self.constant(0.49999999999999994), number))
+        half = self._value("copysign", (self.constant(BELOW_HALF), number))
         return self._value("trunc", (self._value("add", (number, half)),))
 
     def _extreme(self, op: str, args: tuple[Node, ...]) -> int:

@@ -21,7 +21,7 @@ from .frames import Frame
 from .graph import area_read, references
 from .kernels_math import NEAR
 from .layout import Layout
-from .values import BLANK, NUM, Cells, choose, codes_of, first_error
+from .values import BLANK, NUM, Cells, choose, codes_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,27 +106,30 @@ def _running_sum(kind: RunningSum, above: Cells, ev: Evaluator, frame: Frame) ->
     rows = (frame.rows,)
     steps, step_errors = numbers_of(ev.value(kind.step, frame), ev.texts)
     start, start_error = numbers_of(above, ev.texts)
-    steps = np.broadcast_to(steps, rows)
+    steps = np.broadcast_to(-steps if kind.op == "-" else steps, rows)
     errors = np.zeros(rows, np.uint8) if step_errors is None else np.array(np.broadcast_to(step_errors, rows))
     carried = 0 if start_error is None else int(start_error)
-    if not carried and step_errors is None:
-        return _with_overflow(running(float(start), -steps if kind.op == "-" else steps, kind.step_first))
-    first = 0 if carried else int(np.argmax(errors != 0))
+    first = 0 if carried else _first_or_end(errors != 0)
     numbers = np.full(rows, np.nan)
-    good = running(float(start), -steps[:first] if kind.op == "-" else steps[:first], kind.step_first)
-    numbers[:first] = good
-    early = ~np.isfinite(good)
-    if early.any():  # an overflow before the first error: everything after it is that error
-        return _with_overflow(numbers, np.where(np.arange(frame.rows) < first, 0, NUM).astype(np.uint8))
+    numbers[:first] = good = running(float(start), steps[:first], kind.step_first)
+    overflow = _first_or_end(~np.isfinite(good))
+    if overflow < first:
+        first = overflow
+        errors[first] = NUM
+    if first == frame.rows:
+        return Cells(numbers)
+    numbers[first:] = np.nan
     if kind.step_first:  # each row's own error comes before the one it inherits
-        own = np.where(errors != 0, np.arange(frame.rows), -1)
-        last = np.maximum.accumulate(own)
-        inherited = np.where(last >= 0, errors[np.maximum(last, 0)], np.uint8(carried))
-        codes = np.asarray(first_error(errors, inherited))
+        last = np.maximum.accumulate(np.where(errors != 0, np.arange(frame.rows), -1))
+        codes = np.where(last >= 0, errors[np.maximum(last, 0)], np.uint8(carried))
     else:
         codes = np.full(rows, carried or errors[first], np.uint8)
-    codes = np.where(np.arange(frame.rows) < first, np.uint8(0), codes)
-    return Cells(numbers, codes.astype(np.uint8))
+    return Cells(numbers, np.where(np.arange(frame.rows) < first, np.uint8(0), codes).astype(np.uint8))
+
+
+def _first_or_end(mask: Any) -> int:
+    """Where a mask holds first, its length when it does not."""
+    return int(np.argmax(mask)) if mask.any() else len(mask)
 
 
 def running(start: float, steps: Any, step_first: bool) -> Any:
@@ -145,11 +148,3 @@ def running(start: float, steps: Any, step_first: bool) -> Any:
             result[place] = start = 0.0
             place += 1
     return result
-
-
-def _with_overflow(numbers: Any, codes: Any = None) -> Cells:
-    bad = ~np.isfinite(numbers)
-    if codes is None and not bad.any():
-        return Cells(numbers)
-    after = np.logical_or.accumulate(bad)
-    return Cells(np.where(after, np.nan, numbers), np.where(after, np.uint8(NUM), np.uint8(0)))

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from ..diagnostics import Fault, WorkbookError, near_miss
 from ..formula.book import Block, Book, DefinedName
+from ..formula.dialects import MAX_NESTING
 from ..formula.functions import FUNCTIONS, MANY
 from ..formula.nodes import Call, CellRef, ErrorValue, NameRef, Node, Previous, Symbol, shifted, transform, walk
 from ..formula.references import area_name
@@ -54,12 +55,15 @@ class _Resolver:
             defined = self.find(part, sheet)
             if defined is None:
                 return self.unknown_name(part, place)
-            if defined.name.casefold() in inside:
-                self.fault(place, f"the name {part.name} stands for itself: {' -> '.join((*inside, part.name))}")
+            if defined.name in inside:
+                self.fault(place, f"the name {defined.name} stands for itself: {' -> '.join((*inside, defined.name))}")
+                return ErrorValue("#NAME?")
+            if len(inside) >= MAX_NESTING:
+                self.fault(place, f"names that stand for one another, more than {MAX_NESTING} deep")
                 return ErrorValue("#NAME?")
             home = defined.sheet or sheet
             moved = shifted(defined.formula, block.row, block.col)
-            return self.named(moved, block, home, place, (*inside, defined.name.casefold()))
+            return self.named(moved, block, home, place, (*inside, defined.name))
 
         return transform(node, change)
 

@@ -1,0 +1,193 @@
+"""The fast path gives what the careful evaluator gives, bit for bit, and is really taken."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from mechsheet.engine import compile_book
+from mechsheet.engine import segments as segments_module
+from mechsheet.engine.segments import Segment
+from mechsheet.formula.book import BookBuilder
+from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Text, Unary
+from mechsheet.formula.parser import parse_formula
+
+FIRST, ROWS = 3, 7
+
+plain = st.sampled_from([0.0, 1.0, -1.0, 0.5, 2.0, -3.0, 360.0, 0.1, 0.2, 0.3]) | st.floats(-1e3, 1e3)
+values = (
+    plain | plain | plain | st.sampled_from([1e308, -1e200, 1e-300, 1e15, ErrorValue("#N/A"), "abc", "3", True, None])
+)
+columns = st.lists(plain, min_size=ROWS + 2, max_size=ROWS + 2) | st.lists(values, min_size=ROWS + 2, max_size=ROWS + 2)
+
+# Columns A..C hold data from the row above the table; D, E, F are formulas; H1, H2 single cells.
+data_refs = (
+    st.builds(lambda col: CellRef(FIRST, col), st.integers(0, 2))
+    | st.builds(lambda col: CellRef(FIRST - 1, col), st.integers(0, 2))
+    | st.builds(lambda row: CellRef(row, 7, True, True), st.integers(0, 1))
+)
+refs = data_refs | st.just(CellRef(FIRST, 3))
+numbers = st.sampled_from([0.0, 1.0, 2.0, 3.0, 0.5, 1e-12, 1e308, 90.0]).map(Number)
+ONE = [
+    *("SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "SINH", "COSH", "TANH", "ASINH", "ACOSH", "ATANH", "RADIANS"),
+    *("DEGREES", "SQRT", "ABS", "SIGN", "EXP", "LN", "LOG10", "INT"),
+]
+
+
+def numeric(below, cells):
+    return (
+        st.builds(Binary, st.sampled_from(list("+-*/+-*")), below, below)
+        | st.builds(lambda a, n: Binary("^", a, Number(n)), below, st.sampled_from([2.0, 3.0, 0.5, -1.0, 0.0]))
+        | st.builds(Unary, st.sampled_from(["-", "%", "+"]), below)
+        | st.builds(lambda name, arg: Call(name, (arg,)), st.sampled_from(ONE), below)
+        | st.builds(lambda a, b: Call("ATAN2", (a, b)), below, below)
+        | st.builds(lambda a, b: Call("MOD", (a, b)), below, below)
+        | st.builds(lambda a: Call("ROUND", (a, Number(0.0))), below)
+        | st.builds(
+            lambda name, args: Call(name, tuple(args)),
+            st.sampled_from(["MIN", "MAX", "SUM", "SUMSQ"]),
+            st.lists(below, min_size=1, max_size=3),
+        )
+        | st.builds(lambda c, a, b: Call("IF", (c, a, b)), conditions(below), below | st.just(Call("NA")), below)
+        | st.builds(lambda r, a: Call("IF", (Call("ISNUMBER", (r,)), a, Text("no"))), cells, below)
+    )
+
+
+def conditions(below):
+    single = st.builds(Binary, st.sampled_from(["=", "<>", "<", "<=", ">", ">="]), below, below)
+    return (
+        single
+        | st.builds(
+            lambda name, parts: Call(name, tuple(parts)),
+            st.sampled_from(["AND", "OR"]),
+            st.lists(single, min_size=1, max_size=2),
+        )
+        | single.map(lambda c: Call("NOT", (c,)))
+    )
+
+
+data_trees = st.recursive(data_refs | data_refs | numbers, lambda below: numeric(below, data_refs), max_leaves=8)
+trees = st.recursive(refs | refs | numbers, lambda below: numeric(below, refs), max_leaves=8)
+
+
+def same(first, second):
+    """Values of two evaluations are equal to the last bit (a zero's sign apart)."""
+    assert np.array_equal(first._codes, second._codes)
+    good = first._codes == 0
+    assert np.array_equal(first._numbers[good], second._numbers[good])
+
+
+def never(*_):
+    raise AssertionError("the careful evaluator was used")
+
+
+@settings(max_examples=300, deadline=None, report_multiple_bugs=False)
+@given(
+    st.lists(columns, min_size=3, max_size=3),
+    st.tuples(plain, values),
+    data_trees,
+    trees,
+    trees,
+    st.sampled_from(["", "sum", "held"]),
+)
+def test_fast_equals_careful(data, singles, first, second, third, recurrence):
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    for col, column in enumerate(data):
+        sheet.column_constants(FIRST - 1, col, column)
+    for row, value in enumerate(singles):
+        sheet.constant(row, 7, value)
+    sheet.block(FIRST, 3, ROWS, 1, first)
+    sheet.block(FIRST, 4, ROWS, 1, second)
+    sheet.block(0, 9, 1, 1, parse_formula("SUM(D4:D10)+MAX(E4:E10)"))
+    sheet.block(FIRST, 6, ROWS, 3, parse_formula("$D4*G$3-$E4"))
+    sheet.column_constants(2, 6, [1.5])
+    sheet.column_constants(2, 8, [2.5])
+    sheet.constant(2, 5, 1.0)
+    above = CellRef(FIRST - 1, 5)
+    formula = {
+        "": third,
+        "sum": Binary("+", above, third),
+        "held": Call("IF", (Binary(">", third, Number(0)), second, above)),
+    }[recurrence]
+    sheet.block(FIRST, 5, ROWS, 1, formula)
+    plan = compile_book(builder.build())
+    same(plan.evaluate(), plan.evaluate())
+
+
+@pytest.fixture
+def small_chunks(monkeypatch):
+    monkeypatch.setattr(segments_module, "CHUNK", 256)
+
+
+def four_columns(rows, extra=()):
+    """start + n*step, a sine, a running sum and a held value; `extra` are further columns."""
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.column_constants(0, 0, [0.25, 0.125])
+    texts = ["$A$1+ROW()*$A$2", "SIN(B5)", "D4+ROUND(C5*3,0)", "IF(C5>0.5,B5,E4)", *extra]
+    sheet.constant(3, 3, 0.0)
+    sheet.constant(3, 4, 0.0)
+    sheet.constant(3, 5, 0.0)
+    for col, text in enumerate(texts, 1):
+        sheet.block(4, col, rows, 1, parse_formula(text))
+    return builder.build()
+
+
+@pytest.mark.parametrize("rows", [1, 2, 255, 256, 257, 1000])
+def test_chunks(rows, small_chunks, monkeypatch):
+    plan = compile_book(four_columns(rows))
+    careful = plan.evaluate()
+    if rows > 1:
+        monkeypatch.setattr(Segment, "_carefully", never)
+    same(careful, plan.evaluate())
+
+
+def test_a_chunk_with_an_error_is_computed_carefully_and_the_others_fast(small_chunks, monkeypatch):
+    plan = compile_book(four_columns(1000, ["1/(ROW()-400)", "F5+D5", "F4+1"]))
+    careful = plan.evaluate()
+    ranges = []
+    original = Segment._carefully
+
+    def noted(segment, ev, dirty, start, stop):
+        if segment.rows > 1:
+            ranges.append((start, stop))
+        original(segment, ev, dirty, start, stop)
+
+    monkeypatch.setattr(Segment, "_carefully", noted)
+    fast = plan.evaluate()
+    same(careful, fast)
+    assert fast.get("S", 399, 5) == ErrorValue("#DIV/0!")
+    assert set(ranges) == {(256, 512)}
+
+
+def test_a_running_sum_that_cancels_is_snapped_in_each_row():
+    """-0.3 + 0.1 + 0.1 + 0.1 ends at exactly 0, as it does in cells that snap one by one."""
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.constant(0, 0, -0.3)
+    sheet.block(1, 0, 6, 1, parse_formula("A1+0.1"))
+    plan = compile_book(builder.build())
+    for _ in range(2):
+        assert plan.evaluate().column("S", 0, 3, 4) == [0.0, 0.1]
+
+
+def test_a_status_column_is_a_text_without_leaving_the_fast_path(monkeypatch):
+    plan = compile_book(four_columns(300, ['IF(ISNUMBER(C5),"ok","does not close")', "IF(ISNUMBER(C5),1,0)"]))
+    plan.evaluate()
+    monkeypatch.setattr(Segment, "_carefully", never)
+    values = plan.evaluate()
+    assert set(values.column("S", 5, 4, 303)) == {"ok"}
+    assert set(values.column("S", 6, 4, 303)) == {1.0}
+
+
+def test_other_inputs_another_way(monkeypatch):
+    """An input that is no number sends what reads it to the careful evaluator, and back."""
+    plan = compile_book(four_columns(300))
+    numbers = plan.evaluate()
+    wrong = plan.evaluate({("S", 0, 0): "x"})
+    assert wrong.get("S", 4, 1) == ErrorValue("#VALUE!")
+    assert plan.evaluate({("S", 0, 0): True}).get("S", 4, 1) == 1 + 5 * 0.125
+    same(numbers, plan.evaluate())
+    monkeypatch.setattr(Segment, "_carefully", never)
+    same(numbers, plan.evaluate())
