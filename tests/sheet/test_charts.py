@@ -47,6 +47,7 @@ nu = { formula = "theta12 - 2*theta13", unit = "deg" }
 near = { formula = "s14 - a3", unit = "mm" }
 far = { formula = "100*s14", unit = "mm" }
 area = { formula = "a2*s14", unit = "mm^2" }
+one = { formula = "sin(theta12)^2 + cos(theta12)^2", unit = "1" }
 """
 
 
@@ -61,7 +62,7 @@ def template(name):
 
 
 def test_charts_that_suit_any_mechanism():
-    """Angles that move, displacements, outputs by unit and size, the path of the coupler point; the crank's pin has none."""
+    """Angles that move, displacements, outputs by unit and size, the coupler point; not a constant, not the crank's pin."""
     _, plan = laid(SLIDER_CRANK)
     requests = chart_requests(plan)
     assert [request.y or request.paths for request in requests] == [

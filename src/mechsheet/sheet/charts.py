@@ -40,6 +40,10 @@ SAME_SCALE = 20.0
 """Curves share a chart when the largest is at most so many times as large as the smallest."""
 
 PROBED = 61
+"""Rows that are looked at before the charts are chosen."""
+
+STILL = 1e-9
+"""A change of less than this part of the size counts as none."""
 
 
 def chart_requests(plan: Plan) -> tuple[ChartRequest, ...]:
@@ -51,14 +55,16 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     """Angles, displacements, outputs by unit and size, and the paths of the points that are no joints."""
     mechanism = plan.mechanism
     driver = mechanism.driver.symbol
+    columns = _probe(plan)
     angles: list[str] = []
     displacements: list[str] = []
     for equation in plan.equations.columns:
-        if equation.kind == "variable" and equation.symbol != driver and not _constant(plan, equation.symbol):
+        if equation.kind == "variable" and equation.symbol != driver and not _stands_still(columns[equation.symbol]):
             (angles if equation.unit == "angle" else displacements).append(equation.symbol)
-    sizes = _sizes(plan)
+    outputs = [output.symbol for output in mechanism.outputs if not _stands_still(columns[output.symbol])]
+    sizes = {symbol: float(np.max(np.abs(column), initial=0.0)) for symbol, column in columns.items()}
     requests = []
-    for symbols in (angles, displacements, [output.symbol for output in mechanism.outputs]):
+    for symbols in (angles, displacements, outputs):
         requests += [ChartRequest(x=driver, y=group) for group in _shared(plan, symbols, sizes)]
     paths = _remarkable_points(plan)
     if paths:
@@ -66,13 +72,8 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     return tuple(requests)
 
 
-def _constant(plan: Plan, symbol: str) -> bool:
-    """True for a variable that never changes: the angle of a piston on a fixed guide."""
-    return not plan.equations.of(symbol).reads
-
-
-def _sizes(plan: Plan) -> dict[str, float]:
-    """The largest absolute value of each column, from a few rows: enough to tell which curves fit on one axis."""
+def _probe(plan: Plan) -> dict[str, Array]:
+    """Each column's numbers in a few rows: enough to tell which curves fit on one axis."""
     every = max(1, math.ceil(len(plan.driver) / PROBED))
     driver = np.array(plan.driver[::every])
     values: dict[str, Array] = {
@@ -84,8 +85,12 @@ def _sizes(plan: Plan) -> dict[str, float]:
     }
     for equation in plan.equations.all:
         values[equation.symbol] = evaluate_column(equation, values, len(driver))
-    finite = {symbol: column[np.isfinite(column)] for symbol, column in values.items()}
-    return {symbol: float(np.max(np.abs(column))) if len(column) else 0.0 for symbol, column in finite.items()}
+    return {symbol: column[np.isfinite(column)] for symbol, column in values.items()}
+
+
+def _stands_still(column: Array) -> bool:
+    """True for a quantity that is the same in every row: its chart would show nothing but rounding."""
+    return len(column) > 1 and float(np.ptp(column)) <= STILL * float(np.max(np.abs(column)))
 
 
 def _shared(plan: Plan, symbols: Sequence[str], sizes: Mapping[str, float]) -> list[tuple[str, ...]]:
