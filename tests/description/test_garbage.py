@@ -44,12 +44,13 @@ def try_loading(text: str) -> None:
         assert loads(mechanism.text) == mechanism
 
 
+@settings(deadline=None)
 @given(st.text(max_size=200))
 def test_any_text(text: str) -> None:
     try_loading(text)
 
 
-@settings(max_examples=200, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=200, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.sampled_from(TEXTS), st.data())
 def test_lines_replaced(text: str, data: st.DataObject) -> None:
     """Some values of a good description replaced by any others, some lines dropped or doubled."""
@@ -71,7 +72,7 @@ def test_lines_replaced(text: str, data: st.DataObject) -> None:
     try_loading("\n".join(lines))
 
 
-@settings(max_examples=200)
+@settings(max_examples=200, deadline=None)
 @given(st.sampled_from(TEXTS), st.integers(0, 2000), st.sampled_from([*"\"'[]{}=#.,\n\\ğ\0", ""]))
 def test_one_character_changed(text: str, place: int, sign: str) -> None:
     place %= len(text)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechsheet.description import load, loads
@@ -60,6 +60,7 @@ def test_wherever_a_dimension_stands(layout: str) -> None:
     assert loads(after.text) == after
 
 
+@settings(deadline=None)
 @given(st.floats(-1e90, 1e90).filter(lambda x: x == 0 or abs(x) > 1e-90))
 def test_any_number(value: float) -> None:
     after = load(EVERYTHING, {"turn": repr(value)})

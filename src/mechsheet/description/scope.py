@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from mechsheet.description.index import Path
@@ -13,6 +14,7 @@ from mechsheet.description.report import BAD, Report, listed, quoted, suggestion
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import Node, children, symbols
+from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
 from mechsheet.model import FUNCTIONS, Quantity, Words
 
@@ -108,9 +110,6 @@ class Scope:
     def parse(self, text: str, path: Path) -> Node | None:
         """The tree of an expression; None when it does not parse."""
         try:
-            # Imported here: a description without expressions must not pay for the parser.
-            from mechsheet.formula.parser import parse_description
-
             tree = parse_description(text)
         except FormulaError as error:
             for fault in error.faults:
@@ -223,27 +222,21 @@ def words(value: Any) -> Words | None:
     return Words(str(value["en"]), str(value["tr"]))
 
 
-def cycles(edges: dict[str, Iterable[str]]) -> tuple[list[str], list[list[str]]]:
-    """(an order in which every name comes after those it needs, circles among the others)."""
+def cycles(edges: Mapping[str, Iterable[str]]) -> tuple[list[str], list[list[str]]]:
+    """(an order in which every name comes after those it needs, the circles that had to be left out of it)."""
     remaining = {name: [other for other in needs if other in edges] for name, needs in edges.items()}
-    order: list[str] = []
-    done: set[str] = set()
-    while ready := [name for name in remaining if all(other in done for other in remaining[name])]:
-        order += ready
-        done.update(ready)
-        remaining = {name: needs for name, needs in remaining.items() if name not in done}
+    places = {name: place for place, name in enumerate(edges)}
     circles: list[list[str]] = []
-    seen: set[str] = set()
-    for start in remaining:
-        trail: list[str] = []
-        name = start
-        while name not in seen and name not in trail:
-            trail.append(name)
-            name = next(other for other in remaining[name] if other not in done)
-        if name in trail:
-            circles.append(trail[trail.index(name) :])
-        seen.update(trail)
-    return order, circles
+    while True:
+        try:
+            order = [name for name in TopologicalSorter(remaining).static_order() if name in remaining]
+        except CycleError as error:
+            members = error.args[1][:0:-1]  # each needs the next; the first is named twice
+            start = members.index(min(members, key=places.__getitem__))
+            circles.append(members[start:] + members[:start])
+            remaining = {name: needs for name, needs in remaining.items() if name not in members}
+        else:
+            return order, circles
 
 
 def circle_message(members: list[str], what: str) -> str:

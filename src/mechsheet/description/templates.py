@@ -1,4 +1,4 @@
-"""The packaged descriptions that `mechsheet new` starts from."""
+"""The packaged descriptions to start from: one file per mechanism, each with its source and what to look at."""
 
 from __future__ import annotations
 
@@ -6,25 +6,35 @@ from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from mechsheet.diagnostics import DescriptionError, Fault, near_miss
+from mechsheet.description.report import quoted, suggestion
+from mechsheet.diagnostics import DescriptionError, Fault
+
+_SUFFIX = ".toml"
+
+
+def template_names() -> tuple[str, ...]:
+    """The names that `template_text` knows, in alphabetical order."""
+    return tuple(sorted(entry.name.removesuffix(_SUFFIX) for entry in _folder().iterdir() if _is_template(entry)))
+
+
+def template_text(name: str) -> str:
+    """The text of a packaged description; "four-bar" and "four-bar.toml" are the same.
+
+    Raises DescriptionError with the near miss when there is no such template.
+    """
+    stem, names = name.removesuffix(_SUFFIX), template_names()
+    if stem not in names:
+        raise DescriptionError(
+            Fault(f"no template is called {quoted(name)}", hint=suggestion(stem, names, "templates"))
+        )
+    return (_folder() / (stem + _SUFFIX)).read_text(encoding="utf-8")
 
 
 def _folder() -> Traversable:
-    """The wheel carries the templates inside the package; in a checkout they lie beside `src`."""
+    """Inside the package in an installation; beside `src` in a source checkout."""
     packaged = files("mechsheet") / "templates"
     return packaged if packaged.is_dir() else Path(__file__).parents[3] / "templates"
 
 
-def template_names() -> tuple[str, ...]:
-    """Names of the templates, in alphabetical order."""
-    names = (entry.name for entry in _folder().iterdir())
-    return tuple(sorted(name.removesuffix(".toml") for name in names if name.endswith(".toml")))
-
-
-def template_text(name: str) -> str:
-    """The description of that name, as it lies in the package. Raises DescriptionError for a name that is none."""
-    names = template_names()
-    if name not in names:
-        hint = near_miss(name, names) or f"templates: {', '.join(names)}"
-        raise DescriptionError(Fault(f'no template is called "{name}"', hint=hint))
-    return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
+def _is_template(entry: Traversable) -> bool:
+    return entry.is_file() and entry.name.endswith(_SUFFIX) and not entry.name.startswith(".")
