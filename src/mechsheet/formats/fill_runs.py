@@ -83,16 +83,6 @@ class Run:
         self.shared = shared
         self.template: Template | None = None
 
-    def predicts(self, row: int, text: str, dialect: str) -> bool:
-        """Whether `text` is what fill-down from this run writes in `row`."""
-        if self.template is None:
-            if len(self.text) + 1 < len(text):  # a row number grows by one digit at most
-                grown = sum(character.isdigit() for character in text)
-                if len(self.text) + grown < len(text):
-                    return False
-            self.template = Template(self.text, self.first, dialect)
-        return self.template.text(row) == text
-
 
 class FormulaRuns:
     """The formulas of one sheet while it is read, and the blocks they make.
@@ -110,15 +100,19 @@ class FormulaRuns:
     def text(self, row: int, col: int, text: str) -> None:
         """A cell with its own text."""
         run = self._open.get(col)
-        if run is not None and run.end == row and run.shared is None and run.predicts(row, text, self._dialect):
-            run.end += 1
-            return
-        self._start(row, col, Run(row, text, None))
+        if run is not None and run.end == row and run.shared is None:
+            template = run.template
+            if template is None:
+                template = run.template = Template(run.text, run.first, self._dialect)
+            if template.text(row) == text:
+                run.end += 1
+                return
+        self._start(col, Run(row, text, None))
 
     def master(self, row: int, col: int, key: str, text: str) -> None:
         """The cell that holds the text of a shared formula."""
         self._masters[key] = row, col, text
-        self._start(row, col, Run(row, text, key))
+        self._start(col, Run(row, text, key))
 
     def member(self, row: int, col: int, key: str) -> bool:
         """A cell of a shared formula without a text; False when the formula is not known."""
@@ -128,11 +122,10 @@ class FormulaRuns:
         if run is not None and run.end == row and run.shared == key:
             run.end += 1
         else:
-            self._start(row, col, Run(row, "", key))
+            self._start(col, Run(row, "", key))
         return True
 
-    def _start(self, row: int, col: int, run: Run) -> None:
-        del row
+    def _start(self, col: int, run: Run) -> None:
         old = self._open.get(col)
         if old is not None:
             self._closed.append((col, old))

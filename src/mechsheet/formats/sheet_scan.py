@@ -69,11 +69,8 @@ class SheetScan:
         if not text:
             return None
         if kind == "n":
-            try:
-                number = float(text)
-            except ValueError:
-                number = math.nan
-            if math.isfinite(number) and "_" not in text:
+            number = _finite(text)
+            if number is not None:
                 return number
             self.faults.note(f'"{text[:40]}" is no number', row, col)
             return None
@@ -87,6 +84,15 @@ class SheetScan:
         if kind == "e":
             return ErrorValue(text)
         return text
+
+
+def _finite(text: str) -> float | None:
+    """The number that a value's text says, None when it says none."""
+    try:
+        number = float(text)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) and "_" not in text else None
 
 
 def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
@@ -104,6 +110,8 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
     pieces: list[str] = []
     tags: dict[str, str] = {}
     skipping = 0
+
+    put, add_text = scan.sheet.cached.put, scan.runs.text
 
     def start(tag: str, attributes: dict[str, Any]) -> None:
         nonlocal row, col, row_text, kind, formula, about, value, skipping
@@ -144,6 +152,13 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
         elif name == "c":
             if col >= MAX_COLUMNS:
                 raise scan.package.fault("a cell outside the sheet", scan.part)
+            if about is not None and kind == "n" and formula and not about:
+                # By far the most cells: a formula of its own with a number.
+                number = _finite(value)
+                if number is not None:
+                    put(row, col, number)
+                    add_text(row, col, formula)
+                    return
             if kind != "n" or value or about is not None:
                 scan.cell(row, col, kind, value, formula, about)
         elif name == "t" and not skipping:

@@ -51,27 +51,26 @@ class CellStore:
 
     def put(self, row: int, col: int, value: Scalar) -> None:
         """Set one cell; a cell that is set twice keeps the last value."""
-        self._put(row, self._columns.setdefault(col, []), value)
+        runs = self._columns.get(col)
+        if runs is None:
+            runs = self._columns[col] = []
+        number = type(value) is float or type(value) is int
+        if runs:
+            last = runs[-1]
+            values = last.values
+            end = last.row + len(values)
+            if row == end and (type(values) is array) is number:
+                values.append(value)  # type: ignore[arg-type]
+                return
+            if row < end:
+                self._replace(row, runs, value)
+                return
+        runs.append(Run(row, array("d", (value,)) if number else [value]))  # type: ignore[arg-type]
 
     def extend(self, row: int, col: int, values: Sequence[Scalar]) -> None:
         """Set the cells from (row, col) down."""
         for offset, value in enumerate(values):
-            self._put(row + offset, self._columns.setdefault(col, []), value)
-
-    @staticmethod
-    def _put(row: int, runs: list[Run], value: Scalar) -> None:
-        number = type(value) is float or type(value) is int
-        if runs:
-            last = runs[-1]
-            end = last.row + len(last.values)  # every cell of a file passes here: the property costs a call
-            if row >= end:
-                if row == end and isinstance(last.values, array) == number:
-                    last.values.append(value)  # type: ignore[arg-type]
-                    return
-            else:
-                CellStore._replace(row, runs, value)
-                return
-        runs.append(Run(row, array("d", (value,)) if number else [value]))  # type: ignore[arg-type]
+            self.put(row + offset, col, value)
 
     @staticmethod
     def _replace(row: int, runs: list[Run], value: Scalar) -> None:
