@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 from mechsheet.diagnostics import Fault, OutputError, readable_name
 from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import Scalar
 from mechsheet.sheet.workbook import Workbook
 
 READERS = {
@@ -22,11 +23,18 @@ READERS = {
 WRITERS = {".xlsx": "xlsx_write:write_xlsx", ".ods": "ods_write:write_ods"}
 """Suffix -> module and function; imported when first used, because a writer brings its library along."""
 
+REFRESHERS = {
+    ".xlsx": "xlsx_refresh:refresh_xlsx",
+    ".xlsm": "xlsx_refresh:refresh_xlsx",
+    ".ods": "ods_refresh:refresh_ods",
+    ".ots": "ods_refresh:refresh_ods",
+}
+"""Suffix -> module and function that writes a workbook's file back with other values."""
+
 
 def read(path: Path) -> Book:
     """The workbook in a file, read by the reader of its suffix (an unknown suffix as .xlsx). Raises WorkbookError."""
-    module, name = READERS.get(path.suffix.lower(), READERS[".xlsx"]).split(":")
-    reader = cast("Callable[[Path], Book]", getattr(import_module(f"{__name__}.{module}"), name))
+    reader = cast("Callable[[Path], Book]", _function(READERS.get(path.suffix.lower(), READERS[".xlsx"])))
     return reader(path)
 
 
@@ -37,6 +45,26 @@ def write(workbook: Workbook, path: Path) -> None:
         raise OutputError(
             Fault(f'no format is called "{path.suffix}"', readable_name(path), hint=f"formats: {', '.join(WRITERS)}")
         )
-    module, name = place.split(":")
-    writer = cast("Callable[[Workbook, Path], None]", getattr(import_module(f"{__name__}.{module}"), name))
+    writer = cast("Callable[[Workbook, Path], None]", _function(place))
     writer(workbook, path)
+
+
+def refresh(source: Path, output: Path, book: Book, values: Any, changes: Mapping[Any, Scalar]) -> None:
+    """Copy the workbook file `source` to `output` with the values given and nothing else changed.
+
+    book     what was read from `source`
+    values   the engine's: `values.get(sheet, row, col)`
+    changes  input cells that were set, (sheet, row, col) -> value
+
+    Raises WorkbookError, and OutputError when `output` cannot be written or is to have another format.
+    """
+    suffix = source.suffix.lower()
+    function = _function(REFRESHERS.get(suffix, REFRESHERS[".xlsx"]))
+    cast("Callable[[Path, Path, Book, Any, Mapping[Any, Scalar]], None]", function)(
+        source, output, book, values, changes
+    )
+
+
+def _function(place: str) -> object:
+    module, name = place.split(":")
+    return getattr(import_module(f"{__name__}.{module}"), name)

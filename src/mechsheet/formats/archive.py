@@ -7,8 +7,9 @@ import io
 import secrets
 import shutil
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
+from copy import copy
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import BinaryIO, TextIO
@@ -20,6 +21,8 @@ FIXED_TIME = datetime(2000, 1, 1, tzinfo=UTC)
 
 _ZIP_TIME = (1980, 1, 1, 0, 0, 0)
 _UNIX = 3
+_LARGE = 1 << 30
+"""From this size on a part gets a header that has room for more than 4 GiB."""
 _REASONS = {
     errno.ENOSPC: "the disk is full",
     errno.EDQUOT: "the disk quota is used up",
@@ -47,6 +50,28 @@ class Archive:
     def stored(self, name: str, text: str) -> None:
         """A part that is not compressed (the `mimetype` of an OpenDocument file must not be)."""
         self._zip.writestr(_entry(name, zipfile.ZIP_STORED), text.encode())
+
+    def copied(self, entry: zipfile.ZipInfo, pieces: Iterable[bytes]) -> None:
+        """A part exactly as it stands in another archive: `pieces` are its header there and what follows."""
+        file = self._zip.fp
+        if file is None:
+            raise ValueError("the archive is closed")
+        entry = copy(entry)
+        entry.header_offset = self._zip.start_dir
+        file.seek(entry.header_offset)
+        for piece in pieces:
+            file.write(piece)
+        # What `ZipFile.open` keeps up to date for the parts that it writes itself.
+        self._zip.start_dir = file.tell()
+        self._zip.filelist.append(entry)
+        self._zip.NameToInfo[entry.filename] = entry
+
+    def rewritten(self, entry: zipfile.ZipInfo, pieces: Iterable[bytes]) -> None:
+        """A part of another archive with other content, and all else about it as it was."""
+        entry = copy(entry)
+        with self._zip.open(entry, "w", force_zip64=entry.file_size > _LARGE) as part:
+            for piece in pieces:
+                part.write(piece)
 
     def close(self) -> None:
         """Write the directory of the archive."""

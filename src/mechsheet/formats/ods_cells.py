@@ -8,14 +8,14 @@ from itertools import pairwise
 
 from mechsheet.formula.nodes import ErrorValue, Scalar, shifted
 from mechsheet.formula.references import cell_address
-from mechsheet.sheet.workbook import PLAIN, Area, Cell, Content, Fill, Rich, Sheet, Style
+from mechsheet.sheet.workbook import PLAIN, Area, Cell, Fill, Rich, Sheet, Style
 
 from .bands import Band, Place, bands, column_values
 from .moving import texts_down
 from .ods_rules import Rules
 from .ods_styles import OdsStyles
-from .ods_text import paragraphs
-from .xml_text import attribute, number, numbers, plain_value
+from .ods_text import paragraphs, value_attributes
+from .xml_text import attribute, numbers, plain_value
 
 _END = "</table:table-cell>"
 
@@ -140,7 +140,7 @@ class TableRows:
         content = cell.content
         link = self.extras.links.get(place, "")
         text = paragraphs(content, link) if isinstance(content, (str, Rich)) else ""
-        value = "" if content is None else _value(content)
+        value = "" if content is None else value_attributes(content)
         return f"{self._head(cell.style, *place)}{value}>{self._inside(place, text)}{_END}"
 
     def _inside(self, place: Place, text: str) -> str:
@@ -157,7 +157,7 @@ class TableRows:
         address = cell_address(self.sheet.title, *place)
         if place in self.extras.places:
             value = plain_value(values[0], address)
-            return [f'{head}{next(formulas)}"{_value(value)}>{self._inside(place, _shown(value))}{_END}']
+            return [f'{head}{next(formulas)}"{value_attributes(value)}>{self._inside(place, _shown(value))}{_END}']
         return _formula_cells(head, formulas, values, address)
 
 
@@ -170,25 +170,9 @@ def _formula_cells(head: str, formulas: Iterator[str], values: Sequence[Scalar],
         ]
     checked = (plain_value(value, place) for value in values)
     return [
-        f'{head}{formula}"{_value(value)}>{_shown(value)}{_END}'
+        f'{head}{formula}"{value_attributes(value)}>{_shown(value)}{_END}'
         for formula, value in zip(formulas, checked, strict=True)
     ]
-
-
-def _value(value: Content | ErrorValue) -> str:
-    """The type and value of a cell, as attributes."""
-    match value:
-        case bool():
-            return f' office:value-type="boolean" office:boolean-value="{str(value).lower()}"'
-        case ErrorValue():
-            # As LibreOffice writes it: OpenDocument has no type for errors.
-            return ' office:value-type="string" office:string-value="" calcext:value-type="error"'
-        case str() | Rich():
-            return ' office:value-type="string"'
-        case None:
-            return ""
-        case _:
-            return f' office:value-type="float" office:value="{number(value)}"'
 
 
 def _shown(value: float | str | bool | ErrorValue) -> str:

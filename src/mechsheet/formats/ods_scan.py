@@ -231,7 +231,7 @@ def _handlers(scan: ContentScan, parser: expat.XMLParserType, texts: list[str]) 
             col = 0
         elif tag == words.table:
             title = attributes.get(words.table_name, "")
-            if table is not None or _is_cache(title):
+            if table is not None or is_cache(title):
                 skipping = 1
             else:
                 table = scan.table(title)
@@ -271,7 +271,7 @@ def _handlers(scan: ContentScan, parser: expat.XMLParserType, texts: list[str]) 
     parser.CharacterDataHandler = texts.append
 
 
-def _is_cache(title: str) -> bool:
+def is_cache(title: str) -> bool:
     """Whether a table is LibreOffice's copy of another file's sheet."""
     return title.startswith("'") and "'#" in title and "/" in title
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 
+from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.references import cell_name, column_letters
-from mechsheet.sheet.workbook import Area, Rich
+from mechsheet.sheet.workbook import Area, Content, Rich
 
 from .xml_text import attribute, escaped, number
 
@@ -65,6 +66,22 @@ def area_address(title: str, area: Area) -> str:
 def points(pixels: float) -> str:
     """A length in pixels at 96 dpi, in points."""
     return f"{number(pixels * 0.75)}pt"
+
+
+def value_attributes(value: Content | ErrorValue) -> str:
+    """The type and value of a cell, as attributes."""
+    match value:
+        case bool():
+            return f' office:value-type="boolean" office:boolean-value="{str(value).lower()}"'
+        case ErrorValue():
+            # As LibreOffice writes it: OpenDocument has no type for errors.
+            return ' office:value-type="string" office:string-value="" calcext:value-type="error"'
+        case str() | Rich():
+            return ' office:value-type="string"'
+        case None:
+            return ""
+        case _:
+            return f' office:value-type="float" office:value="{number(value)}"'
 
 
 def paragraphs(content: str | Rich, link: str = "") -> str:

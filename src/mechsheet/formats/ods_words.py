@@ -17,6 +17,7 @@ class Words:
 
     not_text     elements inside a paragraph whose text is not the cell's
     passed_over  elements around the tables that hold text or tables of their own
+    around_rows  elements of a table that rows stand in or come after
     """
 
     root: str
@@ -30,6 +31,7 @@ class Words:
     line_break: str
     not_text: frozenset[str]
     passed_over: frozenset[str]
+    around_rows: frozenset[str]
     named_range: str
     named_expression: str
     null_date: str
@@ -78,6 +80,14 @@ def words_of(attributes: Mapping[str, str]) -> Words:
                 named("table", "dde-links"),
                 named("office", "forms"),
                 named("office", "automatic-styles"),
+            )
+        ),
+        around_rows=frozenset(
+            (
+                named("table", "table-rows"),
+                named("table", "table-header-rows"),
+                named("table", "table-row-group"),
+                named("text", "soft-page-break"),
             )
         ),
         named_range=named("table", "named-range"),

@@ -57,6 +57,25 @@ class Package:
         except (zipfile.BadZipFile, zlib.error, EOFError, OSError, NotImplementedError) as problem:
             raise self.fault(f"the file is damaged ({problem})", part) from problem
 
+    def entries(self) -> list[zipfile.ZipInfo]:
+        """All entries of the zip file in the order of their data."""
+        return sorted(self._zip.infolist(), key=lambda info: info.header_offset)
+
+    def raw(self, info: zipfile.ZipInfo) -> Iterator[bytes]:
+        """An entry's header and packed data as they stand in the file, up to where the next begins."""
+        file = self._zip.fp
+        later = [other.header_offset for other in self._zip.infolist() if other.header_offset > info.header_offset]
+        left = min([*later, self._zip.start_dir]) - info.header_offset
+        if file is None or left < info.compress_size:
+            raise self.fault("the file is damaged (parts overlap)", info.filename)
+        file.seek(info.header_offset)
+        while left > 0:
+            piece = file.read(min(left, _PIECE))
+            if not piece:
+                raise self.fault("the file is damaged (cut off)", info.filename)
+            left -= len(piece)
+            yield piece
+
     def parse(self, part: str, parser: expat.XMLParserType, texts: Sequence[str] = ()) -> None:
         """Run an XML parser over a part. Document types and entities are refused: no workbook has any.
 
@@ -65,19 +84,26 @@ class Package:
         for _ in self.parsed(part, parser, texts):
             pass
 
-    def parsed(self, part: str, parser: expat.XMLParserType, texts: Sequence[str] = ()) -> Iterator[bytes]:
-        """As `parse`, giving each piece of the part after its events."""
+    def parsed(
+        self,
+        part: str,
+        parser: expat.XMLParserType,
+        texts: Sequence[str] = (),
+        before: Callable[[bytes], None] = lambda _: None,
+    ) -> Iterator[None]:
+        """As `parse`, with a stop after the events of each piece of the part; `before` is given each piece first."""
         parser.StartDoctypeDeclHandler = self._refuse_doctype(part)
         parser.EntityDeclHandler = self._refuse_doctype(part)
         fed = 0
         try:
             for piece in self.pieces(part):
+                before(piece)
                 parser.Parse(piece, False)
                 fed += len(piece)
                 long = len(texts) > MAX_VALUE / _PIECE and sum(map(len, texts)) > MAX_VALUE
                 if long or fed - parser.CurrentByteIndex > MAX_VALUE:
                     raise self.fault(f"a value longer than {MAX_VALUE >> 20} MB: this is no workbook", part)
-                yield piece
+                yield
             parser.Parse(b"", True)
         except expat.ExpatError as problem:
             raise self.fault(f"the part is no proper XML ({problem})", part) from problem

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 from xml.parsers import expat
@@ -24,23 +25,20 @@ def read_xlsx(path: Path) -> Book:
         return _read(package)
 
 
+def sheet_parts(package: Package) -> list[tuple[str, str]]:
+    """(title, part) of the sheets with cells, in their order."""
+    part = _workbook_part(package)
+    return _sheet_parts(package, part, _contents(package, part), relationships(package, part))
+
+
 def _read(package: Package) -> Book:
     part = _workbook_part(package)
-    contents = _Workbook()
-    parser = expat.ParserCreate()
-    parser.buffer_text = True
-    texts = contents.attach(parser)
-    package.parse(part, parser, texts)
+    contents = _contents(package, part)
     links = relationships(package, part)
     strings = next((_strings(package, target) for kind, target in links.values() if kind == "sharedStrings"), [])
     book = Book([], date1904=contents.date1904, source=package.name)
     faults: list[Fault] = []
-    for title, link in contents.sheets:
-        kind, target = links.get(link, ("", ""))
-        if kind in ("chartsheet", "dialogsheet", "xlMacrosheet"):
-            continue
-        if target not in package:
-            raise package.fault(f'the sheet "{title}" has no part in the file', target or part)
+    for title, target in _sheet_parts(package, part, contents, links):
         if book.sheet(title) is not None:
             raise package.fault(f'two sheets are called "{title}"', part)
         sheet = BookSheet(title)
@@ -52,6 +50,29 @@ def _read(package: Package) -> Book:
         raise package.fault("the workbook has no sheet with cells", part)
     book.names = _names(contents)
     return book
+
+
+def _contents(package: Package, part: str) -> _Workbook:
+    contents = _Workbook()
+    parser = expat.ParserCreate()
+    parser.buffer_text = True
+    texts = contents.attach(parser)
+    package.parse(part, parser, texts)
+    return contents
+
+
+def _sheet_parts(
+    package: Package, part: str, contents: _Workbook, links: Mapping[str, tuple[str, str]]
+) -> list[tuple[str, str]]:
+    found = []
+    for title, link in contents.sheets:
+        kind, target = links.get(link, ("", ""))
+        if kind in ("chartsheet", "dialogsheet", "xlMacrosheet"):
+            continue
+        if target not in package:
+            raise package.fault(f'the sheet "{title}" has no part in the file', target or part)
+        found.append((title, target))
+    return found
 
 
 def _workbook_part(package: Package) -> str:
