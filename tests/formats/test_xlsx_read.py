@@ -1,0 +1,374 @@
+"""Reading .xlsx files of every origin, and refusing what is none."""
+
+import io
+import zipfile
+
+import openpyxl
+import pytest
+import xlsxwriter
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from mechsheet.diagnostics import WorkbookError
+from mechsheet.engine import evaluate
+from mechsheet.formats.fill_runs import FormulaRuns
+from mechsheet.formats.package import MAX_RATIO
+from mechsheet.formats.xlsx_read import read_xlsx
+from mechsheet.formula.nodes import ErrorValue, shifted
+from mechsheet.formula.parser import parse_formula
+from mechsheet.formula.printer import print_formula
+from mechsheet.formula.references import area_name
+from mechsheet.programs import convert_with_libreoffice
+
+NA = ErrorValue("#N/A")
+
+RELS = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+PACKAGE = "http://schemas.openxmlformats.org/package/2006/relationships"
+
+
+def parts_of(sheet, strings="", names="", workbook=""):
+    """The parts of a small workbook around the XML of one sheet's data."""
+    return {
+        "_rels/.rels": f'<Relationships xmlns="{PACKAGE}"><Relationship Id="rId1" Type="{RELS}/officeDocument"'
+        ' Target="xl/workbook.xml"/></Relationships>',
+        "xl/workbook.xml": f'<workbook xmlns="{MAIN}" xmlns:r="{RELS}">{workbook}<sheets>'
+        f'<sheet name="S" sheetId="1" r:id="rId1"/></sheets><definedNames>{names}</definedNames></workbook>',
+        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{PACKAGE}"><Relationship Id="rId1" Type="{RELS}/worksheet"'
+        f' Target="worksheets/sheet1.xml"/><Relationship Id="rId2" Type="{RELS}/sharedStrings"'
+        ' Target="/xl/sharedStrings.xml"/></Relationships>',
+        "xl/sharedStrings.xml": f'<sst xmlns="{MAIN}">{strings}</sst>',
+        "xl/worksheets/sheet1.xml": f'<?xml version="1.0" encoding="UTF-8"?><worksheet xmlns="{MAIN}"><sheetData>{sheet}'
+        "</sheetData></worksheet>",
+    }  # fmt: skip
+
+
+def packed(parts):
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, text in parts.items():
+            file.writestr(name, text)
+    return stream.getvalue()
+
+
+@pytest.fixture
+def read(tmp_path):
+    """Reads a workbook from its parts, or from the XML of one sheet's rows."""
+
+    def reader(parts, **more):
+        path = tmp_path / "book.xlsx"
+        path.write_bytes(packed(parts_of(parts, **more) if isinstance(parts, str) else parts))
+        return read_xlsx(path)
+
+    return reader
+
+
+def blocks(book, sheet=0):
+    return {area_name(b.row, b.col, b.rows, b.cols): print_formula(b.formula) for b in book.sheets[sheet].blocks}
+
+
+def constants(book, sheet=0):
+    return {area_name(row, col, 1, 1): value for row, col, value in book.sheets[sheet].constants.items()}
+
+
+def cached(book, sheet=0):
+    return {area_name(row, col, 1, 1): value for row, col, value in book.sheets[sheet].cached.items()}
+
+
+# --- what cells hold ------------------------------------------------------------------------------------------------
+
+
+def test_kinds_of_cells(read):
+    book = read(
+        '<row r="1"><c r="A1"><v>1.5</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="b"><v>1</v></c>'
+        '<c r="D1" t="e"><v>#N/A</v></c>'
+        '<c r="E1" t="inlineStr"><is><r><t>in</t></r><r><t xml:space="preserve"> line</t></r><rPh><t>no</t></rPh></is></c>'
+        '<c r="F1" s="3"/><c r="G1"><v></v></c><c r="H1" t="str"><v>a&amp;b&#10;_x0041_</v></c></row>'
+        '<row><c><v>-1E-3</v></c><c t="n"><v> 7 </v></c></row>',
+        strings="<si><t>zero</t></si><si><r><t>on</t></r><r><t>e</t></r><rPh><t>not</t></rPh></si>",
+    )
+    assert constants(book) == {
+        "A1": 1.5, "B1": "one", "C1": True, "D1": NA, "E1": "in line", "H1": "a&b\nA", "A2": -0.001, "B2": 7.0,
+    }  # fmt: skip
+
+
+def test_formulas_with_every_kind_of_stored_value(read):
+    book = read(
+        '<row r="2"><c r="A2"><f>1+1</f><v>2</v></c><c r="B2" t="str"><f>"a"&amp;"b"</f><v>ab</v></c>'
+        '<c r="C2" t="b"><f>1&lt;2</f><v>1</v></c><c r="D2" t="e"><f>NA()</f><v>#N/A</v></c><c r="E2"><f>B1</f></c>'
+        '<c r="F2" t="str"><f>""</f><v></v></c></row>'
+    )
+    assert blocks(book) == {"A2": "1+1", "B2": '"a"&"b"', "C2": "1<2", "D2": "NA()", "E2": "B1", "F2": '""'}
+    assert cached(book) == {"A2": 2.0, "B2": "ab", "C2": True, "D2": NA, "F2": ""}
+    assert constants(book) == {}
+
+
+def test_a_prefix_before_every_tag_and_any_order_of_attributes(read):
+    parts = parts_of("")
+    parts["xl/worksheets/sheet1.xml"] = (
+        f'<x:worksheet xmlns:x="{MAIN}"><x:sheetData><x:row spans="1:2" r="1"><x:c t="n" r="A1"><x:v>3</x:v></x:c>'
+        '<!-- nothing --><x:c r="B1"><x:f><![CDATA[A1<4]]></x:f><x:v>1</x:v></x:c></x:row></x:sheetData></x:worksheet>'
+    )
+    book = read(parts)
+    assert (constants(book), blocks(book)) == ({"A1": 3.0}, {"B1": "A1<4"})
+
+
+# --- formulas gathered into blocks ----------------------------------------------------------------------------------
+
+
+def rows(texts):
+    """Rows of formulas, one list of texts a row; None leaves a cell out."""
+    found = []
+    for r, row in enumerate(texts, 1):
+        cells = (f'<c r="{chr(65 + c)}{r}"><f>{text}</f><v>0</v></c>' for c, text in enumerate(row) if text)
+        found.append(f'<row r="{r}">{"".join(cells)}</row>')
+    return "".join(found)
+
+
+def test_full_texts_make_runs(read):
+    formulas = [
+        [f"E{r}*2+$F$1", f"SUM(E$1:E{r})", f"Sheet9!A{r + 5}" if r != 3 else "7", f'"A{r}"'] for r in range(1, 12)
+    ]
+    book = read(rows(formulas))
+    assert blocks(book) == {
+        "A1:A11": "E1*2+$F$1", "B1:B11": "SUM(E$1:E1)", "C1:C2": "Sheet9!A6", "C3": "7", "C4:C11": "Sheet9!A9",
+        **{f"D{r}": f'"A{r}"' for r in range(1, 12)},
+    }  # fmt: skip
+
+
+def test_what_looks_like_a_reference_and_is_none_breaks_no_run(read):
+    formulas = [[f"LOG10(E{r})+a_1", f"'A1'!E{r}", f'IF(E{r}=1,"E1",A1b)', f"10+E{r}"] for r in range(9, 12)]
+    book = read(rows([[None]] * 8 + formulas))
+    assert set(blocks(book)) == {"A9:A11", "B9:B11", "C9:C11", "D9:D11"}
+
+
+def test_columns_side_by_side_make_tables(read):
+    formulas = [[f"{c}$9*$Z{r}" for c in "ABC"] + [f"Y{r}"] for r in range(1, 4)]
+    assert blocks(read(rows(formulas))) == {"A1:C3": "A$9*$Z1", "D1:D3": "Y1"}
+
+
+def test_shared_formulas(read):
+    """Excel's way: one text, members by number, with holes, over several columns, the first cell anywhere."""
+    book = read(
+        '<row r="1"><c r="A1"><f t="shared" ref="A1:B3" si="0">D1+$E$1</f><v>1</v></c>'
+        '<c r="B1"><f t="shared" si="0"/><v>2</v></c></row>'
+        '<row r="2"><c r="A2"><f t="shared" si="0"/><v>3</v></c><c r="B2"><v>9</v></c></row>'
+        '<row r="3"><c r="A3"><f t="shared" si="0"/><v>4</v></c><c r="B3"><f t="shared" si="0"></f><v>5</v></c>'
+        '<c r="C3"><f t="shared" ref="C3" si="1">A3</f></c></row>'
+    )
+    assert blocks(book) == {"A1:A3": "D1+$E$1", "B1": "E1+$E$1", "B3": "E3+$E$1", "C3": "A3"}
+    assert constants(book) == {"B2": 9.0}
+    assert cached(book) == {"A1": 1.0, "A2": 3.0, "A3": 4.0, "B1": 2.0, "B3": 5.0}
+
+
+@settings(max_examples=50, deadline=None)
+@given(
+    st.lists(
+        st.sampled_from(["B{r}+C{p}", "SUM(B$1:B{r})", "B{r}*{r}", "$B{r}", "B$3", "LOG10(B{r})", '"B{r}"', "B{r}:B{n}"]),
+        min_size=1, max_size=25,
+    ).map(lambda names: [name.format(r=r, p=r + 1, n=r + 9) for r, name in enumerate(names, 1)])
+)  # fmt: skip
+def test_runs_say_what_each_cell_says(texts):
+    """However the formulas fall into runs, each cell keeps its own."""
+    runs = FormulaRuns(lambda text, row, col: parse_formula(text))
+    for row, text in enumerate(texts):
+        runs.text(row, 0, text)
+    found = {b.row + down: shifted(b.formula, down) for b in runs.blocks() for down in range(b.rows)}
+    assert found == {row: parse_formula(text) for row, text in enumerate(texts)}
+
+
+# --- the workbook around them ---------------------------------------------------------------------------------------
+
+
+def test_names_and_calendar(read):
+    book = read(
+        '<row r="1"><c r="A1"><v>2</v></c></row>',
+        names='<definedName name="rate">S!$A$1</definedName><definedName name="own" localSheetId="0">S!$A$1*2</definedName>'
+        '<definedName name="_xlnm.Print_Area" localSheetId="0">S!$A$1:$B$2</definedName>'
+        '<definedName name="broken">[1]Other!$A$1</definedName><definedName name="lost" localSheetId="7">1</definedName>',
+        workbook='<workbookPr date1904="1"/>',
+    )
+    assert {(n.name, n.sheet, print_formula(n.formula)) for n in book.names} == {
+        ("rate", None, "S!$A$1"),
+        ("own", "S", "S!$A$1*2"),
+    }
+    assert book.date1904
+    assert book.source.endswith("book.xlsx")
+
+
+def test_several_sheets_and_a_chart_sheet(tmp_path):
+    path = tmp_path / "book.xlsx"
+    with xlsxwriter.Workbook(path) as workbook:
+        workbook.add_worksheet("One").write_number(0, 0, 1)
+        chart = workbook.add_chart({"type": "line"})
+        chart.add_series({"values": "=One!$A$1:$A$2"})
+        workbook.add_chartsheet("Chart").set_chart(chart)
+        workbook.add_worksheet("Two words").write_formula(0, 0, "=One!A1+local", value=3)
+        workbook.define_name("'Two words'!local", "=2")
+    book = read_xlsx(path)
+    assert [sheet.title for sheet in book.sheets] == ["One", "Two words"]
+    assert [(name.name, name.sheet) for name in book.names] == [("local", "Two words")]
+    assert evaluate(book).get("Two words", 0, 0) == 3.0
+
+
+def filled(path, rows=30):
+    """A workbook by XlsxWriter with formulas of each kind, and the values that its cells show."""
+    with xlsxwriter.Workbook(path) as workbook:
+        sheet = workbook.add_worksheet("Data & more")
+        workbook.define_name("step", "='Data & more'!$D$1")
+        sheet.write_number("D1", 0.5)
+        for row in range(rows):
+            sheet.write_number(row, 0, row)
+            sheet.write_formula(row, 1, f"=A{row + 1}*step", value=row * 0.5)
+            sheet.write_formula(row, 2, f'=IF(B{row + 1}>3,"big",NA())', value="big" if row > 6 else "#N/A")
+    return {"B": [row * 0.5 for row in range(rows)], "C": ["big" if row > 6 else NA for row in range(rows)]}
+
+
+def test_xlsxwriter(tmp_path):
+    expected = filled(tmp_path / "book.xlsx")
+    book = read_xlsx(tmp_path / "book.xlsx")
+    assert blocks(book) == {"B1:B30": "A1*step", "C1:C30": 'IF(B1>3,"big",NA())'}
+    values = evaluate(book)
+    for col, letter in enumerate("BC", 1):
+        assert values.column("Data & more", col, 0, 29) == expected[letter]
+        assert [book.sheets[0].cached.get(row, col) for row in range(30)] == expected[letter]
+
+
+def test_openpyxl(tmp_path):
+    filled(tmp_path / "book.xlsx")
+    workbook = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    workbook.save(tmp_path / "again.xlsx")
+    again = read_xlsx(tmp_path / "again.xlsx")
+    assert blocks(again) == blocks(read_xlsx(tmp_path / "book.xlsx"))
+    assert cached(again) == {}
+
+
+@pytest.mark.libreoffice
+def test_libreoffice(tmp_path):
+    expected = filled(tmp_path / "book.xlsx")
+    (tmp_path / "out").mkdir()
+    (path,) = convert_with_libreoffice([tmp_path / "book.xlsx"], "xlsx", tmp_path / "out")
+    book = read_xlsx(path)
+    assert blocks(book) == {"B1:B30": "A1*step", "C1:C30": 'IF(B1>3,"big",NA())'}
+    assert [book.sheets[0].cached.get(row, 2) for row in range(30)] == expected["C"]
+
+
+# --- what is refused ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"", "the file is empty"),
+        (b"a,b\n1,2\n", "not a workbook: this is no zip file"),
+        (bytes(range(256)) * 9, "not a workbook: this is no zip file"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + b"\0" * 600, "an .xls of the old kind"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + "EncryptedPackage".encode("utf-16-le"), "protected by a password"),
+        (b"PK\x03\x04 and no more", "the file is damaged or cut off"),
+        (packed({"x.txt": "x"}), "not a workbook: the zip file holds no part xl/workbook.xml"),
+        (packed({"content.xml": "<x/>"}), "an OpenDocument file"),
+        (packed(parts_of(""))[:-30], "the file is damaged or cut off"),
+        (packed(parts_of(""))[:300], "the file is damaged or cut off"),
+    ],
+)
+def test_files_that_are_no_workbook(tmp_path, content, message):
+    path = tmp_path / "book.xlsx"
+    path.write_bytes(content)
+    with pytest.raises(WorkbookError) as caught:
+        read_xlsx(path)
+    assert len(caught.value.faults) == 1
+    assert message in str(caught.value)
+    assert "book.xlsx" in str(caught.value)
+
+
+def test_a_folder_and_a_file_that_is_not_there(tmp_path):
+    with pytest.raises(WorkbookError, match="a folder"):
+        read_xlsx(tmp_path)
+    with pytest.raises(WorkbookError, match="cannot be read"):
+        read_xlsx(tmp_path / "nothing.xlsx")
+
+
+SHEET = "xl/worksheets/sheet1.xml"
+BOMB = '<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]>'
+
+
+@pytest.mark.parametrize(
+    ("part", "text", "message"),
+    [
+        (SHEET, f'{BOMB}<worksheet xmlns="{MAIN}">&b;</worksheet>', "declares a document type"),
+        ("xl/workbook.xml", f"{BOMB}<workbook/>", "declares a document type"),
+        ("xl/sharedStrings.xml", '<!DOCTYPE s SYSTEM "file:///etc/passwd"><sst/>', "declares a document type"),
+        (SHEET, "<worksheet><sheetData>", "no proper XML"),
+        (SHEET, "", "no proper XML"),
+        (SHEET, None, 'the sheet "S" has no part in the file'),
+        ("xl/workbook.xml", "<workbook/>", "the workbook has no sheet with cells"),
+        (SHEET, '<worksheet><row r="0"/></worksheet>', '"0" is no row of a sheet'),
+        (SHEET, '<worksheet><row r="1048577"/></worksheet>', '"1048577" is no row of a sheet'),
+        (SHEET, '<worksheet><row r="1"><c r="XFE1"/></row></worksheet>', '"XFE1" is no cell of row 1'),
+        (SHEET, '<worksheet><row r="1"><c r="A2"/></row></worksheet>', '"A2" is no cell of row 1'),
+    ],
+)  # fmt: skip
+def test_parts_that_cannot_be_read(read, part, text, message):
+    parts = parts_of('<row r="1"><c r="A1"><v>1</v></c></row>')
+    if text is None:
+        del parts[part]
+    else:
+        parts[part] = text
+    with pytest.raises(WorkbookError) as caught:
+        read(parts)
+    assert len(caught.value.faults) == 1
+    assert message in str(caught.value)
+
+
+def test_all_cells_that_cannot_be_understood_are_named(read):
+    with pytest.raises(WorkbookError) as caught:
+        read(
+            '<row r="1"><c r="A1"><v>1_000</v></c><c r="B1"><v>nan</v></c><c r="C1" t="s"><v>5</v></c>'
+            '<c r="D1"><f>SUM(</f></c>'
+            '<c r="E1"><f t="shared" si="3"/></c><c r="F1"><f t="array" ref="F1:F2">A1:A2</f></c>'
+            '<c r="G1"><f>[1]S!A1</f></c></row>'
+        )
+    assert [fault.key for fault in caught.value.faults] == [f"S!{letter}1" for letter in "ABCEFDG"]
+    assert "1_000" in caught.value.faults[0].message
+
+
+def test_a_zip_that_is_packed_to_burst(read):
+    with pytest.raises(WorkbookError, match=f"more than {MAX_RATIO} to 1"):
+        read({**parts_of(""), "xl/media/big.bin": "\0" * (40 << 20)})
+
+
+def test_sizes_that_are_not_true(tmp_path):
+    """A part that unpacks to more than the zip file says is damaged, and no more of it is read."""
+    data = bytearray(packed(parts_of('<row r="1"><c r="A1"><v>1</v></c></row>' * 500)))
+    place = data.rfind(b"xl/worksheets/sheet1.xml") - 46 + 24  # its size in the central directory
+    data[place : place + 4] = (100).to_bytes(4, "little")
+    path = tmp_path / "book.xlsx"
+    path.write_bytes(data)
+    with pytest.raises(WorkbookError, match="damaged"):
+        read_xlsx(path)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.data())
+def test_damaged_bytes_are_refused_or_read(tmp_path_factory, data):
+    """No traceback, whatever a byte becomes."""
+    content = bytearray(packed(parts_of(rows([["B1+1", "SUM(A1:A9)"]] * 4), strings="<si><t>x</t></si>")))
+    for _ in range(data.draw(st.integers(1, 4))):
+        content[data.draw(st.integers(0, len(content) - 1))] = data.draw(st.integers(0, 255))
+    path = tmp_path_factory.getbasetemp() / "damaged.xlsx"
+    path.write_bytes(content)
+    try:
+        read_xlsx(path)
+    except WorkbookError as problem:
+        assert problem.faults
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.text("<>/cfvrt=\"A1 &;'s0", max_size=60))
+def test_any_xml_is_refused_or_read(tmp_path_factory, text):
+    path = tmp_path_factory.getbasetemp() / "strange.xlsx"
+    path.write_bytes(packed(parts_of(f'<row r="1">{text}</row>')))
+    try:
+        read_xlsx(path)
+    except WorkbookError as problem:
+        assert problem.faults
