@@ -12,6 +12,7 @@ from pathlib import Path
 from mechsheet.building import build
 from mechsheet.checking import check
 from mechsheet.description import load
+from mechsheet.plotting import plot
 from mechsheet.programs import convert_with_libreoffice
 
 ROOT = Path(__file__).parent.parent
@@ -31,7 +32,8 @@ def picture(pdf: Path, target: Path, dpi: int) -> None:
 
 
 def main() -> None:
-    """Build every template, take its picture, and write the gallery."""
+    """Build every template, take its picture, write the gallery, and draw the four-bar in motion."""
+    plot(load(ROOT / "templates" / "four-bar.toml"), PICTURES / "four-bar.gif")
     templates = sorted((ROOT / "templates").glob("*.toml"))
     rows = ["| mechanism | first sheet | source | worst difference to the reference |", "|---|---|---|---|"]
     with tempfile.TemporaryDirectory() as folder:

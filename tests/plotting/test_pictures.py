@@ -175,6 +175,19 @@ def test_turkish(tmp_path):
         assert word not in text.split("<script")[0]
 
 
+@pytest.mark.parametrize(
+    "sweep", ['values = [0, 15, "acos(4/5)", 200, 100]', "values = [30]", "start = 0\nstop = 360\nstep = 0.1"]
+)
+@pytest.mark.usefixtures("few")
+def test_other_sweeps_and_charts(sweep, tmp_path):
+    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+    text = text.replace("start = 0\nstop = 360\nstep = 15", sweep)
+    text = text.replace('y = ["theta13", "theta14", "mu"]', 'y = ["theta12", "A.x", "theta14"]')
+    page = mechsheet.plot(mechsheet.loads(text), tmp_path / "s.html").read_text(encoding="utf-8")
+    judge_page(page)
+    assert page.count('class="values"') == 1
+
+
 def test_texts_of_the_description_are_escaped(tmp_path):
     text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
     text = text.replace('"Four-bar linkage"', "'<script>alert(1)</script> & \"co\"'").replace(

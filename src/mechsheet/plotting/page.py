@@ -105,6 +105,8 @@ def _curve_of(scene: Scene, marker: Piece) -> SeriesRef:
 
 
 def _decimals(workbook: Workbook, column: SeriesRef) -> int:
-    """As many decimals as the workbook shows in that column."""
-    fill = next(fill for fill in workbook.sheet(column.sheet).fills if fill.col == column.area.first_col)
-    return len(fill.style.number_format.partition(".")[2])
+    """As many decimals as the workbook shows in that column (the driver's may hold constants, the others formulas)."""
+    sheet = workbook.sheet(column.sheet)
+    place = column.area.first_row, column.area.first_col
+    first = next(entry for entry in (*sheet.fills, *sheet.cells) if (entry.row, entry.col) == place)
+    return len(first.style.number_format.partition(".")[2])
