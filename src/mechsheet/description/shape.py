@@ -106,6 +106,10 @@ def _type_hint(value: Any, shape: Shape, path: Path) -> str:
             return f"write [[{path[-1]}]] instead of [{path[-1]}]"
         case Either((Number(), Table())) if isinstance(value, str):
             return 'a derived dimension is written { formula = "…" }'
+        case Table(keys) if isinstance(value, str) and "formula" in keys:
+            return 'write { formula = "…" }'
+        case Named(_, what) if isinstance(value, list):
+            return f"write one heading for each {what}: [{path[-1]}.name]"
     return ""
 
 
