@@ -14,7 +14,7 @@ import numpy as np
 from mechsheet.plotting import words
 from mechsheet.plotting.figures import Figure, Move, figure
 from mechsheet.plotting.scenes import Piece, Scene, Stage, comes_round
-from mechsheet.sheet.workbook import Chart, SeriesRef, Workbook
+from mechsheet.sheet.workbook import Cell, Chart, Fill, SeriesRef, Workbook
 
 
 def page(stage: Stage) -> bytes:
@@ -108,5 +108,6 @@ def _decimals(workbook: Workbook, column: SeriesRef) -> int:
     """As many decimals as the workbook shows in that column (the driver's may hold constants, the others formulas)."""
     sheet = workbook.sheet(column.sheet)
     place = column.area.first_row, column.area.first_col
-    first = next(entry for entry in (*sheet.fills, *sheet.cells) if (entry.row, entry.col) == place)
+    entries: list[Fill | Cell] = [*sheet.fills, *sheet.cells]
+    first = next(entry for entry in entries if (entry.row, entry.col) == place)
     return len(first.style.number_format.partition(".")[2])
