@@ -312,11 +312,16 @@ def group_title(plan: Plan, number: int) -> str:
 
 
 def _widths(plan: Plan) -> tuple[Column, ...]:
+    """Widths; intermediate columns can be folded away, those that only serve summaries are folded away."""
     fixed = {NUMBER: 5.0, DRIVER: 9.0, STATUS: 16.0}
-    return tuple(
-        Column(column.col, column.col, fixed.get(column.col, 11.0), level=1 if column.inner else 0)
-        for column in plan.columns
-    )
+    widths = []
+    for column in plan.columns:
+        serving = column.kind in ("blank", "rounded")
+        width = fixed.get(column.col, 11.0)
+        widths.append(Column(column.col, column.col, width, level=1 if column.inner else 0, hidden=serving))
+    if plan.columns[-1].kind in ("blank", "rounded"):
+        widths.append(Column(len(plan.columns), len(plan.columns), 3.0, collapsed=True))
+    return tuple(widths)
 
 
 def _conditionals(plan: Plan, area: Area) -> tuple[Conditional, ...]:
