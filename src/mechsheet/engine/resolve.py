@@ -62,7 +62,7 @@ class _Resolver:
                 self.fault(place, f"names that stand for one another, more than {MAX_NESTING} deep")
                 return ErrorValue("#NAME?")
             home = defined.sheet or sheet
-            moved = shifted(defined.formula, block.row, block.col)
+            moved = shifted(defined.formula, block.row, block.col, wrap=True)
             return self.named(moved, block, home, place, (*inside, defined.name))
 
         return transform(node, change)

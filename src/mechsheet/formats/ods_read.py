@@ -84,4 +84,4 @@ def _name(text: NameText) -> DefinedName | None:
     if not isinstance(base, CellRef):
         return None
     # Relative references are as seen from the base cell; a book has them as seen from A1.
-    return DefinedName(text.name, shifted(formula, -base.row, -base.col), text.sheet)
+    return DefinedName(text.name, shifted(formula, -base.row, -base.col, wrap=True), text.sheet)

@@ -148,7 +148,8 @@ class BookSheet:
 class DefinedName:
     """A name for a formula, mostly a cell's reference; `sheet` is the title of the sheet it belongs to, None for the book's.
 
-    Relative references in it are written as seen from cell A1.
+    Relative references in it are written as seen from cell A1; what is above or left of the formula's cell is then in the
+    last rows and columns of the sheet.
     """
 
     name: str

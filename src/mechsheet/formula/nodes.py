@@ -227,14 +227,19 @@ def symbols(node: Node) -> tuple[str, ...]:
     return tuple(dict.fromkeys(part.name for part in walk(node) if isinstance(part, Symbol)))
 
 
-def shifted(node: Node, rows: int, cols: int = 0) -> Node:
-    """The formula as fill-down (or fill-right) writes it `rows` further down and `cols` further right."""
+def shifted(node: Node, rows: int, cols: int = 0, wrap: bool = False) -> Node:
+    """The formula as fill-down (or fill-right) writes it `rows` further down and `cols` further right.
+
+    wrap  beyond the last row comes the first one, as in the relative references of defined names; else there is #REF!
+    """
 
     def move(part: Node) -> Node:
         if not isinstance(part, CellRef):
             return part
         row = part.row if part.row_abs else part.row + rows
         col = part.col if part.col_abs else part.col + cols
+        if wrap:
+            row, col = row % MAX_ROWS, col % MAX_COLUMNS
         if 0 <= row < MAX_ROWS and 0 <= col < MAX_COLUMNS:
             return replace(part, row=row, col=col)
         return ErrorValue("#REF!")
