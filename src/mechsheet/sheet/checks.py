@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, shifted
+from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text, shifted
 from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -37,6 +37,9 @@ GROUP_ROW, HEAD_ROW, GIVEN_ROW, _, MOST_ROW, AT_ROW, VERDICT_ROW, FIRST = range(
 NUMBER, DRIVER_COL, DATA = range(3)
 VALUE = 2
 """Column of the values that hold for the whole table."""
+
+NOWHERE = "–"
+"""Where there is nothing to point to. Not an empty text: LibreOffice shows 0 for one in an .ods until it recalculates."""
 
 SIDE = 6
 """First column of the second block of them: its label, value and verdict are two, one and one columns wide."""
@@ -221,7 +224,7 @@ class _Sheet:
             limit = CellRef(ROUNDING_ROW, VALUE, True, True)
         elif unit == "angle":
             limit = Number(ROUNDING_ANGLE)
-        return Call("IFERROR", (Binary("<=", cell, limit), Number(0.0)))
+        return Call("IF", (Call("ISNUMBER", (cell,)), Binary("<=", cell, limit), Boolean(False)))
 
     def _group_headings(self) -> None:
         """A heading over the columns of each link and joint."""
