@@ -12,8 +12,8 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.solve import dimension_values, driver_values
 from mechsheet.model import Mechanism
 
-SMALL = 100
-"""Workbooks of up to so many rows are also judged by `formulas`, which needs 2 ms a cell."""
+SMALL = 30
+"""Workbooks of up to so many rows are also judged by `formulas`, which needs 10 to 20 ms a cell with our long formulas."""
 
 
 def demo(templates: Path, generated: Path) -> bool:

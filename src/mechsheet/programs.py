@@ -148,6 +148,8 @@ def _formulas(path: Path) -> Answers:
         if not hasattr(ranges, "ranges") or len(ranges.ranges) != 1:
             continue
         area = ranges.ranges[0]
+        if "sheet" not in area:
+            continue  # a constant or an empty cell that some formula reads
         sheet, first_row, first_col = area["sheet"].casefold(), int(area["r1"]), int(area["n1"])
         for (down, right), value in numpy.ndenumerate(numpy.atleast_2d(ranges.value)):
             values[f"{sheet}!{cell_name(first_row - 1 + down, first_col - 1 + right)}"] = _plain(value)
