@@ -73,6 +73,10 @@ class Archive:
             for piece in pieces:
                 part.write(piece)
 
+    def comment(self, text: bytes) -> None:
+        """The comment of the archive as a whole."""
+        self._zip.comment = text
+
     def close(self) -> None:
         """Write the directory of the archive."""
         self._zip.close()

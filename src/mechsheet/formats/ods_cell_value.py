@@ -8,7 +8,7 @@ from datetime import date
 
 from mechsheet.formula.nodes import ErrorValue, Scalar
 
-from .ods_text import NAMESPACES, paragraphs, value_attributes
+from .ods_text import NAMESPACES, paragraphs, result_attributes
 from .ods_values import date_text, time_text
 from .raw_xml import TAG, Edit, attributes_named, edited, end_tag, opened, with_attributes
 from .xml_text import number
@@ -47,7 +47,7 @@ def with_value(cell: CellXml, value: Scalar, null_date: date) -> bytes:
     found = _KIND.search(head)
     kind = found[1].decode() if found else ""
     attributes = _attributes(value, kind, null_date)
-    if isinstance(value, ErrorValue) and not cell.declared:
+    if "calcext:" in attributes and not cell.declared:
         attributes += DECLARATION
     new_head = with_attributes(head, _VALUE, attributes)
     old = cell.data[slice(*cell.paragraphs[0])] if cell.paragraphs else None
@@ -63,13 +63,15 @@ def with_value(cell: CellXml, value: Scalar, null_date: date) -> bytes:
 
 def _attributes(value: Scalar, kind: str, null_date: date) -> str:
     """The type and value, as attributes."""
+    if value is None:
+        return ""
     if not isinstance(value, float) or kind not in ("percentage", "currency", "date", "time"):
-        return value_attributes(value)
+        return result_attributes(value)
     if kind == "time":
         return f' office:value-type="time" office:time-value="{time_text(value)}"'
     if kind == "date":
         day = date_text(value, null_date)
-        return value_attributes(value) if day is None else f' office:value-type="date" office:date-value="{day}"'
+        return result_attributes(value) if day is None else f' office:value-type="date" office:date-value="{day}"'
     return f' office:value-type="{kind}" office:value="{number(value)}"'
 
 

@@ -14,7 +14,7 @@ from .bands import Band, Place, bands, column_values
 from .moving import texts_down
 from .ods_rules import Rules
 from .ods_styles import OdsStyles
-from .ods_text import paragraphs, value_attributes
+from .ods_text import paragraphs, result_attributes, value_attributes
 from .xml_text import attribute, numbers, plain_value
 
 _END = "</table:table-cell>"
@@ -157,7 +157,7 @@ class TableRows:
         address = cell_address(self.sheet.title, *place)
         if place in self.extras.places:
             value = plain_value(values[0], address)
-            return [f'{head}{next(formulas)}"{_result(value)}>{self._inside(place, _shown(value))}{_END}']
+            return [f'{head}{next(formulas)}"{result_attributes(value)}>{self._inside(place, _shown(value))}{_END}']
         return _formula_cells(head, formulas, values, address)
 
 
@@ -170,19 +170,9 @@ def _formula_cells(head: str, formulas: Iterator[str], values: Sequence[Scalar],
         ]
     checked = (plain_value(value, place) for value in values)
     return [
-        f'{head}{formula}"{_result(value)}>{_shown(value)}{_END}'
+        f'{head}{formula}"{result_attributes(value)}>{_shown(value)}{_END}'
         for formula, value in zip(formulas, checked, strict=True)
     ]
-
-
-def _result(value: float | str | bool | ErrorValue) -> str:
-    """The type and value of a formula's result.
-
-    A text stands in the attribute too: from the paragraph alone LibreOffice takes 0 for some results until the next
-    recalculation.
-    """
-    attributes = value_attributes(value)
-    return f'{attributes} office:string-value="{attribute(value)}"' if isinstance(value, str) else attributes
 
 
 def _shown(value: float | str | bool | ErrorValue) -> str:

@@ -84,6 +84,18 @@ def value_attributes(value: Content | ErrorValue) -> str:
             return f' office:value-type="float" office:value="{number(value)}"'
 
 
+def result_attributes(value: float | str | bool | ErrorValue) -> str:
+    """The type and value of a formula's result.
+
+    A text says that it is one, because #N/A could be an error; and it stands in the attribute too, because from the
+    paragraph alone LibreOffice takes 0 for some results until the next recalculation.
+    """
+    attributes = value_attributes(value)
+    if not isinstance(value, str):
+        return attributes
+    return f'{attributes} office:string-value="{attribute(value)}" calcext:value-type="string"'
+
+
 def paragraphs(content: str | Rich, link: str = "") -> str:
     """A text as <text:p> elements, a line each; runs of rich text as spans in the styles sub, super and italic.
 

@@ -18,8 +18,8 @@ MAX_SIZE = 4 << 30
 """Most bytes of all parts together, unpacked: a full sheet of a million rows takes half of it."""
 MAX_RATIO = 300
 """Most bytes unpacked from one: sheets reach 100, what is packed to burst reaches 1,000."""
-MAX_VALUE = 16 << 20
-"""Most bytes of one tag, and most characters of one text: cells hold 32,767."""
+MAX_VALUE = 4 << 20
+"""Most bytes of one tag, and most characters of one text: cells hold 32,767. The parser takes long over long tags."""
 _ESCAPE = re.compile("_x([0-9A-Fa-f]{4})_")
 _SMALL = 32 << 20
 _PIECE = 1 << 16
@@ -60,6 +60,11 @@ class Package:
     def entries(self) -> list[zipfile.ZipInfo]:
         """All entries of the zip file in the order of their data."""
         return sorted(self._zip.infolist(), key=lambda info: info.header_offset)
+
+    @property
+    def comment(self) -> bytes:
+        """The comment of the zip file."""
+        return self._zip.comment
 
     def raw(self, info: zipfile.ZipInfo) -> Iterator[bytes]:
         """An entry's header and packed data as they stand in the file, up to where the next begins."""

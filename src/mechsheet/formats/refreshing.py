@@ -64,6 +64,7 @@ def write_package(package: Package, output: Path, parts: Mapping[str, Rewrite]) 
     """Copy all entries of the zip file as they are but those in `parts`, which are rewritten."""
     wanted = {part.lstrip("/").casefold(): rewrite for part, rewrite in parts.items()}
     with new_archive(output) as archive:
+        archive.comment(package.comment)
         for entry in package.entries():
             rewrite = wanted.get(entry.filename.lstrip("/").casefold())
             if rewrite is None:
