@@ -8,11 +8,10 @@ from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number
 from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.consistency import whole_table
 from mechsheet.sheet.extremes import extremes
-from mechsheet.sheet.geometry import place
-from mechsheet.sheet.plan import DRIVER, EXISTS, Plan, unit_text
+from mechsheet.sheet.plan import EXISTS, Plan, unit_text
 from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
-from mechsheet.sheet.rows import exists_column
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import (
     Area,
@@ -41,8 +40,10 @@ VALUE = 2
 NOWHERE = "–"
 """Where there is nothing to point to. Not an empty text: LibreOffice shows 0 for one in an .ods until it recalculates."""
 
-SIDE = 6
-"""First column of the second block of them: its label, value and verdict are two, one and one columns wide."""
+SIDE = (6, 11)
+"""First columns of the further blocks of them: label, value and verdict are two, one and one columns wide."""
+
+SIDE_END = SIDE[-1] + 3
 
 
 COLUMNS_OF_A_PAGE = 20
@@ -79,7 +80,7 @@ class _Sheet:
         self._group_headings()
         self._whole_table()
         self._top()
-        extremes_at = max(self.last_col, SIDE + 3) + 2
+        extremes_at = max(self.last_col, SIDE_END) + 2
         cells, fills, taken = extremes(plan, self.title, GROUP_ROW, extremes_at)
         self.cells += cells
         self.fills += fills
@@ -88,7 +89,8 @@ class _Sheet:
         self.conditionals.append(Conditional(area, missing, styles.MISSING))
         for word, style in (("ok", styles.GOOD), ("look", styles.BAD)):
             self._coloured(Area(VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), word, style)
-            self._coloured(Area(CLEAR_ROW, SIDE + 3, ROUNDING_ROW, SIDE + 3), word, style)
+            for col in SIDE:
+                self._coloured(Area(CLEAR_ROW, col + 3, ROUNDING_ROW, col + 3), word, style)
         return Sheet(
             self.title,
             tuple(self.cells),
@@ -110,7 +112,7 @@ class _Sheet:
             print_setup=PrintSetup(
                 fit_width=1 + self.last_col // COLUMNS_OF_A_PAGE,
                 repeat_rows=(GROUP_ROW, VERDICT_ROW),
-                area=Area(0, 0, self.last_row, max(self.last_col, SIDE + 3)),
+                area=Area(0, 0, self.last_row, max(self.last_col, SIDE_END)),
                 footer=plan.text("footer"),
             ),
         )
@@ -242,64 +244,28 @@ class _Sheet:
     # --- what holds for the whole table -----------------------------------------------------------------------
 
     def _whole_table(self) -> None:
-        """The fixed points, the driver's steps, and the rows that exist: one value each."""
-        entries: list[tuple[str, Node, Style, Node]] = [
-            ("fixed", self._fixed_points(), styles.ERROR, CellRef(ROUNDING_ROW, VALUE, True, True))
-        ]
-        if not self.plan.mechanism.driver.values:
-            entries.append(("steps", self._steps(), styles.ERROR, Number(ROUNDING_ANGLE)))
-        entries.append(("rows", self._rows(), styles.decimals(styles.COLUMN, 0), al.ZERO))
-        for row, (key, node, style, limit) in enumerate(entries, CLEAR_ROW):
-            self.put(row, SIDE, self.text(key), styles.LABEL)
-            self.put(row, SIDE + 1, None, styles.LABEL)
-            self.merges.append(Merge(Area(row, SIDE, row, SIDE + 1)))
-            self.formula(row, SIDE + 2, node, self._boxed(style))
-            good: Node = Call("IFERROR", (Binary("<=", Call("ABS", (CellRef(row, SIDE + 2),)), limit), Number(0.0)))
-            if key == "rows":
-                good = Call("AND", (good, Binary(">", Call("SUM", (exists_column(self.plan),)), al.ZERO)))
-            self.verdict(row, SIDE + 3, good)
-
-    def _fixed_points(self) -> Node:
-        """The largest difference between a fixed point's coordinate and its place in the description."""
-        ground = self.plan.mechanism.ground
-        parts = []
-        for point in ground.points:
-            for axis, node in zip("xy", place(ground, point), strict=True):
-                cell = self.plan.at.reading_shown(f"{point}.{axis}", self.title, None)
-                parts.append(Call("ABS", (al.sub(cell, self.plan.at.bind(node, self.title, None)),)))
-        return Call("MAX", tuple(parts)) if parts else al.ZERO
-
-    def _steps(self) -> Node:
-        """Root of the sum of squares of what the driver's steps differ from the step given, and its start from the start."""
-        plan = self.plan
-        start, step = (plan.at.reading_shown(key, self.title, None) for key in ("#start", "#step"))
-        first = CellRef(plan.at.first, DRIVER, True, True, plan.table)
-        total: Node = al.square(Binary("-", first, start))
-        if plan.rows > 1:
-            last = CellRef(plan.at.last, DRIVER, True, True, plan.table)
-            later = RangeRef(CellRef(plan.at.first + 1, DRIVER, True, True, plan.table), last)
-            earlier = RangeRef(first, CellRef(plan.at.last - 1, DRIVER, True, True, plan.table))
-            differences = Binary("-", Binary("-", later, earlier), step)
-            total = Binary("+", total, Call("SUMPRODUCT", (al.square(differences),)))
-        return Call("SQRT", (total,))
-
-    def _rows(self) -> Node:
-        """Numbers shown in the table, less as many as rows exist in every column: 0 when each row is whole or empty."""
-        shown = [
-            self.plan.at.shown[equation.symbol] for equation in self.plan.equations.columns if equation.kind in SHOWN
-        ]
-        columns = tuple(self.plan.at.area(spot, self.title) for spot in shown)
-        counts = _sum(Call("COUNT", columns[start : start + 200]) for start in range(0, len(columns), 200))
-        rows = Call("SUM", (exists_column(self.plan),))
-        return al.sub(counts, al.mul(al.number(len(columns)), rows))
+        """The checks that have one value each, three below each other."""
+        for index, check in enumerate(whole_table(self.plan, self.title, CellRef(ROUNDING_ROW, VALUE, True, True))):
+            row, col = CLEAR_ROW + index % 3, SIDE[index // 3]
+            self.put(row, col, self.text(check.key), styles.LABEL)
+            self.put(row, col + 1, None, styles.LABEL)
+            self.merges.append(Merge(Area(row, col, row, col + 1)))
+            style = styles.ERROR if check.key != "rows" else styles.decimals(styles.COLUMN, 0)
+            self.formula(row, col + 2, check.value, self._boxed(style))
+            cell = CellRef(row, col + 2)
+            good: Node = Binary("<=", Call("ABS", (cell,)), check.limit)
+            if check.needs is not None:
+                good = Call("AND", (good, check.needs))
+            self.verdict(row, col + 3, Call("IF", (Call("ISNUMBER", (cell,)), good, Boolean(False))))
 
     def _top(self) -> None:
         """The title, the verdict over all, the worst distance, and what counts as rounding."""
         plan = self.plan
         self.put(TITLE_ROW, 0, self.text("title"), styles.TITLE)
         self.put(ABOUT_ROW, 0, self.text("about"), styles.NOTE)
-        self.merges.append(Merge(Area(ABOUT_ROW, 0, ABOUT_ROW, max(SIDE + 3, min(self.last_col, 12)))))
-        places = ((VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), (CLEAR_ROW, SIDE + 3, ROUNDING_ROW, SIDE + 3))
+        self.merges.append(Merge(Area(ABOUT_ROW, 0, ABOUT_ROW, SIDE_END)))
+        blocks = ((CLEAR_ROW, col + 3, ROUNDING_ROW, col + 3) for col in SIDE)
+        places = ((VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), *blocks)
         good = _sum(
             Call("COUNTIF", (RangeRef(CellRef(top, left), CellRef(bottom, right)), Text(self.text("ok"))))
             for top, left, bottom, right in places
@@ -332,10 +298,6 @@ class _Sheet:
         for key, style in (("clear", styles.GOOD), ("not_clear", styles.BAD)):
             here = CellRef(CLEAR_ROW, VALUE, True, True)
             self.conditionals.append(Conditional(area, Binary("=", here, Text(self.text(key))), style))
-
-
-SHOWN = ("variable", "point", "output")
-"""Kinds of columns that people read."""
 
 
 def _sum(nodes: Iterable[Node]) -> Node:

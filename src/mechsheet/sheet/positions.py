@@ -105,7 +105,7 @@ def blank_unit(plan: Plan, symbol: str) -> str:
     return "rad" if unit == "angle" and not plan.at.shown[symbol].degrees else plan.unit_shown(unit)
 
 
-def _digits(plan: Plan, symbol: str) -> int:
+def digits_kept(plan: Plan, symbol: str) -> int:
     """Decimals that leave a column about twelve digits."""
     unit = blank_unit(plan, symbol)
     if _unit_of(plan, symbol) == "length":
@@ -146,7 +146,7 @@ def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
             return [], [_fill(plan, column.col, _shown(plan, column), _shown_style(plan, column))]
         case "blank" | "rounded":
             value = plan.at.reading_shown(column.symbol, plan.table, plan.at.first)
-            digits = Number(float(_digits(plan, column.symbol)))
+            digits = Number(float(digits_kept(plan, column.symbol)))
             kept = Call("ROUND", (value, digits)) if column.kind == "rounded" else value
             node = Call("IF", (Call("ISNUMBER", (value,)), kept, Text("")))
             return [], [_fill(plan, column.col, node, styles.INNER)]

@@ -1,0 +1,195 @@
+"""Checks that have one value for the whole workbook: what its sheets repeat of one another, found another way round.
+
+They see what the geometry of a row cannot: steps of the driver, rows that are not whole, a cell of the first sheet that was
+typed over, a helper column that reads the wrong row.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
+from mechsheet.formula.parser import parse_description
+from mechsheet.kinematics import algebra as al
+from mechsheet.sheet.geometry import place
+from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, TOLERANCE, VALUE, Plan, TableColumn
+from mechsheet.sheet.positions import digits_kept
+from mechsheet.sheet.rows import exists_column, fixed_column
+
+ROUNDING = Number(1e-9)
+"""Parts of a value (or of a unit of the driver) below this are rounding."""
+
+SHOWN = ("variable", "point", "output")
+"""Kinds of columns that people read."""
+
+EVERY_NUMBER = Text("<1E+300")
+"""Criterion of SUMIF that leaves out errors and texts."""
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """One check: the key of its name, its value, how far from 0 that may be, and what else must be TRUE."""
+
+    key: str
+    value: Node
+    limit: Node
+    needs: Node | None = None
+
+
+def whole_table(plan: Plan, sheet: str, rounding: Node) -> list[Whole]:
+    """All of them, six at most, as formulas of `sheet`; `rounding` is the length below which a difference is rounding."""
+    found = [Whole("fixed", fixed_points(plan, sheet), rounding)]
+    if not plan.mechanism.driver.values:
+        found.append(Whole("steps", steps(plan), ROUNDING))
+    some = Binary(">", Call("SUM", (exists_column(plan),)), al.ZERO)
+    found.append(Whole("rows", rows(plan, sheet), al.ZERO, some))
+    if any(dim.derived for dim in plan.mechanism.dimensions):
+        found.append(Whole("derived", derived_values(plan, sheet), ROUNDING))
+    found.append(Whole("position", position_shown(plan, sheet), ROUNDING))
+    found.append(Whole("summaries", summaries(plan, sheet), ROUNDING))
+    return found
+
+
+def fixed_points(plan: Plan, sheet: str) -> Node:
+    """The largest difference between a fixed point's coordinate and its place in the description."""
+    ground = plan.mechanism.ground
+    parts: list[Node] = []
+    for point in ground.points:
+        for axis, node in zip("xy", place(ground, point), strict=True):
+            cell = plan.at.reading_shown(f"{point}.{axis}", sheet, None)
+            parts.append(Call("ABS", (al.sub(cell, plan.at.bind(node, sheet, None)),)))
+    return _largest(parts)
+
+
+def steps(plan: Plan) -> Node:
+    """Root of the sum of squares of what the driver's steps differ from the step given, and its start from the start."""
+    start, step = (plan.at.reading_shown(key, "", None) for key in ("#start", "#step"))
+    first = CellRef(plan.at.first, DRIVER, True, True, plan.table)
+    total: Node = al.square(Binary("-", first, start))
+    if plan.rows > 1:
+        last = CellRef(plan.at.last, DRIVER, True, True, plan.table)
+        later = RangeRef(CellRef(plan.at.first + 1, DRIVER, True, True, plan.table), last)
+        earlier = RangeRef(first, CellRef(plan.at.last - 1, DRIVER, True, True, plan.table))
+        differences = Binary("-", Binary("-", later, earlier), step)
+        total = Binary("+", total, Call("SUMPRODUCT", (al.square(differences),)))
+    return Call("SQRT", (total,))
+
+
+def derived_values(plan: Plan, sheet: str) -> Node:
+    """Derived dimensions against their formulas, computed once more."""
+    differences = []
+    for dim in plan.mechanism.dimensions:
+        if dim.derived and isinstance(dim.value, str):
+            cell = plan.at.reference(dim.symbol, sheet, None)
+            differences.append(_difference(cell, plan.at.bind(parse_description(dim.value), sheet, None)))
+    return _largest(differences)
+
+
+def position_shown(plan: Plan, sheet: str) -> Node:
+    """What the first sheet shows against the row of that number, and outputs against their formulas there."""
+    position = plan.at.reference("#position", sheet, None)
+    numbers = fixed_column(plan, NUMBER)
+    driver = plan.mechanism.driver.symbol
+    cells = {driver: plan.blocks["position"].rows[driver], **plan.blocks["variables"].rows}
+    differences = []
+    for symbol, row in cells.items():
+        there = Call("SUMIF", (numbers, position, plan.at.column(symbol, sheet)))
+        differences.append(_difference(CellRef(row, VALUE, True, True, plan.main), there))
+    for output in plan.mechanism.outputs:
+        cell: Node = CellRef(cells[output.symbol], VALUE, True, True, plan.main)
+        cell = Call("RADIANS", (cell,)) if output.unit == "deg" else cell
+        differences.append(_difference(cell, _there(plan, sheet, parse_description(output.formula))))
+    missing = Binary("=", _row_of(plan, sheet, exists_column(plan)), al.ZERO)
+    return Call("IF", (missing, al.ZERO, _largest(differences)))
+
+
+def _there(plan: Plan, sheet: str, formula: Node) -> Node:
+    """An output's formula over what the table shows in the row of the position."""
+
+    def change(part: Node) -> Node:
+        if not isinstance(part, Symbol):
+            return part
+        spot = plan.at.shown[part.name]
+        if not spot.column:
+            return plan.at.reference(part.name, sheet, None)
+        value = _row_of(plan, sheet, plan.at.column(part.name, sheet))
+        return Call("RADIANS", (value,)) if spot.degrees else value
+
+    return transform(formula, change)
+
+
+def _row_of(plan: Plan, sheet: str, column: Node) -> Node:
+    position = plan.at.reference("#position", sheet, None)
+    return Call("INDEX", (column, Binary("+", position, al.ONE)))
+
+
+def summaries(plan: Plan, sheet: str) -> Node:
+    """Helper columns against those that they repeat (by sums), and summaries against their columns."""
+    differences = []
+    for column in plan.columns:
+        if column.kind in ("blank", "rounded"):
+            differences.append(_copy(plan, sheet, column))
+    for summary in plan.mechanism.summaries:
+        row = plan.blocks["summary"].rows[summary.symbol]
+        value, place = (CellRef(row, col, True, True, plan.main) for col in (VALUE, TOLERANCE))
+        column_ = plan.at.area(plan.at.shown[f"#blank {summary.of}"], sheet)
+        largest, smallest = Call("LARGE", (column_, al.ONE)), Call("SMALL", (column_, al.ONE))
+        expected: dict[str, Node] = {
+            "max": largest,
+            "min": smallest,
+            "range": al.sub(largest, smallest),
+            "mean": al.div(Call("SUM", (column_,)), Call("COUNT", (column_,))),
+        }
+        if summary.take in expected:
+            differences.append(_difference(value, expected[summary.take]))
+        if summary.take in ("max", "min") and not plan.mechanism.driver.values:
+            drivers = plan.at.column(plan.mechanism.driver.symbol, sheet)
+            differences.append(_difference(value, Call("SUMIF", (drivers, place, column_))))
+    return _largest(differences)
+
+
+def _copy(plan: Plan, sheet: str, column: TableColumn) -> Node:
+    """How far a helper column's mean is from that of its original; of a rounded one, in units of 1e-9 of its last digit."""
+    copy = plan.at.area(plan.at.shown[f"#{column.kind} {column.symbol}"], sheet)
+    total = Call("SUM", (copy,))
+    original = Call("SUMIF", (plan.at.column(column.symbol, sheet), EVERY_NUMBER))
+    if column.kind == "blank":
+        return _difference(total, original)
+    digit = 10.0 ** -digits_kept(plan, column.symbol)
+    share = Number(1e-9 / plan.rows / digit)
+    return Binary("*", Call("ABS", (Binary("-", total, original),)), share)
+
+
+def rows(plan: Plan, sheet: str) -> Node:
+    """Numbers that people read, words "ok" and rows that every group closes, less as many as there should be of them
+    for the rows that exist: 0 when each row is whole or empty."""
+    total = Call("SUM", (exists_column(plan),))
+    shown = [plan.at.column(eq.symbol, sheet) for eq in plan.equations.columns if eq.kind in SHOWN]
+    counts: list[Node] = [Call("COUNT", tuple(shown[start : start + 200])) for start in range(0, len(shown), 200)]
+    counts.append(Call("COUNTIF", (fixed_column(plan, STATUS), Text(plan.text("status.ok")))))
+    closing = list(dict.fromkeys(group.closes for group in plan.equations.groups))
+    if closing:
+        counts.append(Call("SUMPRODUCT", (_product([plan.at.area(plan.at.spots[name], sheet) for name in closing]),)))
+    found: Node = counts[0]
+    for count in counts[1:]:
+        found = Binary("+", found, count)
+    expected = len(shown) + 1 + (1 if closing else 0)
+    return al.sub(found, al.mul(al.number(expected), total))
+
+
+def _product(columns: list[RangeRef]) -> Node:
+    """1 in a row that has a number in every column, else 0."""
+    node: Node = Binary("*", Number(1.0), Call("ISNUMBER", (columns[0],)))
+    for column in columns[1:]:
+        node = Binary("*", node, Call("ISNUMBER", (column,)))
+    return node
+
+
+def _difference(one: Node, other: Node) -> Node:
+    return Binary("/", Call("ABS", (Binary("-", one, other),)), Binary("+", al.ONE, Call("ABS", (one,))))
+
+
+def _largest(nodes: list[Node]) -> Node:
+    if not nodes:
+        return Number(0.0)
+    return nodes[0] if len(nodes) == 1 else Call("MAX", tuple(nodes))
