@@ -169,20 +169,13 @@ def rows(plan: Plan, sheet: str) -> Node:
     counts.append(Call("COUNTIF", (fixed_column(plan, STATUS), Text(plan.text("status.ok")))))
     closing = list(dict.fromkeys(group.closes for group in plan.equations.groups))
     if closing:
-        counts.append(Call("SUMPRODUCT", (_product([plan.at.area(plan.at.spots[name], sheet) for name in closing]),)))
+        pairs = ((plan.at.area(plan.at.spots[name], sheet), EVERY_NUMBER) for name in closing)
+        counts.append(Call("COUNTIFS", tuple(part for pair in pairs for part in pair)))
     found: Node = counts[0]
     for count in counts[1:]:
         found = Binary("+", found, count)
     expected = len(shown) + 1 + (1 if closing else 0)
     return al.sub(found, al.mul(al.number(expected), total))
-
-
-def _product(columns: list[RangeRef]) -> Node:
-    """1 in a row that has a number in every column, else 0."""
-    node: Node = Binary("*", Number(1.0), Call("ISNUMBER", (columns[0],)))
-    for column in columns[1:]:
-        node = Binary("*", node, Call("ISNUMBER", (column,)))
-    return node
 
 
 def _difference(one: Node, other: Node) -> Node:
