@@ -36,6 +36,7 @@ from .kernels_math import OPERATORS, snapped
 from .layout import Area, Layout
 from .values import BLANK, NULL, REF, VALUE, Cells, Codes, Numbers, Texts, codes_of, error, finished, first_error
 
+_NOTHING = Cells(np.float64(0), np.uint8(BLANK))
 _COMPARISONS = frozenset(("=", "<>", "<", "<=", ">", ">="))
 
 
@@ -192,21 +193,29 @@ class Evaluator:
 
     def cell(self, node: CellRef, frame: Frame) -> Cells:
         """A single cell's value over the frame."""
+        if frame.rows == 1 and frame.cols == 1 and node.sheet is not None:
+            row = node.row if node.row_abs else node.row + frame.down
+            col = node.col if node.col_abs else node.col + frame.right
+            return self.at(self.sheets[node.sheet], row, col)
         span = self.span(node, frame)
         if span is None:
             return error(REF)
         rows = frame.rows if span.moves_down else 1
         cols = frame.cols if span.moves_right else 1
         if rows == cols == 1:
-            place = self.layout.place(span.sheet, span.row, span.col)
-            if place < 0:
-                return Cells(np.float64(0), np.uint8(BLANK))
-            code = self.codes[place]
-            return Cells(self.numbers[place], code if code else None)
+            return self.at(span.sheet, span.row, span.col)
         found = self.layout.read(Area(span.sheet, span.row, span.col, rows, cols), self.numbers, self.codes)
         if cols == 1:
             return Cells(found.numbers[0], None if found.codes is None else found.codes[0])
         return found
+
+    def at(self, sheet: int, row: int, col: int) -> Cells:
+        """The value of one cell, which may lie outside the sheet."""
+        place = self.layout.place(sheet, row, col)
+        if place < 0:
+            return error(REF) if row >= MAX_ROWS or col >= MAX_COLUMNS else _NOTHING
+        code = self.codes[place]
+        return Cells(self.numbers[place], code if code else None)
 
     def range(self, node: RangeRef, frame: Frame) -> Cells:
         """A range as an array value, (height, width, cols or 1, rows or 1). Whole columns end with the sheet's data."""
@@ -221,9 +230,9 @@ class Evaluator:
         if not (span.moves_down or span.moves_right):
             area = self.layout.clipped(area)
         found = self.layout.read(area, self.numbers, self.codes)
-        return Cells(
-            _windows(found.numbers, cols, rows), None if found.codes is None else _windows(found.codes, cols, rows)
-        )
+        shown = _fixed if rows == cols == 1 else _windows
+        codes = None if found.codes is None else shown(found.codes, cols, rows)
+        return Cells(shown(found.numbers, cols, rows), codes)
 
     def beside(self, node: RangeRef, frame: Frame) -> Cells:
         """Implicit intersection: of a column the cell in the formula's row, of a row the cell in its column."""
@@ -253,6 +262,12 @@ class Evaluator:
 def codes_of_all(cells: Cells) -> Any:
     """The codes in the shape of the numbers."""
     return np.broadcast_to(codes_of(cells), np.shape(cells.numbers))
+
+
+def _fixed(block: Any, cols: int, rows: int) -> Any:
+    """As `_windows`, for a range that is the same in the whole frame."""
+    del cols, rows
+    return block.T[:, :, None, None]
 
 
 def _windows(block: Any, cols: int, rows: int) -> Any:

@@ -96,6 +96,10 @@ def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
 
 def each(function: Callable[..., Scalar], args: tuple[Cells, ...], texts: Texts) -> Cells:
     """A function of scalars, cell by cell: the slow way, for texts. Errors in arguments come first, from the left."""
+    if all(cells.shape == () for cells in args):
+        single = tuple((float(cells.numbers), 0 if cells.codes is None else int(cells.codes)) for cells in args)
+        number, code = _one(function, single, texts)
+        return Cells(np.float64(number), np.uint8(code) if code else None)
     parts = [np.broadcast_arrays(cells.numbers, codes_of(cells)) for cells in args]
     shape = np.broadcast_shapes(*(part[0].shape for part in parts))
     flat = [(np.broadcast_to(n, shape).ravel(), np.broadcast_to(c, shape).ravel()) for n, c in parts]

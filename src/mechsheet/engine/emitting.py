@@ -9,21 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
+from .helpers import HELPERS, TroubleError
 from .kernels_math import NEAR
 from .layout import Layout
 from .lowering import COLS, ROWS, Effect, Lowering, Value
+from .usage import Usage, roots
 from .values import TEXT
 
 CHUNK = 4096
 """Rows at a time: what fits the processor's cache with a few buffers of it."""
-
-
-class TroubleError(Exception):
-    """Something is not a plain number: the careful evaluator must do these rows."""
 
 
 Code = Callable[..., None]
@@ -100,69 +98,16 @@ class _Emitter:
             "TroubleError": TroubleError, "NEAR": NEAR, "isfinite": np.isfinite, "array": np.array, "empty": np.empty,
             "copyto": np.copyto, "zero": np.zeros(()), "near": np.array(NEAR), "arange": np.arange, "take": np.take,
         }  # fmt: skip
-        self.needed = self._needed()
-        self.uses = self._uses()
-        self.last = self._last_uses()
-        self.outputs = self._outputs()
-
-    # what is needed, how often, until when
-
-    def _roots(self, effect: Effect) -> list[int]:
-        return [effect.value, effect.data] if effect.what == "somewhere" else [effect.value]  # type: ignore[list-item]
-
-    def _needed(self) -> set[int]:
-        stack = [v for item in self.lowering.order if isinstance(item, Effect) for v in self._roots(item)]
-        found: set[int] = set()
-        while stack:
-            number = stack.pop()
-            if number not in found:
-                found.add(number)
-                stack.extend(self.values[number].args)
-        return found
-
-    def _items(self) -> list[int | Effect]:
-        return [item for item in self.lowering.order if isinstance(item, Effect) or item in self.needed]
-
-    def _uses(self) -> dict[int, int]:
-        uses = dict.fromkeys(self.needed, 0)
-        for item in self._items():
-            for number in self._roots(item) if isinstance(item, Effect) else self.values[item].args:
-                uses[number] += 1
-        return uses
-
-    def _last_uses(self) -> dict[int, int]:
-        last: dict[int, int] = {}
-        for place, item in enumerate(self._items()):
-            for number in self._roots(item) if isinstance(item, Effect) else self.values[item].args:
-                last[number] = place
-        return last
-
-    def _full(self, block: int) -> int:
-        shape = self.layout.blocks[block]
-        return (ROWS if shape.rows > 1 else 0) | (COLS if shape.cols > 1 else 0)
-
-    def _outputs(self) -> dict[int, int]:
-        """Value -> the block into whose cells it is computed directly."""
-        found: dict[int, int] = {}
-        for item in self.lowering.order:
-            if isinstance(item, Effect) and item.what == "store" and isinstance(item.data, int):
-                value = self.values[item.value]
-                fits = value.extent == self._full(item.data) and value.extent & ROWS
-                if fits and value.op not in ("column", "count") and item.value not in found:
-                    found[item.value] = item.data
-        for number in list(found):
-            value = self.values[number]
-            if value.op == "snap" and self.uses[value.args[0]] == 1:
-                found[value.args[0]] = found[number]
-        return found
+        self.usage = Usage(lowering, layout)
+        self.needed, self.uses, self.outputs = self.usage.needed, self.usage.uses, self.usage.outputs
 
     # code
 
     def write(self) -> None:
-        for place, item in enumerate(self._items()):
+        for place, item in enumerate(self.usage.items):
             if isinstance(item, Effect):
                 self._effect(item)
-                self._release(self._roots(item), place)
+                self._release(roots(item), place)
             else:
                 self._define(item, place)
         unflagged = [self.names[n] for n in sorted(self.needed) if self._is_unflagged(self.values[n])]
@@ -187,7 +132,7 @@ class _Emitter:
 
     def _release(self, numbers: list[int] | tuple[int, ...], place: int) -> None:
         for number in numbers:
-            if self.last.get(number) == place and number in self.owned:
+            if self.usage.last.get(number) == place and number in self.owned:
                 pool, name = self.owned.pop(number)
                 pool.give(name)
 
@@ -236,7 +181,14 @@ class _Emitter:
 
     def _define(self, number: int, place: int) -> None:
         value = self.values[number]
-        if value.kind in ("text", "error", "true", "false"):
+        if value.kind in ("error", "true", "false"):
+            return
+        if value.op == "text":
+            self.names[number] = f"({float(self.layout.texts.number(str(value.data)))})"
+            return
+        if value.kind in ("line", "text line"):
+            self.names[number] = f"l{number}"
+            self._line(number, value)
             return
         if value.extent & ROWS:
             self._along(number, value, place)
@@ -255,9 +207,12 @@ class _Emitter:
             return
         if value.op == "cell":
             text = f"item({value.data})"
-        elif value.op in ("min", "max", "sum") and isinstance(value.data, tuple):
-            start, end = value.data
-            text = f"float(numbers[{start}:{end}].{value.op}())"
+        elif value.op.startswith("line_"):
+            text = f"float({args[0]}.{value.op[5:]}())"
+        elif value.op in HELPERS:
+            self.namespace[value.op] = HELPERS[value.op]
+            digits = f", {value.data}" if value.op == "rounded" else ""
+            text = f"float({value.op}({', '.join(args)}{digits}))"
         elif value.op in _SCALAR:
             text = _SCALAR[value.op].format(*args)
         else:
@@ -269,6 +224,12 @@ class _Emitter:
         if value.op == "across":
             self.namespace[f"places{number}"] = np.array(value.data)[:, None]
             text = f"numbers[places{number}]"
+        elif value.op.startswith("columns_") and isinstance(value.data, tuple):
+            parts = ", ".join(f"numbers[{start}:{end}].{value.op[8:]}()" for start, end in value.data)
+            text = f"array([{parts}])[:, None]"
+        elif value.op in HELPERS:
+            self.namespace[value.op] = HELPERS[value.op]
+            text = f"{value.op}({', '.join(args)}{f', {value.data}' if value.op == 'rounded' else ''})"
         elif value.op == "snap":
             result, left = args
             text = (
@@ -277,6 +238,14 @@ class _Emitter:
         else:
             text = f"{self._function(value.op)}({', '.join(args)})"
         self.line(f"r{number} = {text}")
+
+    def _line(self, number: int, value: Value) -> None:
+        """A range that is the same in every row."""
+        if value.op == "line" and isinstance(value.data, tuple):
+            self.line(f"l{number} = numbers[{value.data[0]}:{value.data[1]}]")
+        else:
+            self.namespace[f"places{number}"] = np.array(value.data)
+            self.line(f"l{number} = numbers[places{number}]")
 
     def _along(self, number: int, value: Value, place: int) -> None:
         if value.op == "column":
@@ -289,14 +258,13 @@ class _Emitter:
             self.line(f"c{number} = count{number}[i:j]")
             return
         args = [self._argument(arg, True) for arg in value.args]
-        special = {"where": self._where, "snap": self._snap, "running": self._running, "held": self._held}.get(value.op)
+        special = self._SPECIAL.get(value.op)
         if special is not None:
-            special(number, value, args)
+            special(self, number, value, args)
             self._release(value.args, place)
             return
-        self._release(
-            value.args, place
-        )  # an operand's buffer may take the result: cell by cell they are the same place
+        # An operand's buffer may take the result: cell by cell they are the same place.
+        self._release(value.args, place)
         self.names[number] = target = self._target(number)
         # numpy wants the word for these two; for the others the place alone is faster
         out = f"out={target}" if value.op in ("minimum", "maximum") else target
@@ -345,7 +313,7 @@ class _Emitter:
         steps, mask = values.take(), masks.take()
         self.line(f"copyto({steps}, {args[0]})")
         self.line(f"{steps}[0] = item({place} + i) + item_of({steps})")
-        self.namespace["item_of"] = _first
+        self.namespace["item_of"] = HELPERS["item_of"]
         self.namespace["accumulate"] = np.add.accumulate
         self.line(f"accumulate({steps}, 0, None, {target})")
         # A sum that cancels to almost nothing is snapped, and what follows starts from 0: the careful way does that.
@@ -359,6 +327,12 @@ class _Emitter:
             values.give(name)
         masks.give(mask)
 
+    def _helped(self, number: int, value: Value, args: list[str]) -> None:
+        self.namespace[value.op] = HELPERS[value.op]
+        self.names[number] = target = self._target(number)
+        digits = f", {value.data}" if value.op == "rounded" else ""
+        self.line(f"copyto({target}, {value.op}({', '.join(args)}{digits}))")
+
     def _held(self, number: int, value: Value, args: list[str]) -> None:
         self.names[number] = target = self._target(number)
         self.namespace["latest"] = np.maximum.accumulate
@@ -366,14 +340,14 @@ class _Emitter:
         self.line(f"kept = empty(n + 1); kept[0] = item({value.data} + i); kept[1:] = {args[1]}")
         self.line(f'take(kept, latest({where}({args[0]}, arange(1, n + 1), 0)), 0, {target}, "clip")')
 
+    _SPECIAL: ClassVar[dict[str, Callable[[_Emitter, int, Value, list[str]], None]]] = {
+        "where": _where, "snap": _snap, "running": _running, "held": _held, "rounded": _helped,
+        "pick": _helped,
+    }  # fmt: skip
+
     def _effect(self, effect: Effect) -> None:
         if effect.what == "store" and isinstance(effect.data, int):
             self._store(effect.value, effect.data)
-        elif effect.what == "fill" and isinstance(effect.data, int):
-            text = self.layout.texts.number(str(self.values[effect.value].data))
-            cells = self._cells(effect.data)
-            self.line(f"{cells}.fill({float(text)})")
-            self.line(f"{cells.replace('numbers', 'codes')}.fill({TEXT})")
         elif effect.what == "somewhere" and isinstance(effect.data, int):
             self._somewhere(effect.value, effect.data)
         else:
@@ -403,6 +377,8 @@ class _Emitter:
         self.line(f"if {mask}.tobytes().find(1) >= 0 and ({mask} & ({b} == 0)).any(): raise TroubleError")
 
     def _store(self, number: int, block: int) -> None:
+        if self.values[number].kind == "text":
+            self.line(f"{self._cells(block).replace('numbers', 'codes')}.fill({TEXT})")
         if self.outputs.get(number) == block:
             return
         shape = self.layout.blocks[block]
@@ -410,8 +386,3 @@ class _Emitter:
             self.line(f"numbers[{self.layout.block_offsets[block]}] = {self.names[number]}")
         else:
             self.line(f"{self._cells(block)}[...] = {self.names[number]}")
-
-
-def _first(array: Any) -> float:
-    first: float = array.item(0)
-    return first

@@ -56,14 +56,18 @@ def _table(ev: Evaluator, node: Node, frame: Frame) -> Cells:
 
 def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """INDEX(range, row, column): 0 or nothing for the only row or column; #REF! outside."""
+    row, row_errors = _argument(ev, args, 1, frame, spread)
+    col, col_errors = _argument(ev, args, 2, frame, spread)
+    if row_errors is None and col_errors is None and np.ndim(row) == 0 and np.ndim(col) == 0:
+        single = _indexed(ev, args, frame, float(row), float(col))
+        if single is not None:
+            return single
     table = _table(ev, args[0], frame)
     height, width = table.numbers.shape
     if isinstance(args[0], RangeRef):
         span = ev.span(args[0], frame)
         if span is not None:
             height, width = span.height, span.width  # beyond the data a whole column goes on, blank
-    row, row_errors = _argument(ev, args, 1, frame, spread)
-    col, col_errors = _argument(ev, args, 2, frame, spread)
     if len(args) == 2 and height == 1:
         row, col = np.where(width == 1, row, 1.0), np.where(width == 1, col, row)
     row, col = np.trunc(row), np.trunc(col)
@@ -78,6 +82,18 @@ def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     i, j = np.where(safe, 0, row - 1).astype(np.intp), np.where(safe, 0, col - 1).astype(np.intp)
     found = Cells(table.numbers[i, j], np.where(beyond, np.uint8(BLANK), table.codes[i, j]))
     return _or_error(found, first_error(row_errors, col_errors, own))
+
+
+def _indexed(ev: Evaluator, args: Args, frame: Frame, row: float, col: float) -> Cells | None:
+    """The one cell of a fixed range that INDEX means everywhere in the frame; None in all less plain cases."""
+    span = ev.span(args[0], frame) if isinstance(args[0], RangeRef) else None
+    if span is None or span.moves_down or span.moves_right:
+        return None
+    if len(args) == 2 and span.height == 1 and span.width > 1:
+        row, col = 1.0, row
+    if not (1 <= row < span.height + 1 and 1 <= col < span.width + 1):
+        return None
+    return ev.at(span.sheet, span.row + int(row) - 1, span.col + int(col) - 1)
 
 
 def _or_error(found: Cells, errors: Any) -> Cells:

@@ -18,6 +18,9 @@ from ..formula.book import Block, Book
 from ..formula.references import cell_address
 from .values import Cells, Codes, Numbers, Texts
 
+_MOST_KNOWN = 20_000
+"""Areas whose place is remembered: those of lone formulas are read again at every evaluation."""
+
 
 class Area(NamedTuple):
     """A rectangle of cells of one sheet (by index)."""
@@ -104,6 +107,7 @@ class Layout:
     size: int = 0
     lone: int = 0
     used_rows: list[int] = field(default_factory=list)
+    _known: dict[Area, int] = field(default_factory=dict)
     template: tuple[Numbers, Codes, list[Constants]] = field(init=False)
 
     def filled(self) -> tuple[Numbers, Codes]:
@@ -147,7 +151,11 @@ class Layout:
 
     def read(self, area: Area, numbers: Numbers, codes: Codes) -> Cells:
         """The cells of an area, shape (cols, rows); a view where they lie side by side."""
-        place = self._contiguous(area)
+        place = self._known.get(area)
+        if place is None:
+            place = self._contiguous(area)
+            if len(self._known) < _MOST_KNOWN:
+                self._known[area] = place
         if place >= 0:
             end = place + area.rows * area.cols
             found, kinds = numbers[place:end], codes[place:end]

@@ -7,9 +7,11 @@ guarded by an effect. `UnsuitableError` sends a block to the careful evaluator f
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
+from ..formula.book import Block
 from ..formula.nodes import (
     Binary,
     Boolean,
@@ -19,17 +21,21 @@ from ..formula.nodes import (
     Missing,
     Node,
     Number,
-    RangeRef,
     Text,
     Unary,
 )
+from .coerce import compare_numbers
 from .graph import area_read
-from .kernels_math import BELOW_HALF, NEAR
-from .layout import Area, Layout
+from .kernels_math import NEAR
+from .layout import Area, Band, Layout
 from .recurrence import Held, RunningSum
 
 ROWS, COLS = 1, 2
 """Bits of a value's extent: it varies along the rows, along the columns, along both, or (0) not at all."""
+
+
+MOST_EDGE = 4
+"""How many rows a column may be read beyond its end (the row above the first one, say)."""
 
 
 class UnsuitableError(Exception):
@@ -37,7 +43,11 @@ class UnsuitableError(Exception):
 
 
 class Value(NamedTuple):
-    """One value: an operation on earlier values (by number). `kind`: number, mask, true, false, text or error."""
+    """One value: an operation on earlier values (by number).
+
+    kind  number, mask, true or false (a truth known beforehand), text (its number in the table), error, line (an array of
+          numbers) or text line
+    """
 
     op: str
     args: tuple[int, ...] = ()
@@ -47,7 +57,7 @@ class Value(NamedTuple):
 
 
 class Effect(NamedTuple):
-    """Something to do at a place in the order: check a mask, store a block's result, fill a block with a text."""
+    """Something to do at a place in the order: check a mask, store a block's result."""
 
     what: str
     value: int
@@ -56,29 +66,40 @@ class Effect(NamedTuple):
 
 @dataclass(slots=True)
 class Reads:
-    """What a segment reads: columns by where their first row lies (with its producers), and everything else by producer."""
+    """What a segment reads.
+
+    columns  where the first rows of columns lie that are read row by row -> their producers;  others  other producers
+    texts    producers that must hold texts, and nothing else
+    top, bottom  rows in which something beyond the end of a column is read: never fast
+    """
 
     columns: dict[int, frozenset[int]] = field(default_factory=dict)
     others: set[int] = field(default_factory=set)
+    texts: set[int] = field(default_factory=set)
+    top: int = 0
+    bottom: int = 0
 
+    def copy(self) -> Reads:
+        """Reads that can be changed apart from these."""
+        return Reads(dict(self.columns), set(self.others), set(self.texts), self.top, self.bottom)
 
-UNARY = {
-    "SIN": "sin", "COS": "cos", "TAN": "tan", "ASIN": "arcsin", "ACOS": "arccos", "ATAN": "arctan", "SINH": "sinh",
-    "COSH": "cosh", "TANH": "tanh", "ASINH": "arcsinh", "ACOSH": "arccosh", "ATANH": "arctanh", "RADIANS": "radians",
-    "DEGREES": "degrees", "SQRT": "sqrt", "ABS": "absolute", "SIGN": "sign", "EXP": "exp", "LN": "log",
-    "LOG10": "log10", "INT": "floor",
-}  # fmt: skip
-"""Functions that are one numpy operation, with nothing to check but the processor's flags."""
 
 _ARITHMETIC = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide"}
-_MOST_SUMMED = 7  # up to here numpy's own summation adds one after the other
+
+
+Functions: TypeAlias = "Mapping[str, Callable[[Lowering, tuple[Node, ...]], int]]"
 
 
 class Lowering:
-    """Collects the values and effects of one segment, block after block."""
+    """Collects the values and effects of one segment, block after block.
 
-    def __init__(self, layout: Layout, sheets: dict[str, int]) -> None:
+    `texts` holds the producers known to hold texts alone, of this segment and of those before it.
+    """
+
+    def __init__(self, layout: Layout, sheets: dict[str, int], functions: Functions, texts: set[int]) -> None:
         self.layout = layout
+        self.functions = functions
+        self.texts = texts
         self.sheets = sheets
         self.values: list[Value] = []
         self.order: list[int | Effect] = []
@@ -86,17 +107,22 @@ class Lowering:
         self.results: dict[int, int] = {}
         self._numbers: dict[Value, int] = {}
         self._effects: set[Effect] = set()
-        self._block = 0
+        self._number = 0
+
+    @property
+    def block(self) -> Block:
+        """The block being lowered."""
+        return self.layout.blocks[self._number]
 
     def add(self, number: int, formula: Node, recurrence: RunningSum | Held | None) -> None:
         """Add a block. Raises UnsuitableError, leaving everything as it was."""
-        mark = len(self.values), len(self.order), dict(self.reads.columns), set(self.reads.others)
-        self._block = number
+        mark = len(self.values), len(self.order), self.reads.copy()
+        self._number = number
         try:
             if recurrence is not None:
                 result = self._recurrence(number, recurrence)
             else:
-                result = self._lower(formula)
+                result = self.lower(formula)
                 if isinstance(formula, Binary) and formula.op in "+-":
                     result = self._snapped(result)
             self._store(number, result)
@@ -104,8 +130,10 @@ class Lowering:
             self._undo(*mark)
             raise UnsuitableError from problem
         self.results[number] = result
+        if self.values[result].kind == "text":
+            self.texts.add(number)
 
-    def _undo(self, values: int, order: int, columns: dict[int, frozenset[int]], others: set[int]) -> None:
+    def _undo(self, values: int, order: int, reads: Reads) -> None:
         for value in self.values[values:]:
             del self._numbers[value]
         for item in self.order[order:]:
@@ -113,9 +141,9 @@ class Lowering:
                 self._effects.discard(item)
         del self.values[values:]
         del self.order[order:]
-        self.reads = Reads(columns, others)
+        self.reads = reads
 
-    def _value(
+    def value(
         self, op: str, args: tuple[int, ...] = (), data: object = None, extent: int | None = None, kind: str = "number"
     ) -> int:
         """The number of a value, the same for the same operation on the same values."""
@@ -131,32 +159,31 @@ class Lowering:
             self.order.append(found)
         return found
 
-    def _effect(self, effect: Effect) -> None:
+    def effect(self, effect: Effect) -> None:
+        """Something to do here, once."""
         if effect not in self._effects:
             self._effects.add(effect)
             self.order.append(effect)
 
     def _store(self, number: int, result: int) -> None:
         kind = self.values[result].kind
-        if kind == "text":
-            self.layout.texts.number(str(self.values[result].data))  # known to all evaluations of the plan
-            self._effect(Effect("fill", result, number))
-        elif kind == "number":
-            self._effect(Effect("store", result, number))
-        else:
+        if kind not in ("number", "text"):
             raise UnsuitableError
+        self.effect(Effect("store", result, number))
 
-    def _number(self, node: Node) -> int:
-        found = self._lower(node)
+    def number(self, node: Node) -> int:
+        """A tree whose value is a number."""
+        found = self.lower(node)
         if self.values[found].kind != "number":
             raise UnsuitableError
         return found
 
     def constant(self, number: float) -> int:
         """A number that stands in the formula (told apart by its text: 0.0 and -0.0 are equal, and differ)."""
-        return self._value("constant", (), repr(float(number)))
+        return self.value("constant", (), repr(float(number)))
 
-    def _lower(self, node: Node) -> int:
+    def lower(self, node: Node) -> int:
+        """The number of a tree's value."""
         match node:
             case Number(number):
                 return self.constant(number)
@@ -167,13 +194,17 @@ class Lowering:
             case Unary(op, operand):
                 return self._signed(op, operand)
             case Call(name, args):
-                return self._call(name, args)
+                function = self.functions.get(name)
+                if function is None or any(isinstance(arg, Missing) for arg in args):
+                    raise UnsuitableError
+                return function(self, args)
             case Text(text):
-                return self._value("text", (), text, 0, "text")
+                self.layout.texts.number(text)  # known to all evaluations of the plan
+                return self.value("text", (), text, 0, "text")
             case Boolean(flag):
-                return self._value("truth", (), flag, 0, "true" if flag else "false")
+                return self.value("truth", (), flag, 0, "true" if flag else "false")
             case ErrorValue():
-                return self._value("error", (), None, 0, "error")
+                return self.value("error", (), None, 0, "error")
             case _:
                 raise UnsuitableError
 
@@ -183,67 +214,85 @@ class Lowering:
         while isinstance(left, Binary):
             run.append(left)
             left = left.left
-        total = self._lower(left)
+        total = self.lower(left)
         for part in reversed(run):
             total = self._operate(part.op, total, part.right)
         return total
 
     def _operate(self, op: str, left: int, right: Node) -> int:
         if op in ("=", "<>", "<", "<=", ">", ">="):
-            return self._compared(op, left, self._number(right))
+            return self._compared(op, left, self.number(right))
         if self.values[left].kind != "number":
             raise UnsuitableError
         if op == "^":
-            return self._power(left, right)
+            return self.power(left, right)
         if op not in _ARITHMETIC:
             raise UnsuitableError
-        return self._value(_ARITHMETIC[op], (left, self._number(right)))
+        return self.value(_ARITHMETIC[op], (left, self.number(right)))
 
-    def _power(self, base: int, exponent: Node) -> int:
-        """Only exponents that stand in the formula: the others may be 0 or 2, which have their own rules."""
+    def power(self, base: int, exponent: Node) -> int:
+        """Along rows only exponents that stand in the formula: the others may be 0 or 2, which have their own rules."""
         sign = 1.0
         if isinstance(exponent, Unary) and exponent.op == "-":
             sign, exponent = -1.0, exponent.operand
-        if not isinstance(exponent, Number) or exponent.value == 0:
+        if not isinstance(exponent, Number):
+            power = self.number(exponent)
+            if self.values[base].extent or self.values[power].extent or sign < 0:
+                raise UnsuitableError
+            return self.value("power_of", (base, power))
+        if exponent.value == 0:
             raise UnsuitableError
         number = sign * exponent.value
-        return self._value("square", (base,)) if number == 2 else self._value("power", (base, self.constant(number)))
+        return self.value("square", (base,)) if number == 2 else self.value("power", (base, self.constant(number)))
 
     def _signed(self, op: str, operand: Node) -> int:
-        value = self._number(operand)
+        value = self.number(operand)
         if op == "+":
             return value
-        return self._value("negative", (value,)) if op == "-" else self._value("divide", (value, self.constant(100)))
+        return self.value("negative", (value,)) if op == "-" else self.value("divide", (value, self.constant(100)))
 
     def _snapped(self, result: int) -> int:
         op, args = self.values[result].op, self.values[result].args
         if op not in ("add", "subtract"):
             return result
-        return self._value("snap", (result, args[0]))
+        return self.value("snap", (result, args[0]))
 
     def _compared(self, op: str, left: int, right: int) -> int:
         """As `compare_numbers`: nearly equal is equal, measured at the right side."""
         if self.values[left].kind != "number":
             raise UnsuitableError
-        margin = self._value("multiply", (self._value("absolute", (right,)), self.constant(NEAR)))
-        low = self._value("subtract", (right, margin)) if op in ("<", ">=", "=", "<>") else -1
-        high = self._value("add", (right, margin)) if op in ("<=", ">", "=", "<>") else -1
+        sides = self.values[left], self.values[right]
+        if sides[0].op == sides[1].op == "constant":
+            flag = bool(compare_numbers(op, float(str(sides[0].data)), float(str(sides[1].data))))
+            return self.value("truth", (), flag, 0, "true" if flag else "false")
+        margin = self.value("multiply", (self.value("absolute", (right,)), self.constant(NEAR)))
+        low = self.value("subtract", (right, margin)) if op in ("<", ">=", "=", "<>") else -1
+        high = self.value("add", (right, margin)) if op in ("<=", ">", "=", "<>") else -1
         simple = {"<": ("less", low), ">=": ("greater_equal", low), "<=": ("less_equal", high), ">": ("greater", high)}
         if op in simple:
             name, limit = simple[op]
-            return self._value(name, (left, limit), kind="mask")
+            return self.value(name, (left, limit), kind="mask")
         inside = (
-            self._value("greater_equal", (left, low), kind="mask"),
-            self._value("less_equal", (left, high), kind="mask"),
+            self.value("greater_equal", (left, low), kind="mask"),
+            self.value("less_equal", (left, high), kind="mask"),
         )
-        same = self._value("logical_and", inside, kind="mask")
-        return same if op == "=" else self._value("logical_not", (same,), kind="mask")
+        same = self.value("logical_and", inside, kind="mask")
+        return same if op == "=" else self.value("logical_not", (same,), kind="mask")
 
     # references
 
+    def read(self, producers: set[int]) -> str:
+        """Take note of what is read by all rows, and say what kind it will be: number or text."""
+        if producers <= self.texts:
+            self.reads.texts |= producers
+            return "text"
+        if producers & self.texts:
+            raise UnsuitableError
+        self.reads.others |= producers
+        return "number"
+
     def _cell(self, node: CellRef) -> int:
-        block = self.layout.blocks[self._block]
-        area = area_read(node, block, self.sheets)
+        area = area_read(node, self.block, self.sheets)
         if area is None:
             raise UnsuitableError
         if area.rows == area.cols == 1:
@@ -261,14 +310,16 @@ class Lowering:
             if self.layout.block_area(producer) != area:
                 raise UnsuitableError  # one row of a column that is only being computed
             return self.results[producer]
-        self.reads.others |= producers
-        return self._value("cell", (), place)
+        return self.value("cell", (), place, kind=self.read(producers))
 
     def _column(self, area: Area) -> int:
-        band = self.layout.columns[area.sheet][area.col].band_at(area.row) if self._has(area) else None
-        if band is None or area.row + area.rows > band.row + band.rows:
+        band = self._band(area)
+        top = max(0, band.row - area.row)
+        bottom = max(0, area.row + area.rows - band.row - band.rows)
+        if max(top, bottom) > MOST_EDGE or area.rows <= top + bottom:
             raise UnsuitableError
-        producers = self.layout.producers(area)
+        self.reads.top, self.reads.bottom = max(self.reads.top, top), max(self.reads.bottom, bottom)
+        producers = self.layout.producers(Area(area.sheet, area.row + top, area.col, area.rows - top - bottom, 1))
         for producer in producers & self.results.keys():
             own = self.layout.block_area(producer)
             if own == area:
@@ -276,8 +327,10 @@ class Lowering:
             if own.row < area.row or own.cols > 1:
                 raise UnsuitableError  # rows further down are not computed yet
         place = band.offset + area.row - band.row
+        if producers <= self.texts:
+            return self.value("column", (), place, ROWS, self.read(producers))
         self.reads.columns[place] = frozenset(producers) | self.reads.columns.get(place, frozenset())
-        return self._value("column", (), place, ROWS)
+        return self.value("column", (), place, ROWS)
 
     def _across(self, area: Area) -> int:
         """Cells of one row, or of a rectangle, along the columns of a wide block."""
@@ -286,176 +339,25 @@ class Lowering:
         if min(places) < 0 or producers & self.results.keys():
             raise UnsuitableError
         if area.rows == 1:
-            self.reads.others |= producers
-            return self._value("across", (), tuple(places), COLS)
+            return self.value("across", (), tuple(places), COLS, self.read(producers))
         raise UnsuitableError
 
-    def _has(self, area: Area) -> bool:
-        return area.col in self.layout.columns[area.sheet]
-
-    # functions
-
-    def _call(self, name: str, args: tuple[Node, ...]) -> int:
-        if name in UNARY and len(args) == 1:
-            return self._value(UNARY[name], (self._number(args[0]),))
-        special = getattr(self, f"_call_{name.lower()}", None)
-        if special is None or any(isinstance(arg, Missing) for arg in args):
+    def _band(self, area: Area) -> Band:
+        """The band that a column's middle lies in."""
+        column = self.layout.columns[area.sheet].get(area.col)
+        band = None if column is None else column.band_at(area.row + area.rows // 2)
+        if band is None:
             raise UnsuitableError
-        found: int = special(args)
-        return found
+        return band
 
-    def _call_pi(self, args: tuple[Node, ...]) -> int:
-        del args
-        return self.constant(3.141592653589793)
-
-    def _call_na(self, args: tuple[Node, ...]) -> int:
-        del args
-        return self._value("error", (), None, 0, "error")
-
-    def _call_row(self, args: tuple[Node, ...]) -> int:
-        block = self.layout.blocks[self._block]
-        if args:
-            raise UnsuitableError
-        if block.rows == 1:
-            return self.constant(block.row + 1)
-        return self._value("count", (), block.row + 1, ROWS)
-
-    def _call_atan2(self, args: tuple[Node, ...]) -> int:
-        x, y = self._number(args[0]), self._number(args[1])
-        self._effect(Effect("somewhere", x, y))
-        return self._value("arctan2", (y, x))
-
-    def _call_power(self, args: tuple[Node, ...]) -> int:
-        return self._power(self._number(args[0]), args[1])
-
-    def _call_mod(self, args: tuple[Node, ...]) -> int:
-        number, divisor = self._number(args[0]), self._number(args[1])
-        whole = self._value("floor", (self._value("divide", (number, divisor)),))
-        return self._value("subtract", (number, self._value("multiply", (divisor, whole))))
-
-    def _call_round(self, args: tuple[Node, ...]) -> int:
-        if not isinstance(args[1], Number) or args[1].value != 0:
-            raise UnsuitableError
-        number = self._number(args[0])
-        half = self._value("copysign", (self.constant(BELOW_HALF), number))
-        return self._value("trunc", (self._value("add", (number, half)),))
-
-    def _extreme(self, op: str, args: tuple[Node, ...]) -> int:
-        total = self._number(args[0])
-        for arg in args[1:]:
-            total = self._value(op, (total, self._number(arg)))
-        return total
-
-    def _call_min(self, args: tuple[Node, ...]) -> int:
-        found = self._reduced("min", args)
-        return self._extreme("minimum", args) if found is None else found
-
-    def _call_max(self, args: tuple[Node, ...]) -> int:
-        found = self._reduced("max", args)
-        return self._extreme("maximum", args) if found is None else found
-
-    def _call_sum(self, args: tuple[Node, ...]) -> int:
-        found = self._reduced("sum", args)
-        if found is None and len(args) > _MOST_SUMMED:
-            raise UnsuitableError
-        return self._extreme("add", args) if found is None else found
-
-    def _call_sumsq(self, args: tuple[Node, ...]) -> int:
-        if len(args) > _MOST_SUMMED:
-            raise UnsuitableError
-        total = self._value("square", (self._number(args[0]),))
-        for arg in args[1:]:
-            total = self._value("add", (total, self._value("square", (self._number(arg),))))
-        return total
-
-    def _reduced(self, op: str, args: tuple[Node, ...]) -> int | None:
-        """One number from a column that is the same for the whole segment and lies side by side."""
-        if not any(isinstance(arg, RangeRef) for arg in args):
-            return None
-        block = self.layout.blocks[self._block]
-        node = args[0]
-        if len(args) > 1 or not isinstance(node, RangeRef) or not self._fixed(node, block.rows, block.cols):
-            raise UnsuitableError
-        area = area_read(node, block, self.sheets)
-        if area is None or area.cols > 1 or not self._has(area):
-            raise UnsuitableError
-        band = self.layout.columns[area.sheet][area.col].band_at(area.row)
-        producers = self.layout.producers(area)
-        if band is None or area.row + area.rows > band.row + band.rows or producers & self.results.keys():
-            raise UnsuitableError
-        self.reads.others |= producers
-        place = band.offset + area.row - band.row
-        return self._value(op, (), (place, place + area.rows))
-
-    @staticmethod
-    def _fixed(node: RangeRef, rows: int, cols: int) -> bool:
-        return all(
-            isinstance(ref, CellRef) and (ref.row_abs or rows == 1) and (ref.col_abs or cols == 1)
-            for ref in (node.start, node.end)
-        )
-
-    def _call_isnumber(self, args: tuple[Node, ...]) -> int:
-        """Cells are taken to hold numbers; a result that is not computed for its own sake would hide its errors."""
-        if not isinstance(args[0], CellRef):
-            raise UnsuitableError
-        kind = self.values[self._lower(args[0])].kind
-        return self._value("truth", (), kind == "number", 0, "true" if kind == "number" else "false")
-
-    def _mask(self, node: Node) -> int:
-        found = self._lower(node)
+    def mask(self, node: Node) -> int:
+        """A condition: a mask, or a truth known beforehand."""
+        found = self.lower(node)
         if self.values[found].kind == "number":
-            return self._value("not_equal", (found, self.constant(0)), kind="mask")
+            return self.value("not_equal", (found, self.constant(0)), kind="mask")
         if self.values[found].kind not in ("mask", "true", "false"):
             raise UnsuitableError
         return found
-
-    def _joined(self, op: str, decides: str, args: tuple[Node, ...]) -> int:
-        """AND, OR: a truth known beforehand decides, or does not matter."""
-        total = -1
-        for arg in args:
-            mask = self._mask(arg)
-            kind = self.values[mask].kind
-            if kind == decides:
-                return mask
-            if kind == "mask":
-                total = mask if total < 0 else self._value(op, (total, mask), kind="mask")
-        if total < 0:
-            flag = decides == "false"
-            return self._value("truth", (), flag, 0, "true" if flag else "false")
-        return total
-
-    def _call_and(self, args: tuple[Node, ...]) -> int:
-        return self._joined("logical_and", "false", args)
-
-    def _call_or(self, args: tuple[Node, ...]) -> int:
-        return self._joined("logical_or", "true", args)
-
-    def _call_not(self, args: tuple[Node, ...]) -> int:
-        mask = self._mask(args[0])
-        kind = self.values[mask].kind
-        if kind == "mask":
-            return self._value("logical_not", (mask,), kind="mask")
-        return self._value("truth", (), kind == "false", 0, "true" if kind == "false" else "false")
-
-    def _call_if(self, args: tuple[Node, ...]) -> int:
-        if len(args) != 3:
-            raise UnsuitableError
-        mask = self._mask(args[0])
-        kind = self.values[mask].kind
-        if kind != "mask":
-            return self._lower(args[1] if kind == "true" else args[2])
-        then = self._lower(args[1])
-        otherwise = self._lower(args[2])
-        kinds = self.values[then].kind, self.values[otherwise].kind
-        if kinds == ("number", "number"):
-            return self._value("where", (mask, then, otherwise))
-        if kinds == ("error", "number"):
-            self._effect(Effect("never", mask))
-            return otherwise
-        if kinds[0] == "number":
-            self._effect(Effect("always", mask))
-            return then
-        raise UnsuitableError
 
     def _recurrence(self, number: int, kind: RunningSum | Held) -> int:
         block = self.layout.blocks[number]
@@ -467,16 +369,16 @@ class Lowering:
             raise UnsuitableError
         self.reads.columns[place] = frozenset(producers) | {number}
         if isinstance(kind, RunningSum):
-            step = self._number(kind.step)
+            step = self.number(kind.step)
             if kind.op == "-":
-                step = self._value("negative", (step,))
-            return self._value("running", (step,), (place, kind.step_first), ROWS)
-        value = self._number(kind.value)
-        mask = self._mask(kind.condition)
+                step = self.value("negative", (step,))
+            return self.value("running", (step,), (place, kind.step_first), ROWS)
+        value = self.number(kind.value)
+        mask = self.mask(kind.condition)
         if self.values[mask].kind != "mask":
             if (self.values[mask].kind == "true") == kind.taken:
                 return value
             raise UnsuitableError
         if not kind.taken:
-            mask = self._value("logical_not", (mask,), kind="mask")
-        return self._value("held", (mask, value), place, ROWS)
+            mask = self.value("logical_not", (mask,), kind="mask")
+        return self.value("held", (mask, value), place, ROWS)

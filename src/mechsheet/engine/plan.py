@@ -12,6 +12,7 @@ from ..formula.nodes import Scalar, shifted
 from .careful import Evaluator
 from .graph import dependencies
 from .layout import Area, make_layout
+from .marks import marks_of_constants
 from .resolve import resolve
 from .results import Values
 from .schedule import schedule
@@ -40,9 +41,7 @@ class Plan:
         self.formulas = resolve(book)
         self.reads = dependencies(self.layout, self.formulas)
         self.steps = schedule(self.layout, self.formulas, self.reads)
-        self._dirty = {
-            number for number, run in enumerate(self.layout.constants, len(self.layout.blocks)) if run.codes is not None
-        }
+        self._marks = marks_of_constants(self.layout)
         self._replaced: dict[frozenset[tuple[int, int, int]], Plan] = {}
 
     def evaluate(self, overrides: Overrides | None = None) -> Values:
@@ -58,16 +57,15 @@ class Plan:
         layout = self.layout
         numbers, codes = layout.filled()
         texts = Texts(layout.texts)
-        dirty = set(self._dirty)
+        marks = self._marks.copy()
         for cell, value in (overrides or {}).items():
             place, producer = places[self._cell(cell)]
             numbers[place], codes[place] = texts.encode(value)
-            if codes[place]:
-                dirty.add(producer)
+            marks.note(producer, codes[place : place + 1])
         ev = Evaluator(layout, numbers, codes, texts)
         with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
             for step in self.steps:
-                step.run(ev, dirty)
+                step.run(ev, marks)
         return Values(layout, numbers, codes, texts)
 
     def _cell(self, cell: tuple[str, int, int]) -> tuple[int, int, int]:

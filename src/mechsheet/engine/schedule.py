@@ -9,16 +9,18 @@ from ..formula.nodes import Node
 from .careful import Evaluator
 from .graph import ordered
 from .layout import Layout
+from .lowered_functions import FUNCTIONS
 from .lowering import Lowering, UnsuitableError
+from .marks import Marks, marks_of_constants
 from .recurrence import recognise
 from .segments import Member, Segment
 from .sequence import Together
 
 
 class Step(Protocol):
-    """Something that computes cells; `dirty` holds what does not consist of numbers alone, and is added to."""
+    """Something that computes cells, and marks those of its blocks that do not consist of numbers alone."""
 
-    def run(self, ev: Evaluator, dirty: set[int]) -> None:
+    def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells of the step."""
 
 
@@ -28,6 +30,7 @@ def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]]
     place: dict[int, int] = {}
     alike: dict[tuple[int, int], list[int]] = {}
     sheets = {title: index for index, title in enumerate(layout.titles)}
+    texts = marks_of_constants(layout).texts
     for group in ordered(reads):
         number = group[0]
         recurrence = recognise(layout, number, formulas[number]) if number in reads[number] else None
@@ -46,15 +49,14 @@ def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]]
                 break
         else:
             place[number] = len(steps)
-            segment = _new_segment(layout, member, sheets)
+            segment = _new_segment(layout, member, Lowering(layout, sheets, FUNCTIONS, texts))
             if segment.lowering is not None:
                 alike[key].append(len(steps))
             steps.append(segment)
     return steps
 
 
-def _new_segment(layout: Layout, member: Member, sheets: dict[str, int]) -> Segment:
-    lowering = Lowering(layout, sheets)
+def _new_segment(layout: Layout, member: Member, lowering: Lowering) -> Segment:
     try:
         lowering.add(member.number, member.formula, member.recurrence)
     except UnsuitableError:

@@ -3,18 +3,27 @@
 from __future__ import annotations
 
 from functools import cache, cached_property
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..formula.nodes import Node
 from .careful import Evaluator
-from .emitting import CHUNK, Code, TroubleError, emit
+from .emitting import CHUNK, Code, emit
 from .frames import Frame
+from .helpers import TroubleError
 from .layout import Layout
-from .lowering import Lowering, UnsuitableError
+from .lowering import Lowering, Reads, UnsuitableError
+from .marks import Marks
 from .recurrence import Held, RunningSum, compute
-from .values import Cells
+from .values import Cells, Codes
+
+Buffers: TypeAlias = dict[str, Any]
+
+_PATIENCE = 3
+_PIECE = 64
+_GAP = 16
+"""Rows: a piece that is tried by itself; good rows between bad ones that are worth a call of their own."""
 
 _FAILURES = (TroubleError, FloatingPointError, ZeroDivisionError, OverflowError)
 
@@ -29,8 +38,8 @@ class Member:
         self.recurrence = recurrence
         self.block = layout.blocks[number]
 
-    def run(self, ev: Evaluator, start: int, stop: int) -> bool:
-        """Compute rows [start, stop) carefully; whether they hold anything but numbers."""
+    def run(self, ev: Evaluator, start: int, stop: int) -> Codes:
+        """Compute rows [start, stop) carefully; their codes."""
         block = self.block
         sheet = self.layout.block_sheets[self.number]
         frame = Frame(sheet, block.row + start, block.col, stop - start, block.cols, start)
@@ -38,16 +47,15 @@ class Member:
         return write(self.layout, self.number, start, stop, found, ev)
 
 
-def write(layout: Layout, number: int, start: int, stop: int, found: Cells, ev: Evaluator) -> bool:
-    """Put the values of a block's rows [start, stop) into the flat array; whether there is anything but numbers."""
+def write(layout: Layout, number: int, start: int, stop: int, found: Cells, ev: Evaluator) -> Codes:
+    """Put the values of a block's rows [start, stop) into the flat array; their codes."""
     block = layout.blocks[number]
     first = layout.block_offsets[number]
     last = first + block.rows * block.cols
     ev.numbers[first:last].reshape(block.cols, block.rows)[:, start:stop] = found.numbers
-    if found.codes is None or not np.any(found.codes):
-        return False
-    ev.codes[first:last].reshape(block.cols, block.rows)[:, start:stop] = found.codes
-    return True
+    codes = ev.codes[first:last].reshape(block.cols, block.rows)[:, start:stop]
+    codes[...] = 0 if found.codes is None else found.codes
+    return codes
 
 
 class Segment:
@@ -61,7 +69,7 @@ class Segment:
         self.cols = first.block.cols
         self.chunk = max(256, CHUNK // self.cols)
         self._code: Code | None = None
-        self._buffers: list[dict[str, Any]] = []
+        self._buffers: list[Buffers] = []
         self._counts: dict[str, int] = {}
         self._runs = 0
 
@@ -84,51 +92,96 @@ class Segment:
         values, results = self.lowering.values, self.lowering.results
         return {number for number, result in results.items() if values[result].kind == "text"}
 
-    @cached_property
-    def inputs(self) -> frozenset[int]:
-        """Everything read, by what fills it."""
-        if self.lowering is None:
-            return frozenset()
-        return frozenset(self.lowering.reads.others.union(*self.lowering.reads.columns.values()))
-
-    def run(self, ev: Evaluator, dirty: set[int]) -> None:
-        """Compute all cells. `dirty` holds what does not consist of numbers alone, and is added to."""
+    def run(self, ev: Evaluator, marks: Marks) -> None:
+        """Compute all cells, and mark those blocks that do not consist of numbers alone."""
         self._runs += 1
         # Making the code costs some milliseconds: worth it for long columns, or when the plan is used again.
-        worth = self.lowering is not None and (self._runs > 1 or self.rows * self.cols >= 4 * CHUNK) and _flags_work()
-        if not worth or self.lowering is None or self.lowering.reads.others & dirty:
-            self._carefully(ev, dirty, 0, self.rows)
+        worth = (self._runs > 1 or self.rows * self.cols >= 4 * CHUNK) and _flags_work()
+        marks.texts |= self.texts  # what a careful chunk finds may take them out again
+        marks.dirty |= self.texts
+        if self.lowering is not None and self.lowering.reads.top + self.lowering.reads.bottom > 0:
+            worth &= self.rows > _PIECE  # the rows at the ends cost as much as all of them
+        if not worth or self.lowering is None or not self._as_expected(self.lowering.reads, marks):
+            self._carefully(ev, marks, 0, self.rows)
             return
         if self._code is None:
             self._code, _, self._counts = emit(self.lowering, self.layout)
         buffers = self._buffers.pop() if self._buffers else self._new_buffers()
-        suspect = self._suspect(dirty)
-        for start in range(0, self.rows, self.chunk):
-            stop = min(start + self.chunk, self.rows)
-            if any(ev.codes[place + start : place + stop].any() for place in suspect):
-                self._carefully(ev, dirty, start, stop)
-                suspect = self._suspect(dirty)
-                continue
-            try:
-                self._code(ev.numbers, ev.codes, buffers, start, stop)
-            except _FAILURES:
-                self._carefully(ev, dirty, start, stop)
-                suspect = self._suspect(dirty)
-        dirty |= self.texts
+        reads = self.lowering.reads
+        first, last = min(reads.top, self.rows), max(reads.top, self.rows - reads.bottom)
+        if first:
+            self._carefully(ev, marks, 0, first)
+        for start in range(first, last, self.chunk):
+            self._chunk(ev, marks, buffers, start, min(start + self.chunk, last))
+        if last < self.rows:
+            self._carefully(ev, marks, last, self.rows)
         self._buffers.append(buffers)
 
-    def _suspect(self, dirty: set[int]) -> list[int]:
-        """Where columns lie that are read and may hold something other than numbers."""
-        if self.lowering is None or self.inputs.isdisjoint(dirty):
-            return []
-        return [place for place, producers in self.lowering.reads.columns.items() if not producers.isdisjoint(dirty)]
+    def _chunk(self, ev: Evaluator, marks: Marks, buffers: Buffers, start: int, stop: int) -> None:
+        """Rows [start, stop): fast as far as everything is plain, carefully where it is not, in order from the top.
 
-    def _carefully(self, ev: Evaluator, dirty: set[int], start: int, stop: int) -> None:
+        Where the code stops, the rows are tried again in smaller pieces, so that a few bad ones cost little; after
+        three failures the rest is done carefully, so that many cost little more than that.
+        """
+        step, failures = stop - start, 0
+        while start < stop:
+            end, plain = self._stretch(ev, marks, start, stop)
+            end = min(end, start + step)
+            if failures >= _PATIENCE:
+                end, plain = stop, False
+            if plain and not self._fast(ev, buffers, start, end):
+                failures += 1
+                if end - start > _PIECE:
+                    step = max(_PIECE, step // 8)
+                    continue
+                plain = False
+            if not plain:
+                self._carefully(ev, marks, start, end)
+            start = end
+
+    def _fast(self, ev: Evaluator, buffers: Buffers, start: int, stop: int) -> bool:
+        if self._code is None:
+            return False
+        try:
+            self._code(ev.numbers, ev.codes, buffers, start, stop)
+        except _FAILURES:
+            return False
+        return True
+
+    def _stretch(self, ev: Evaluator, marks: Marks, start: int, stop: int) -> tuple[int, bool]:
+        """How far the rows from `start` on are of one sort, and whether they read numbers only."""
+        suspect = self._suspect(marks)
+        if not suspect:
+            return stop, True
+        bad = np.zeros(stop - start, bool)
+        for place in suspect:
+            bad |= ev.codes[place + start : place + stop] != 0
+        rows = np.flatnonzero(bad)
+        if not len(rows):
+            return stop, True
+        if rows[0] >= _GAP:
+            return start + int(rows[0]), True
+        gaps = np.flatnonzero(np.diff(rows) > _GAP)
+        if len(gaps) > _PATIENCE:
+            return stop, False
+        end = int(rows[gaps[0]] if len(gaps) else rows[-1]) + 1
+        return (stop if stop - start - end < _GAP else start + end), False
+
+    @staticmethod
+    def _as_expected(reads: Reads, marks: Marks) -> bool:
+        """Whether what all rows read is numbers, and texts where texts are expected."""
+        return reads.others.isdisjoint(marks.dirty) and reads.texts <= marks.texts
+
+    def _suspect(self, marks: Marks) -> list[int]:
+        """Where columns lie that are read row by row and may hold something other than numbers."""
+        columns = self.lowering.reads.columns if self.lowering is not None else {}
+        return [place for place, producers in columns.items() if not producers.isdisjoint(marks.dirty)]
+
+    def _carefully(self, ev: Evaluator, marks: Marks, start: int, stop: int) -> None:
         for member in self.members:
-            if member.run(ev, start, stop):
-                dirty.add(member.number)
+            marks.note(member.number, member.run(ev, start, stop))
 
-    def _new_buffers(self) -> dict[str, Any]:
+    def _new_buffers(self) -> Buffers:
         size = {"t": self.chunk, "b": self.chunk, "w": self.chunk * self.cols, "v": self.chunk * self.cols}
         kinds = {"t": np.float64, "b": np.bool_, "w": np.float64, "v": np.bool_}
         return {

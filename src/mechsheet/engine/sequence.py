@@ -11,6 +11,7 @@ from .careful import Evaluator
 from .frames import Frame
 from .graph import references
 from .layout import Layout
+from .marks import Marks
 
 Cell = tuple[int, int, int]
 """(block, rows down, columns right of its first cell)"""
@@ -56,7 +57,7 @@ class Together:
                     for col in range(left, last + 1):
                         yield member, row - block.row, col - block.col
 
-    def run(self, ev: Evaluator, dirty: set[int]) -> None:
+    def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells. Raises WorkbookError naming the cells of a circle."""
         done: set[Cell] = set()
         longest = max(self.layout.blocks[member].rows for member in self.members)
@@ -68,8 +69,7 @@ class Together:
                         self._compute((member, down, right), done, ev)
         for member in self.members:
             block, start = self.layout.blocks[member], self.layout.block_offsets[member]
-            if ev.codes[start : start + block.rows * block.cols].any():
-                dirty.add(member)
+            marks.note(member, ev.codes[start : start + block.rows * block.cols])
 
     def _compute(self, root: Cell, done: set[Cell], ev: Evaluator) -> None:
         if root in done:

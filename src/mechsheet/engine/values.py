@@ -129,7 +129,7 @@ def finished(numbers: Any, codes: Any = None) -> Cells:
     """A numeric result: `codes` holds errors (0 elsewhere) or is None; what is not finite beside them becomes #NUM!."""
     bad = ~np.isfinite(numbers)
     if codes is None:
-        if not bad.any():
+        if not (bad if np.ndim(bad) == 0 else bad.any()):
             return Cells(numbers)
         return Cells(np.where(bad, np.nan, numbers), np.where(bad, np.uint8(NUM), np.uint8(NUMBER)))
     if not np.any(codes) and not bad.any():
