@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from random_mechanisms import Grower
 
 from mechsheet.description import loads
 from mechsheet.kinematics.rough import sweep
 from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
 from mechsheet.model import Cartesian, Polar
+from random_mechanisms import Grower
 
 SEEDS = range(24)
 

@@ -76,6 +76,8 @@ def _is_encrypted(package: Package) -> bool:
 
 def _name(text: NameText) -> DefinedName | None:
     """A name that formulas can use. One that cannot be parsed is left out: using it is then an unknown name."""
+    if text.name.startswith("_xlnm."):  # the print ranges of an .xlsx that LibreOffice has saved
+        return None
     try:
         formula = parse_formula(f"[{text.formula}]" if text.is_range else text.formula, "openformula")
         base = parse_formula(f"[{text.base}]", "openformula") if text.base else CellRef(0, 0)

@@ -52,8 +52,8 @@ TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range
 """Rows of the sheet: the head is row 7, the first values stand in row 8."""
 
 WIDTH, HEIGHT = 620, 400
-CHART_COLUMNS = 11
-"""Columns that the chart covers; helper blocks stand to the right of it."""
+CHART_COLUMNS, CHART_ROWS = 11, 21
+"""What the chart covers; helper blocks stand to the right of it."""
 
 WINDOWED = "{symbol} windowed"
 """The symbol of an angle taken into its window (no description can use a name with a blank in it)."""
@@ -142,7 +142,7 @@ class _Table:
             print_setup=PrintSetup(
                 repeat_rows=(CORNER_ROW, HEAD_ROW),
                 footer=plan.text("footer"),
-                area=Area(0, 0, self.last, 1 + self.count + CHART_COLUMNS),
+                area=Area(0, 0, max(self.last, CORNER_ROW + CHART_ROWS), 1 + self.count + CHART_COLUMNS),
             ),
         )
 

@@ -15,15 +15,19 @@ _EXTENSIONS = "{urn:org:documentfoundation:"
 
 @functools.cache
 def _schema(name):
-    return etree.RelaxNG(etree.parse(str(_SCHEMAS / f"OpenDocument-v1.3-{name}.rng")))
+    return etree.RelaxNG(etree.parse(str(schema_file(name))))
 
 
-def schema_errors(path):
-    """What the schema finds wrong in any part, without the attributes of LibreOffice's extensions.
+def schema_file(name):
+    """Where the schema of a document ("schema") or of its list of parts ("manifest-schema") lies."""
+    return _SCHEMAS / f"OpenDocument-v1.3-{name}.rng"
+
+
+def document_parts(path):
+    """(schema, part, tree) of every part, without the attributes of LibreOffice's extensions.
 
     (An extended document is valid when it is valid without what is foreign to the schema.)
     """
-    found = []
     with zipfile.ZipFile(path) as archive:
         for name in archive.namelist():
             if name.endswith(".xml"):
@@ -31,7 +35,14 @@ def schema_errors(path):
                 for element in tree.iter():
                     for key in [key for key in element.attrib if key.startswith(_EXTENSIONS)]:
                         del element.attrib[key]
-                schema = _schema("manifest-schema" if name.startswith("META-INF") else "schema")
-                schema.validate(tree)
-                found += [f"{name}: {error.message}" for error in schema.error_log]
+                yield "manifest-schema" if name.startswith("META-INF") else "schema", name, tree
+
+
+def schema_errors(path):
+    """What the schema finds wrong in any part."""
+    found = []
+    for name, part, tree in document_parts(path):
+        schema = _schema(name)
+        schema.validate(tree)
+        found += [f"{part}: {error.message}" for error in schema.error_log]
     return found
