@@ -68,7 +68,9 @@ arrays = st.builds(
 def _sheet_level(below):
     arguments = st.lists(below | st.just(Missing()), max_size=4).filter(lambda args: args != [Missing()])
     return (
-        st.builds(Binary, st.sampled_from(["+", "-", "*", "/", "^", "&", "=", "<>", "<", "<=", ">", ">="]), below, below)
+        st.builds(
+            Binary, st.sampled_from(["+", "-", "*", "/", "^", "&", "=", "<>", "<", "<=", ">", ">="]), below, below
+        )
         | st.builds(Unary, st.sampled_from(["-", "+", "%"]), below)
         | st.builds(lambda name, args: Call(name, tuple(args)), st.sampled_from(sorted(FUNCTIONS)), arguments)
         | st.builds(Binary, st.just(","), cells() | ranges(), cells() | ranges())

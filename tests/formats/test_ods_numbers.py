@@ -5,12 +5,12 @@ from __future__ import annotations
 import csv
 
 import pytest
-from odf import schema_errors
 
 from mechsheet.formats import write
 from mechsheet.formats.ods_numbers import number_style
 from mechsheet.programs import convert_with_libreoffice, libreoffice_command
 from mechsheet.sheet.workbook import Cell, Sheet, Style, Workbook
+from odf import schema_errors
 
 SHOWN = {
     "General": ("-1234.5", "0", "0.000123456", "1234567.125"),

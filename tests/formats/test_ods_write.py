@@ -7,7 +7,6 @@ import zipfile
 
 import pytest
 from lxml import etree
-from odf import schema_errors
 from samples import FIRST, FRONT, LEFT_OUT, STEPS, TABLE, sample
 
 from mechsheet.diagnostics import OutputError
@@ -15,6 +14,7 @@ from mechsheet.formats.ods_write import write_ods
 from mechsheet.formula.nodes import Binary, CellRef, ErrorValue, Number, shifted
 from mechsheet.formula.printer import print_formula
 from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Fill, Name, PrintSetup, Sheet, Style, Workbook
+from odf import schema_errors
 
 NS = {
     "office": "urn:oasis:names:tc:opendocument:xmlns:office:1.0",
