@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import subprocess
+import sys
 import zipfile
 from dataclasses import replace
 
@@ -415,3 +417,17 @@ def test_long_columns_are_complete(tmp_path):
 
 def test_first_row_of_the_table(path):
     assert openpyxl.load_workbook(path)[TABLE].cell(FIRST + 1, 1).value == "=(ROW()-3)*Adım"
+
+
+def test_the_second_workbook_of_a_process_has_the_same_bytes(tmp_path):
+    """XlsxWriter writes into the options it is given: they must not be shared."""
+    code = (
+        "import sys; from pathlib import Path\n"
+        "from mechsheet.formats import write\n"
+        "from mechsheet.sheet.workbook import Cell, Sheet, Workbook\n"
+        "book = Workbook((Sheet('S', (Cell(0, 0, 1.0),)),))\n"
+        "for name in sys.argv[1:]: write(book, Path(name))\n"
+    )
+    paths = [tmp_path / "first.xlsx", tmp_path / "second.xlsx"]
+    subprocess.run([sys.executable, "-c", code, *map(str, paths)], check=True)
+    assert paths[0].read_bytes() == paths[1].read_bytes()

@@ -7,6 +7,7 @@ release is pinned, because these openings are not part of its public interface.
 
 from __future__ import annotations
 
+import copy
 import io
 from pathlib import Path
 from typing import Any, TextIO
@@ -58,7 +59,8 @@ class _Book(XlsxWorkbook):  # type: ignore[misc]
 
     def __init__(self, source: Workbook) -> None:
         # XlsxWriter's own zip file stays empty and in memory.
-        super().__init__(io.BytesIO(), _DEFAULTS)
+        # A copy of the defaults: XlsxWriter writes into them, and the next workbook would differ from the first.
+        super().__init__(io.BytesIO(), copy.deepcopy(_DEFAULTS))
         self.source = source
         self.styles = StyleTable(self)
         properties = source.properties
