@@ -65,7 +65,7 @@ def test_part_imports_only_what_it_may(part):
 
 def test_nobody_imports_the_command_line():
     for path in SOURCE.rglob("*.py"):
-        if path.name not in {"cli.py", "__main__.py"}:
+        if "cli" not in path.relative_to(SOURCE).parts and path.name != "__main__.py":
             assert not [line for line, module in imports(path) if module == "cli" or module.startswith("cli.")], path
 
 
@@ -77,4 +77,5 @@ def test_the_rule_can_fail():
 
 def test_every_folder_has_a_rule():
     folders = {path.name for path in SOURCE.iterdir() if path.is_dir() and (path / "__init__.py").exists()}
-    assert folders <= set(ALLOWED) | {"checking"}  # checking is where all of them meet
+    # checking is where all of them meet, the command line calls everything
+    assert folders <= set(ALLOWED) | {"checking", "cli"}

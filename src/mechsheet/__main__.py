@@ -1,0 +1,5 @@
+"""`python -m mechsheet`."""
+
+from .cli import main
+
+main()

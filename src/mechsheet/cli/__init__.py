@@ -1,0 +1,60 @@
+"""The command line: thin. Each command calls the library and prints; what can be piped goes to standard output.
+
+One module per command. Exit codes: 0 done and all agree, 1 something differs, 2 the input cannot be read or used.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from mechsheet import __version__
+from mechsheet.diagnostics import MechsheetError, near_miss
+
+from .build import build
+from .check import check
+from .new import new
+from .plot import plot
+from .recalc import recalc
+from .show import show
+
+CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+
+
+class Commands(click.Group):
+    """The group of commands: suggests near misses, and turns a user's mistakes into messages."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """As click does, with a suggestion for a misspelt command."""
+        name = args[0] if args else ""
+        if name and not name.startswith("-") and self.get_command(ctx, name) is None:
+            hint = near_miss(name, self.list_commands(ctx)) or f"commands: {', '.join(self.list_commands(ctx))}"
+            ctx.fail(f'no command is called "{name}": {hint}')
+        return super().resolve_command(ctx, args)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; a MechsheetError ends it with code 2 and one message per fault."""
+        try:
+            return super().invoke(ctx)
+        except MechsheetError as error:
+            click.echo(str(error), err=True)
+            ctx.exit(2)
+
+
+@click.group(cls=Commands, context_settings=CONTEXT)
+@click.version_option(__version__, prog_name="mechsheet")
+def main() -> None:
+    """Compile the description of a planar mechanism into a proven spreadsheet workbook.
+
+    \b
+    mechsheet new four-bar -o mine.toml      start from a packaged description
+    mechsheet build mine.toml                write four-bar.xlsx
+    mechsheet check four-bar.xlsx            recalculate it and compare with the numpy reference
+    """
+
+
+for command in (new, build, check, recalc, plot, show):
+    main.add_command(command)

@@ -1,0 +1,46 @@
+"""`mechsheet build`: descriptions to workbooks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from mechsheet.diagnostics import Fault, MechsheetError
+
+from .common import SET, at_lines_of, progress, settings_of
+
+
+@click.command()
+@click.argument("descriptions", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder to write into.")
+@click.option("--format", "formats", default="xlsx", show_default=True, help="xlsx, ods, or both with a comma.")
+@click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the workbook.")
+@SET
+def build(
+    descriptions: tuple[Path, ...], output: Path, formats: str, language: str | None, settings: tuple[str, ...]
+) -> None:
+    """Write the workbooks of descriptions.
+
+    \b
+    mechsheet build four-bar.toml
+    mechsheet build *.toml -o workbooks --format xlsx,ods --set a1=65
+    """
+    from mechsheet.building import FORMATS
+    from mechsheet.building import build as build_workbooks
+    from mechsheet.description import load
+
+    wanted = [part.strip() for part in formats.split(",") if part.strip()]
+    unknown = [part for part in wanted if part not in FORMATS]
+    if unknown or not wanted:
+        raise MechsheetError(
+            Fault(f'no format is called "{", ".join(unknown)}"', key="--format", hint=f"formats: {', '.join(FORMATS)}")
+        )
+    changes = settings_of(settings)
+    mechanisms = [load(path, changes, language) for path in descriptions]
+    for path, mechanism in zip(descriptions, mechanisms, strict=True):
+        with progress(path.name) as say, at_lines_of(mechanism, path):
+            say("building")
+            written = build_workbooks(mechanism, output, wanted)
+        for file in written:
+            click.echo(file.as_posix())

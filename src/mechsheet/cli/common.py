@@ -1,0 +1,63 @@
+"""What the commands share: options, a progress line, and mistakes told with the description's lines."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from mechsheet.diagnostics import Fault, MechanismError, MechsheetError, readable_name
+
+if TYPE_CHECKING:
+    from mechsheet.model import Mechanism
+
+
+@contextlib.contextmanager
+def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
+    """What is wrong with a mechanism is told with the description's file and line."""
+    try:
+        yield
+    except MechanismError as error:
+        from mechsheet.description.locate import located
+
+        raise located(error, mechanism.text, readable_name(path)) from error
+
+
+@contextlib.contextmanager
+def progress(label: str) -> Iterator[Callable[[str], None]]:
+    """Say on a terminal what is being done; nothing in a pipe."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+
+    def say(what: str) -> None:
+        click.echo(f"\r\033[K{label}: {what} …", nl=False, err=True)
+
+    try:
+        yield say
+    finally:
+        click.echo("\r\033[K", nl=False, err=True)
+
+
+def settings_of(pairs: tuple[str, ...]) -> dict[str, str]:
+    """`a1=65` options as a mapping."""
+    found = {}
+    faults = []
+    for pair in pairs:
+        name, equals, value = pair.partition("=")
+        if not equals or not name.strip() or not value.strip():
+            faults.append(Fault(f'"{pair}" is not NAME=VALUE', key="--set", hint="for example --set a1=65"))
+        found[name.strip()] = value.strip()
+    if faults:
+        raise MechsheetError(faults)
+    return found
+
+
+SET = click.option(
+    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Change a dimension; may be repeated."
+)
+JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")

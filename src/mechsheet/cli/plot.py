@@ -1,0 +1,39 @@
+"""`mechsheet plot`: draw the mechanism."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from .common import SET, at_lines_of, progress, settings_of
+
+
+@click.command()
+@click.argument("description", type=click.Path(path_type=Path))
+@click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write: .svg, .png, .gif or .html.")
+@click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the picture.")
+@SET
+def plot(
+    description: Path, at: float | None, output: Path | None, language: str | None, settings: tuple[str, ...]
+) -> None:
+    """Draw the mechanism: a picture, an animation, or a web page with a slider.
+
+    \b
+    mechsheet plot four-bar.toml --at 60               four-bar.svg
+    mechsheet plot four-bar.toml --at 60 -o fb.png     a picture
+    mechsheet plot four-bar.toml -o fb.gif             an animation of the sweep
+    mechsheet plot four-bar.toml -o fb.html            one page: slider, play button, curves
+
+    Pictures and animations need matplotlib: pip install 'mechsheet[plot]'
+    """
+    from mechsheet.description import load
+    from mechsheet.plotting import plot as draw
+
+    mechanism = load(description, settings_of(settings), language)
+    path = output or Path(f"{mechanism.name}.svg")
+    with progress(description.name) as say, at_lines_of(mechanism, description):
+        say("drawing")
+        draw(mechanism, path, at)
+    click.echo(path.as_posix())

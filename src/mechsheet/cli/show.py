@@ -1,0 +1,42 @@
+"""`mechsheet show`: print what was understood."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from .common import JSON, SET, at_lines_of, settings_of
+
+
+@click.command()
+@click.argument("description", type=click.Path(path_type=Path))
+@SET
+@click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
+@click.option("--cells", "what", flag_value="cells", help="Every cell of the workbook.")
+@JSON
+@click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")
+def show(description: Path, settings: tuple[str, ...], what: str | None, as_json: bool, as_csv: bool) -> None:
+    """Print what was understood: the groups and variables, the equations, or the cells.
+
+    \b
+    mechsheet show four-bar.toml
+    mechsheet show four-bar.toml --equations
+    mechsheet show four-bar.toml --json
+    """
+    from mechsheet import show as shows
+    from mechsheet.description import load
+
+    mechanism = load(description, settings_of(settings))
+    with at_lines_of(mechanism, description):
+        if what == "equations":
+            text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
+        elif what == "cells":
+            text = shows.cells_json(mechanism) if as_json else shows.cells_text(mechanism)
+        elif as_json:
+            text = shows.variables_json(mechanism)
+        elif as_csv:
+            text = shows.variables_csv(mechanism)
+        else:
+            text = shows.overview_text(mechanism)
+    click.echo(text, nl=not text.endswith("\n"))
