@@ -1,17 +1,20 @@
-"""The array code of every function in `formula/functions.py`; a test holds the two tables to the same names.
+"""The array code of every function in `formula/functions.txt`; each module of kernels is loaded when a formula needs it.
 
-A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `careful.py` for the words.
+A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `careful.py` for the words. A module may
+hold three tables: KERNELS; MAPS, functions of numbers over arrays; PLAIN, functions of Python values (`calling.py`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from ..formula.functions import FUNCTIONS
 from ..formula.nodes import Missing, Node
-from . import kernels_fold, kernels_logic, kernels_lookup, kernels_math, kernels_text
+from .calling import called
 from .frames import Frame
 from .values import Cells
 
@@ -33,10 +36,24 @@ def _mapped(function: Callable[..., Any]) -> Kernel:
     return kernel
 
 
-KERNELS: dict[str, Kernel] = {
-    **{name: _mapped(function) for name, function in kernels_math.MAPS.items()},
-    **kernels_logic.KERNELS,
-    **kernels_fold.KERNELS,
-    **kernels_lookup.KERNELS,
-    **kernels_text.KERNELS,
-}
+def kernels_in(module: str) -> dict[str, Kernel]:
+    """All kernels of a module, by function."""
+    tables = import_module(f".{module}", __package__)
+    found: dict[str, Kernel] = dict(getattr(tables, "KERNELS", {}))
+    found.update({name: _mapped(function) for name, function in getattr(tables, "MAPS", {}).items()})
+    found.update({name: called(FUNCTIONS[name], function) for name, function in getattr(tables, "PLAIN", {}).items()})
+    return found
+
+
+class _Kernels(dict[str, Kernel]):
+    """Function -> kernel, for all of FUNCTIONS; what has been asked for stays."""
+
+    def __missing__(self, name: str) -> Kernel:
+        self.update(kernels_in(FUNCTIONS[name].module))
+        return self[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in FUNCTIONS
+
+
+KERNELS = _Kernels()

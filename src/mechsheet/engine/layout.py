@@ -106,6 +106,7 @@ class Layout:
     texts: Texts
     size: int = 0
     lone: int = 0
+    date1904: bool = False
     used_rows: list[int] = field(default_factory=list)
     _known: dict[Area, int] = field(default_factory=dict)
     template: tuple[Numbers, Codes, list[Constants]] = field(init=False)
@@ -201,6 +202,7 @@ def make_layout(book: Book) -> Layout:
     """Give every cell its place. Raises WorkbookError when two things fill the same cell."""
     texts = Texts()
     layout = Layout([sheet.title for sheet in book.sheets], [{} for _ in book.sheets], [], [], [], [], texts)
+    layout.date1904 = book.date1904
     for index, sheet in enumerate(book.sheets):
         for block in sheet.blocks:
             layout.blocks.append(block)
