@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-DialectName: TypeAlias = Literal["excel", "openformula", "description", "text"]
+DialectName: TypeAlias = Literal["excel", "openformula", "description", "text", "octave", "python", "latex", "numbers"]
 
 MAX_NESTING = 64
 """How deep parentheses, functions and signs may stand inside one another: Excel's limit for functions."""
@@ -26,6 +26,12 @@ class Dialect:
     spelling   tree operator -> text, where they differ
     argument, array_column, array_row  separators
     spaced     operators that get a space on either side
+    small      numbers are written 1e-9, not 1E-9
+    calls      function of the tree -> what is written, with {0}, {1} for the arguments; with it, no other function can be
+               said, and symbols are spelt by the printer's `names`
+    short      the same for a single argument that is a plain symbol
+    shapes     operator -> what is written where it is no operator between two operands (a fraction, a raised exponent)
+    sets_signs_apart  a sign that follows an operator gets parentheses: a - (-b)
     """
 
     name: DialectName
@@ -38,11 +44,16 @@ class Dialect:
     array_column: str = ","
     array_row: str = ";"
     spaced: frozenset[str] = frozenset()
+    small: bool = False
+    calls: dict[str, str] = field(default_factory=dict)
+    short: dict[str, str] = field(default_factory=dict)
+    shapes: dict[str, str] = field(default_factory=dict)
+    sets_signs_apart: bool = False
 
 
-_COMPARISONS = dict.fromkeys(("=", "<>", "<", "<=", ">", ">="), 10)
-_SHEET = {**_COMPARISONS, "&": 20, "+": 30, "-": 30, "*": 40, "/": 40, "^": 50}
-_MATHEMATICS = {"+": 30, "-": 30, "*": 40, "/": 40, "^": 50}
+COMPARISONS = dict.fromkeys(("=", "<>", "<", "<=", ">", ">="), 10)
+_SHEET = {**COMPARISONS, "&": 20, "+": 30, "-": 30, "*": 40, "/": 40, "^": 50}
+MATHEMATICS = {"+": 30, "-": 30, "*": 40, "/": 40, "^": 50}
 
 EXCEL = Dialect("excel", {**_SHEET, ",": 80, " ": 90, ":": 100}, prefix=70, postfix=60, spelling={",": "~"})
 """A union is written as a comma inside parentheses of its own; `~` for it is read because LibreOffice writes that."""
@@ -60,24 +71,26 @@ OPENFORMULA = Dialect(
 
 DESCRIPTION = Dialect(
     "description",
-    _MATHEMATICS,
+    MATHEMATICS,
     prefix=45,
     postfix=0,
     leans_right=frozenset("^"),
     argument=", ",
     spaced=frozenset("+-"),
+    small=True,
 )
 
 TEXT = Dialect(
     "text",
-    {**_COMPARISONS, "&": 20, **_MATHEMATICS, ",": 80, " ": 90, ":": 100},
+    {**COMPARISONS, "&": 20, **MATHEMATICS, ",": 80, " ": 90, ":": 100},
     prefix=45,
     postfix=60,
     leans_right=frozenset("^"),
     argument="; ",
     array_column="; ",
     array_row=" | ",
-    spaced=frozenset(("+", "-", "&", *_COMPARISONS)),
+    spaced=frozenset(("+", "-", "&", *COMPARISONS)),
+    small=True,
 )
 """For people: mathematics' binding, small letters, `;` between arguments (a decimal comma may stand in numbers beside it).
 Functions keep the tree's order of arguments: `atan2(x; y)` takes x first, as the cell beside the text does."""

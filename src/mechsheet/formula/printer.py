@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from ..diagnostics import FormulaError
 from .dialects import DIALECTS, MAX_NESTING, Dialect
@@ -32,6 +32,7 @@ from .nodes import (
 )
 from .parser import DESCRIPTION_FUNCTIONS
 from .references import column_letters, parse_cell, reference_text
+from .written import WRITTEN, pairwise, real_powers
 
 _ATOM = 1000
 _UNION = _ATOM + 1  # a union in its own parentheses, which a union around it takes off
@@ -40,18 +41,23 @@ _R1C1 = re.compile(r"[rR]?[0-9]*[cC]?[0-9]*")
 _DESCRIPTION_NAMES = {tree: name for name, tree in DESCRIPTION_FUNCTIONS.items()} | {"HYPOT": "hypot"}
 
 
-def print_formula(node: Node, dialect: str = "excel") -> str:
+Names: TypeAlias = Callable[[Symbol | Previous], str]
+"""How a program or a textbook spells a quantity of this row, and of the row above."""
+
+
+def print_formula(node: Node, dialect: str = "excel", names: Names | None = None) -> str:
     """The text of a tree.
 
     "excel"        what an .xlsx holds in <f>: no leading `=`, English, commas
     "openformula"  what follows `of:=`: `[.A1]`, semicolons, arrays with `|`
     "description"  the description's own expressions; only symbols, numbers and its functions can be said in it
     "text"         for people: textbook binding, small letters, `;` between arguments, atan2(x; y) as in the cell
+    others         those of `written.py`, in which `names` spells the quantities
 
     Numbers have the fewest digits that read back as the same number. Raises FormulaError beyond MAX_NESTING levels, and
     ValueError for a tree that the dialect cannot say (a symbol in a workbook, a cell in a description).
     """
-    return _Printer(DIALECTS[dialect]).text(node)
+    return _Printer(DIALECTS.get(dialect) or WRITTEN[dialect], names).text(node)
 
 
 def number_text(value: float, exponent: str = "E") -> str:
@@ -81,8 +87,9 @@ class _Printed(NamedTuple):
 class _Printer:
     """Puts texts together from the leaves up, with a stack of its own: a sum may have thousands of terms."""
 
-    def __init__(self, dialect: Dialect) -> None:
+    def __init__(self, dialect: Dialect, names: Names | None = None) -> None:
         self.dialect = dialect
+        self.names = names
         self.reference: Callable[[CellRef | RangeRef], str] = {
             "openformula": _openformula_reference,
             "excel": _excel_reference,
@@ -116,7 +123,7 @@ class _Printer:
             case Binary(op, _, _):
                 return self.infix(op, *parts)
             case Call(name, _):
-                return self.call(name, parts)
+                return self.call(name, parts, node.args)
             case ArrayLiteral(rows):
                 items = iter(parts)
                 lines = (self.dialect.array_column.join(next(items).text for _ in row) for row in rows)
@@ -124,11 +131,12 @@ class _Printer:
             case CellRef() | RangeRef():
                 return _Printed(self.reference(node), _ATOM)
             case _:
-                return _Printed(self.word(node), _ATOM)
+                word = self.word(node)
+                signed = self.dialect.sets_signs_apart and word.startswith("-")
+                return _Printed(word, self.dialect.prefix if signed else _ATOM)
 
     def number(self, value: float) -> _Printed:
-        small = self.dialect.name in ("description", "text")
-        text = number_text(value, "e" if small else "E")
+        text = number_text(value, "e" if self.dialect.small else "E")
         return _Printed(text, self.dialect.prefix if text.startswith("-") else _ATOM)
 
     def unary(self, op: str, operand: _Printed) -> _Printed:
@@ -146,15 +154,29 @@ class _Printer:
         if op not in self.dialect.infix:
             raise ValueError(f"{op!r} cannot be written in {self.dialect.name}")
         power = self.dialect.infix[op]
+        if op in self.dialect.shapes:
+            return self.shaped(op, left, right)
         leans_right = op in self.dialect.leans_right
         left, right = _inside(left, power + leans_right), _inside(right, power + (not leans_right))
+        if self.dialect.sets_signs_apart and right.text.startswith("-"):
+            right = _Printed(f"({right.text})", _ATOM, right.depth + 1)
         sign = self.dialect.spelling.get(op, op)
         if op in self.dialect.spaced:
             sign = f" {sign} "
         depth = max(left.depth, right.depth + leans_right)
         return _Printed(f"{left.text}{sign}{right.text}", power, depth)
 
-    def call(self, name: str, parts: list[_Printed]) -> _Printed:
+    def shaped(self, op: str, left: _Printed, right: _Printed) -> _Printed:
+        """An operator that is drawn: what stands in braces needs no parentheses."""
+        shape = self.dialect.shapes[op]
+        if op == "^":
+            left = _inside(left, _ATOM)
+        power = self.dialect.infix[op]
+        return _Printed(shape.format(left.text, right.text), power, max(left.depth, right.depth) + 1)
+
+    def call(self, name: str, parts: list[_Printed], args: tuple[Node, ...]) -> _Printed:
+        if self.dialect.calls:
+            return self.written_call(name, parts, args)
         if name == "PI" and not parts and self.dialect.name in ("description", "text"):
             return _Printed("pi", _ATOM)
         if self.dialect.name == "text":
@@ -169,8 +191,20 @@ class _Printer:
         arguments = self.dialect.argument.join(part.text for part in parts)
         return _Printed(f"{shown}({arguments})", _ATOM, max((part.depth for part in parts), default=0) + 1)
 
+    def written_call(self, name: str, parts: list[_Printed], args: tuple[Node, ...]) -> _Printed:
+        """A function of a dialect that is only written."""
+        if name not in self.dialect.calls:
+            raise ValueError(f"{name} cannot be written in {self.dialect.name}")
+        depth = max((part.depth for part in parts), default=0) + 1
+        texts = [part.text for part in parts]
+        if name in self.dialect.short and isinstance(args[0], Symbol):
+            return _Printed(self.dialect.short[name].format(*texts), self.dialect.infix["*"], depth)
+        return _Printed(self.dialect.calls[name].format(*texts), _ATOM, depth)
+
     def word(self, node: Node) -> str:
         name = self.dialect.name
+        if self.names is not None and isinstance(node, Symbol | Previous):
+            return self.names(node)
         match node:
             case Symbol(symbol) if name in ("description", "text"):
                 return symbol
@@ -221,7 +255,14 @@ def _with_hypot(node: Node) -> Node:
     return node
 
 
-_REWRITES = {"text": _with_squares, "description": _with_hypot}
+_REWRITES = {
+    "text": _with_squares,
+    "description": _with_hypot,
+    "octave": real_powers,
+    "python": real_powers,
+    "latex": pairwise,
+    "numbers": pairwise,
+}
 
 
 def _no_reference(node: CellRef | RangeRef) -> str:
