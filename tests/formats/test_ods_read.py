@@ -16,6 +16,7 @@ from mechsheet.formats import read, write
 from mechsheet.formats.ods_values import date_text, day_number, time_number, time_text
 from mechsheet.formula.book import Block
 from mechsheet.formula.nodes import MAX_COLUMNS, Binary, CellRef, ErrorValue, NameRef, Number, RangeRef, Text, Unary
+from mechsheet.formula.printer import print_formula
 from mechsheet.sheet.workbook import Fill, Sheet, Workbook
 
 
@@ -254,17 +255,36 @@ class TestFaults:
     def test_all_cells_that_cannot_be_understood(self, tmp_path):
         rows = row(
             number("1,5"),
-            number(1, "1+"),
             cell('office:value-type="wonder"'),
-            cell('table:formula="oooc:=[.A1]"'),
             cell(
                 'table:formula="of:=[.A1:.A2]" table:number-matrix-columns-spanned="1" table:number-matrix-rows-spanned="2"'
             ),
             cell('office:value-type="date" office:date-value="2023-02-29"'),
         )
         path = write_ods(tmp_path / "a.ods", content(table(rows)))
-        error = self.refused(path, "S!A1", "S!B1", "S!C1", "S!D1", "S!E1", "S!F1", '"1,5"', "array formulas", "oooc")
-        assert len(error.faults) == 6
+        error = self.refused(path, "S!A1", "S!B1", "S!C1", "S!D1", '"1,5"', "array formulas")
+        assert len(error.faults) == 4
+
+    def test_notations(self, tmp_path):
+        def formula(notation, value):
+            return cell(f'table:formula="{notation}" office:value-type="float" office:value="{value}"')
+
+        rows = row(
+            number(3),
+            formula("oooc:=[.A1]*2", 1),
+            formula("msoxl:=SUM($A$1:B1,A1)", 2),
+            formula("=IF([.A1]&gt;1;&quot;a:=b&quot;;0)", 3),
+            formula("lotus:=A1", 4),
+            formula("of:=1+", 5),
+            formula("msoxl:=A1:=", 6),
+            formula("nothing", 7),
+        )
+        book = book_of(tmp_path, rows)
+        assert [print_formula(block.formula) for block in book.sheets[0].blocks] == [
+            "A1*2", "SUM($A$1:B1,A1)", 'IF(A1>1,"a:=b",0)'
+        ]  # fmt: skip
+        assert constants(book) == {(0, 0): 3.0, (0, 4): 4.0, (0, 5): 5.0, (0, 6): 6.0, (0, 7): 7.0}
+        assert sorted(remark.key for remark in book.remarks) == ["S!E1", "S!F1", "S!G1", "S!H1"]
 
     @pytest.mark.parametrize(
         ("name", "data", "words"),

@@ -170,7 +170,7 @@ def test_shared_formulas(read):
 )  # fmt: skip
 def test_runs_say_what_each_cell_says(texts):
     """However the formulas fall into runs, each cell keeps its own."""
-    runs = FormulaRuns(lambda text, row, col: parse_formula(text))
+    runs = FormulaRuns(lambda text, area: parse_formula(text))
     for row, text in enumerate(texts):
         runs.text(row, 0, text)
     found = {b.row + down: shifted(b.formula, down) for b in runs.blocks() for down in range(b.rows)}
@@ -320,16 +320,52 @@ def test_parts_that_cannot_be_read(read, part, text, message):
     assert message in str(caught.value)
 
 
-def test_all_cells_that_cannot_be_understood_are_named(read):
+def test_all_values_that_cannot_be_understood_are_named(read):
     with pytest.raises(WorkbookError) as caught:
         read(
             '<row r="1"><c r="A1"><v>1_000</v></c><c r="B1"><v>nan</v></c><c r="C1" t="s"><v>5</v></c>'
-            '<c r="D1"><f>SUM(</f></c>'
-            '<c r="E1"><f t="shared" si="3"/></c><c r="F1"><f t="array" ref="F1:F2">A1:A2</f></c>'
-            '<c r="G1"><f>[1]S!A1</f></c></row>'
+            '<c r="D1" t="d"><v>2023-02-29</v></c></row>'
         )
-    assert [fault.key for fault in caught.value.faults] == [f"S!{letter}1" for letter in "ABCEFDG"]
+    assert [fault.key for fault in caught.value.faults] == [f"S!{letter}1" for letter in "ABCD"]
     assert "1_000" in caught.value.faults[0].message
+
+
+def test_formulas_that_cannot_be_understood_keep_their_stored_values(read):
+    book = read(
+        '<row r="1"><c r="A1"><f>SUM(</f><v>7</v></c><c r="B1"><f t="shared" si="3"/><v>8</v></c>'
+        '<c r="C1"><f t="dataTable" ref="C1:C2" dt2D="0" r1="A1"/><v>9</v></c><c r="D1" t="str"><f>A1~</f><v>x</v></c>'
+        f'<c r="E1"><f>1{"+1" * 40_000}</f><v>40001</v></c></row>'
+        '<row r="2"><c r="A2"><f>A1*2</f><v>14</v></c></row>'
+    )
+    assert [remark.key for remark in book.remarks] == ["S!C1", "S!A1", "S!B1", "S!D1", "S!E1"]
+    assert all("stored values are kept" in remark.message for remark in book.remarks)
+    assert constants(book) == {"A1": 7.0, "B1": 8.0, "C1": 9.0, "D1": "x", "E1": 40001.0}
+    assert evaluate(book).get("S", 1, 0) == 14.0
+
+
+def test_shared_formulas_in_any_order(read):
+    """Members before the cell with the text, a number that is used again, rows and cells out of order."""
+    book = read(
+        '<row r="3"><c r="B3"><f t="shared" si="0"/></c><c r="A3"><v>3</v></c></row>'
+        '<row r="2"><c r="B2"><f t="shared" ref="Z99" si="0">A2*10</f></c><c r="A2"><v>2</v></c></row>'
+        '<row r="1"><c r="B1"><f t="shared" si="0"/></c><c r="A1"><v>1</v></c></row>'
+        '<row r="4"><c r="A4"><v>4</v></c><c r="B4"><f t="shared" ref="B4:B5" si="0">A4*100</f></c></row>'
+        '<row><c r="A5"><v>5</v></c><c><f t="shared" si="0"/></c><c r="C5"><f t="shared" si="1" ref="C5">B4</f></c></row>'
+        '<row r="1"><c r="C1"><f t="shared" si="1"/></c></row>'
+    )
+    values = evaluate(book)
+    assert [values.get("S", row, 1) for row in range(5)] == [10.0, 20.0, 30.0, 400.0, 500.0]
+    assert values.get("S", 0, 2) == ErrorValue("#REF!")  # four rows above: outside the sheet
+    assert [values.get("S", row, 0) for row in range(5)] == [1.0, 2.0, 3.0, 4.0, 5.0]
+
+
+def test_dates_as_texts_of_a_strict_file(read):
+    cells = "".join(
+        f'<c t="d"><v>{text}</v></c>' for text in ("2024-02-29T12:00:00", "1900-02-28", "1900-01-01", "T06:00:00")
+    )
+    assert list(constants(read(f"<row>{cells}</row>")).values()) == [45351.5, 59.0, 1.0, 0.25]
+    book = read(f"<row>{cells}</row>", workbook='<workbookPr date1904="true"/>')
+    assert next(iter(constants(book).values())) == 45351.5 - 1462
 
 
 def test_a_zip_that_is_packed_to_burst(read):

@@ -3,38 +3,55 @@
 from __future__ import annotations
 
 from mechsheet.diagnostics import Fault, FormulaError
-from mechsheet.formula.nodes import ErrorValue, Node
+from mechsheet.formula.nodes import Node
 from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.references import cell_address
+from mechsheet.formula.references import area_name
 
 MAX_FAULTS = 100
 """Most faults that one sheet reports: a file of another kind would have one for each cell."""
+MAX_FORMULA = 1 << 16
+"""Most characters of a formula: Excel takes 8,192, the files spell some of them longer."""
 _SHOWN = 60
+
+Area = tuple[int, int, int, int]
+"""Row, column, rows, columns."""
 
 
 class CellFaults:
-    """The faults of one sheet, each with its cell; formulas are parsed here, because that is where most of them come from.
+    """The faults and remarks of one sheet, each with its cells; formulas are parsed here, where most remarks come from.
 
     dialect  the spelling of the formulas, as `parse_formula` names it
+    found    what refuses the file;  remarks  what is read in another way than it is meant
     """
 
     def __init__(self, file: str, title: str, dialect: str) -> None:
         self.file, self.title, self.dialect = file, title, dialect
         self.found: list[Fault] = []
+        self.remarks: list[Fault] = []
 
     def note(self, message: str, row: int, col: int, hint: str = "") -> None:
         """Note what is wrong with a cell."""
         if len(self.found) < MAX_FAULTS:
-            place = cell_address(self.title, row, col)
-            self.found.append(Fault(message, file=self.file, key=place, hint=hint))
+            self.found.append(self._fault(message, (row, col, 1, 1), hint))
 
-    def formula(self, text: str, row: int, col: int) -> Node:
-        """The tree of a cell's formula, an error in its place when it cannot be parsed."""
+    def remark(self, message: str, area: Area, hint: str = "") -> None:
+        """Note what is not as it is meant in the cells of `area`."""
+        if len(self.remarks) < MAX_FAULTS:
+            self.remarks.append(self._fault(message, area, hint))
+
+    def _fault(self, message: str, area: Area, hint: str) -> Fault:
+        return Fault(message, file=self.file, key=f"{self.title}!{area_name(*area)}", hint=hint)
+
+    def formula(self, text: str, area: Area) -> Node | None:
+        """The tree of a formula. None when it cannot be parsed, which is remarked: its cells keep their stored values."""
+        if len(text) > MAX_FORMULA:
+            self.remark(f"a formula of {len(text)} characters, which is not read: stored values are kept", area)
+            return None
         try:
             return parse_formula(text, self.dialect)
         except FormulaError as problem:
             fault = problem.faults[0]
-            text = text.removeprefix("of:").removeprefix("=")
+            text = text.removeprefix("=")
             shown = text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
-            self.note(f"{fault.message} of ={shown}", row, col, fault.hint)
-            return ErrorValue("#NAME?")
+            self.remark(f"{fault.message} of ={shown}: stored values are kept", area, fault.hint)
+            return None

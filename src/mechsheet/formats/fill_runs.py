@@ -15,6 +15,8 @@ from mechsheet.formula.lexer import tokenise
 from mechsheet.formula.nodes import MAX_ROWS, Node, shifted
 from mechsheet.formula.references import CELL, ROW
 
+from .cell_faults import Area
+
 
 class Template:
     """A formula's text as pieces between the relative row numbers, and how far those rows are from the formula's own."""
@@ -71,12 +73,16 @@ def _relative_rows(text: str, dialect: str) -> list[tuple[int, int]]:
     return found
 
 
+Key = tuple[str, int]
+"""A shared formula: its number in the file, and which of the texts that the file gives for that number."""
+
+
 class Run:
     """Cells of one column that hold the same formula as far as read. `shared` is the key of a shared formula, or None."""
 
     __slots__ = ("end", "first", "shared", "template", "text")
 
-    def __init__(self, first: int, text: str, shared: str | None) -> None:
+    def __init__(self, first: int, text: str, shared: Key | None) -> None:
         self.first = first
         self.end = first + 1
         self.text = text
@@ -87,15 +93,24 @@ class Run:
 class FormulaRuns:
     """The formulas of one sheet while it is read, and the blocks they make.
 
-    parse  (text, row, col) -> the tree;  dialect  the spelling of the texts
+    parse    (text, cells) -> the tree, None when it cannot be read;  dialect  the spelling of the texts
+    unknown  (number, cells): told of members of a shared formula that has no text anywhere
+    kept     after `blocks`: cells whose formulas could not be read
     """
 
-    def __init__(self, parse: Callable[[str, int, int], Node], dialect: str = "excel") -> None:
+    def __init__(
+        self,
+        parse: Callable[[str, Area], Node | None],
+        dialect: str = "excel",
+        unknown: Callable[[str, Area], None] = lambda key, area: None,
+    ) -> None:
         self._parse = parse
         self._dialect = dialect
+        self._unknown = unknown
         self._open: dict[int, Run] = {}
         self._closed: list[tuple[int, Run]] = []
-        self._masters: dict[str, tuple[int, int, str]] = {}
+        self._masters: dict[str, list[tuple[int, int, str]]] = {}
+        self.kept: list[Area] = []
 
     def text(self, row: int, col: int, text: str) -> None:
         """A cell with its own text."""
@@ -110,20 +125,20 @@ class FormulaRuns:
         self._start(col, Run(row, text, None))
 
     def master(self, row: int, col: int, key: str, text: str) -> None:
-        """The cell that holds the text of a shared formula."""
-        self._masters[key] = row, col, text
-        self._start(col, Run(row, text, key))
+        """The cell that holds the text of a shared formula; a second text for a number is for the cells after it."""
+        masters = self._masters.setdefault(key, [])
+        masters.append((row, col, text))
+        self._start(col, Run(row, text, (key, len(masters) - 1)))
 
-    def member(self, row: int, col: int, key: str) -> bool:
-        """A cell of a shared formula without a text; False when the formula is not known."""
-        if key not in self._masters:
-            return False
+    def member(self, row: int, col: int, key: str) -> None:
+        """A cell of a shared formula without a text, which may come before the cell with the text."""
+        masters = self._masters.get(key)
+        shared = key, len(masters) - 1 if masters else 0
         run = self._open.get(col)
-        if run is not None and run.end == row and run.shared == key:
+        if run is not None and run.end == row and run.shared == shared:
             run.end += 1
         else:
-            self._start(col, Run(row, "", key))
-        return True
+            self._start(col, Run(row, "", shared))
 
     def _start(self, col: int, run: Run) -> None:
         old = self._open.get(col)
@@ -134,10 +149,15 @@ class FormulaRuns:
     def blocks(self) -> list[Block]:
         """All formulas as blocks, in the order of rows and columns; equal columns side by side are one."""
         runs = sorted([*self._closed, *self._open.items()], key=lambda item: (item[1].first, item[0]))
-        masters: dict[str, Node] = {}
+        masters: dict[Key, Node | None] = {}
         found: list[Block] = []
         for col, run in runs:
-            block = Block(run.first, col, run.end - run.first, 1, self._formula(run, col, masters))
+            area = run.first, col, run.end - run.first, 1
+            formula = self._formula(run, area, masters)
+            if formula is None:
+                self.kept.append(area)
+                continue
+            block = Block(*area, formula)
             if found and _continues(found[-1], block):
                 last = found[-1]
                 found[-1] = Block(last.row, last.col, last.rows, last.cols + 1, last.formula)
@@ -145,13 +165,18 @@ class FormulaRuns:
                 found.append(block)
         return found
 
-    def _formula(self, run: Run, col: int, masters: dict[str, Node]) -> Node:
+    def _formula(self, run: Run, area: Area, masters: dict[Key, Node | None]) -> Node | None:
         if run.shared is None:
-            return self._parse(run.text, run.first, col)
-        row, master_col, text = self._masters[run.shared]
+            return self._parse(run.text, area)
+        number, which = run.shared
+        if number not in self._masters:
+            self._unknown(number, area)
+            return None
+        row, col, text = self._masters[number][which]
         if run.shared not in masters:
-            masters[run.shared] = self._parse(text, row, master_col)
-        return shifted(masters[run.shared], run.first - row, col - master_col)
+            masters[run.shared] = self._parse(text, (row, col, 1, 1))
+        master = masters[run.shared]
+        return None if master is None else shifted(master, area[0] - row, area[1] - col)
 
 
 def _continues(last: Block, block: Block) -> bool:

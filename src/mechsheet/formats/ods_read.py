@@ -43,7 +43,8 @@ def _read(package: Package) -> Book:
     if not scan.sheets:
         raise package.fault("the workbook has no sheet", CONTENT)
     names = [defined for text in scan.names if (defined := _name(text)) is not None]
-    return Book(scan.sheets, names, date1904=scan.null_date == NULL_DATE_1904, source=package.name)
+    date1904 = scan.null_date == NULL_DATE_1904
+    return Book(scan.sheets, names, date1904=date1904, source=package.name, remarks=scan.remarks)
 
 
 def _check_parts(package: Package) -> None:

@@ -8,9 +8,11 @@ from datetime import date
 from typing import Any, NamedTuple
 from xml.parsers import expat
 
-from mechsheet.diagnostics import Fault
+from mechsheet.diagnostics import Fault, FormulaError
 from mechsheet.formula.book import BookSheet
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
+from mechsheet.formula.parser import parse_formula
+from mechsheet.formula.printer import print_formula
 
 from .cell_faults import CellFaults
 from .fill_runs import FormulaRuns
@@ -51,6 +53,7 @@ class ContentScan:
     sheets: list[BookSheet] = field(default_factory=list)
     names: list[NameText] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
+    remarks: list[Fault] = field(default_factory=list)
     null_date: date = NULL_DATE
     kind: str = ""
     repeated: int = 0
@@ -88,7 +91,9 @@ class ContentScan:
     def end_table(self, table: Table) -> None:
         """Everything of a sheet has been read."""
         table.sheet.blocks.extend(table.runs.blocks())
+        table.sheet.keep(table.runs.kept)
         self.faults += table.faults.found
+        self.remarks += table.faults.remarks
 
     def count(self, text: str | None) -> int:
         """How many times something is repeated; what is beyond every sheet counts as one sheet's worth."""
@@ -131,15 +136,22 @@ class ContentScan:
             return None
         if self.words.matrix_columns in about or self.words.matrix_rows in about:
             table.faults.note("array formulas are not supported yet", row, col)
-        if text.startswith(self.words.openformula):
-            return text[len(self.words.openformula) :]
-        if not text.startswith("="):
-            notation = text.partition(":")[0][:20]
-            table.faults.note(
-                f'formulas in the notation "{notation}" are not read', row, col, "save the file in LibreOffice"
+        if text.startswith(("=", self.words.openformula)):
+            return text.partition("=")[2]
+        notation, _, rest = text.partition(":=")
+        if notation == "oooc":  # OpenOffice before 3.0: the same brackets
+            return rest
+        if notation != "msoxl":
+            table.faults.remark(
+                f'a formula in the notation "{notation[:20]}", which is not read: stored values are kept',
+                (row, col, 1, 1),
+                "save the file in LibreOffice",
             )
-            return "0"
-        return text
+            return None
+        try:
+            return print_formula(parse_formula(rest), "openformula")
+        except FormulaError:
+            return rest  # and is remarked like any other that cannot be parsed
 
     def value(self, table: Table, row: int, col: int, about: Mapping[str, str], text: str | None) -> Scalar:
         """What a cell holds, None for nothing."""

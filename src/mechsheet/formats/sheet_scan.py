@@ -10,23 +10,25 @@ from xml.parsers import expat
 from mechsheet.diagnostics import Fault
 from mechsheet.formula.book import BookSheet
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
-from mechsheet.formula.references import CELL, column_index
+from mechsheet.formula.references import CELL, cell_name, column_index
 
-from .cell_faults import CellFaults
+from .cell_faults import Area, CellFaults
 from .fill_runs import FormulaRuns
+from .ods_values import NULL_DATE, NULL_DATE_1904, day_number
 from .package import Package, local_name, unescaped
 
 
 class SheetScan:
     """Expat's handlers for one sheet, and what they gather."""
 
-    def __init__(self, package: Package, part: str, sheet: BookSheet, strings: Sequence[str]) -> None:
+    def __init__(self, package: Package, part: str, sheet: BookSheet, strings: Sequence[str], date1904: bool) -> None:
+        self.date1904 = date1904
         self.package = package
         self.part = part
         self.sheet = sheet
         self.strings = strings
         self.faults = CellFaults(package.name, sheet.title, "excel")
-        self.runs = FormulaRuns(self.faults.formula)
+        self.runs = FormulaRuns(self.faults.formula, unknown=self._no_master)
 
     def run(self) -> list[Fault]:
         """Read the part into the sheet; the faults found, one for each cell that cannot be understood."""
@@ -36,7 +38,11 @@ class SheetScan:
         texts = _handlers(self, parser)
         self.package.parse(self.part, parser, texts)
         self.sheet.blocks.extend(self.runs.blocks())
+        self.sheet.keep(self.runs.kept)
         return self.faults.found
+
+    def _no_master(self, number: str, area: Area) -> None:
+        self.faults.remark(f"the shared formula {number[:20]} has no text: stored values are kept", area)
 
     def cell(self, row: int, col: int, kind: str, text: str, formula: str | None, about: dict[str, str] | None) -> None:
         """A cell with its type, the text of its value, and its formula with that one's attributes."""
@@ -53,14 +59,21 @@ class SheetScan:
         elif sort == "shared" and "si" in about:
             if formula:
                 self.runs.master(row, col, about["si"], formula)
-            elif not self.runs.member(row, col, about["si"]):
-                self.faults.note(f"the shared formula {about['si']} has no text", row, col)
+            else:
+                self.runs.member(row, col, about["si"])
         elif sort == "array":
             self.faults.note("array formulas are not supported yet", row, col)
         elif sort == "dataTable":
-            self.faults.note("what-if tables ({=TABLE()}) are not supported", row, col)
+            self._what_if(row, col, value, about)
         elif value is not None:  # an empty formula: the value is all there is
             self.sheet.constants.put(row, col, value)
+
+    def _what_if(self, row: int, col: int, value: Scalar, about: dict[str, str]) -> None:
+        """A what-if table ({=TABLE(...)}): one cell holds the formula of all of them."""
+        if value is not None:
+            self.sheet.constants.put(row, col, value)
+        where = about.get("ref", "")[:40] or cell_name(row, col)
+        self.faults.remark(f"the what-if table {where} is not computed: stored values are kept", (row, col, 1, 1))
 
     def value(self, kind: str, text: str, row: int, col: int) -> Scalar:
         """What a cell's text means in its type, None for nothing."""
@@ -83,7 +96,22 @@ class SheetScan:
             return text.strip() in ("1", "true")
         if kind == "e":
             return ErrorValue(text)
+        if kind == "d":
+            number = serial_number(text, self.date1904)
+            if number is None:
+                self.faults.note(f'"{text[:40]}" is no date', row, col)
+            return number
         return text
+
+
+def serial_number(text: str, date1904: bool) -> float | None:
+    """The serial number of an ISO 8601 date (the type of cells "d"), None when it is none."""
+    if text.startswith("T") or text[2:3] == ":":
+        text = "1899-12-30T" + text.removeprefix("T")
+        return day_number(text, NULL_DATE)
+    days = day_number(text, NULL_DATE_1904 if date1904 else NULL_DATE)
+    # The calendar of 1900 has a 29th of February, as serial number 60.
+    return days - 1 if days is not None and not date1904 and days < 61 else days
 
 
 def _finite(text: str) -> float | None:

@@ -43,7 +43,9 @@ def _read(package: Package) -> Book:
             raise package.fault(f'two sheets are called "{title}"', part)
         sheet = BookSheet(title)
         book.sheets.append(sheet)
-        faults += SheetScan(package, target, sheet, strings).run()
+        scan = SheetScan(package, target, sheet, strings, contents.date1904)
+        faults += scan.run()
+        book.remarks += scan.faults.remarks
     if faults:
         raise WorkbookError(faults)
     if not book.sheets:

@@ -11,18 +11,28 @@ from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from ..diagnostics import Fault
 from .nodes import MAX_COLUMNS, MAX_ROWS, Node, Scalar
+
+
+Kind: TypeAlias = Literal["fill", "array", "spill"]
 
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """`rows` x `cols` cells from (row, col) on, filled with `formula`, which is written as seen from the first of them."""
+    """`rows` x `cols` cells from (row, col) on, filled with `formula`, which is written as seen from the first of them.
+
+    kind  "fill"   every cell has the formula, as fill-down and fill-right write it
+          "array"  an array formula (Ctrl+Shift+Enter): one value, an array, shown in these cells
+          "spill"  a dynamic array: as many cells as the array has; `rows` and `cols` are what the file had room for
+    """
 
     row: int
     col: int
     rows: int
     cols: int
     formula: Node
+    kind: Kind = "fill"
 
     def __post_init__(self) -> None:
         inside = 0 <= self.row <= self.row + self.rows - 1 < MAX_ROWS
@@ -48,6 +58,7 @@ class CellStore:
 
     def __init__(self) -> None:
         self._columns: dict[int, list[Run]] = {}
+        self._late: dict[int, dict[int, Scalar]] = {}
 
     def put(self, row: int, col: int, value: Scalar) -> None:
         """Set one cell; a cell that is set twice keeps the last value."""
@@ -63,32 +74,35 @@ class CellStore:
                 values.append(value)  # type: ignore[arg-type]
                 return
             if row < end:
-                self._replace(row, runs, value)
+                self._late.setdefault(col, {})[row] = value
                 return
-        runs.append(Run(row, array("d", (value,)) if number else [value]))  # type: ignore[arg-type]
+        runs.append(_run(row, value))
 
     def extend(self, row: int, col: int, values: Sequence[Scalar]) -> None:
         """Set the cells from (row, col) down."""
         for offset, value in enumerate(values):
             self.put(row + offset, col, value)
 
-    @staticmethod
-    def _replace(row: int, runs: list[Run], value: Scalar) -> None:
-        """Set a cell above the end: split the run it stands in, or stand between two."""
-        number = type(value) is float or type(value) is int
-        index = bisect_right(runs, row, key=lambda run: run.row) - 1
-        new = Run(row, array("d", (value,)) if number else [value])  # type: ignore[arg-type]
-        if index >= 0 and row < runs[index].end:
-            run = runs[index]
-            at = row - run.row
-            parts = [Run(run.row, run.values[:at]), new, Run(row + 1, run.values[at + 1 :])]
-            runs[index : index + 1] = [part for part in parts if part.values]
-        else:
-            runs.insert(index + 1, new)
+    def _settle(self) -> None:
+        """Put the cells that came out of order where they belong, each column in one go: a file may have many of them."""
+        for col, late in self._late.items():
+            runs = self._columns[col]
+            if len(late) <= _FEW:
+                for row, value in late.items():
+                    _replace(runs, row, value)
+                continue
+            cells = {run.row + offset: value for run in runs for offset, value in enumerate(run.values)}
+            cells.update(late)
+            self._columns[col] = []
+            sorted_store = CellStore()
+            for row in sorted(cells):
+                sorted_store.put(row, col, cells[row])
+            self._columns[col] = sorted_store._columns[col]
+        self._late.clear()
 
     def get(self, row: int, col: int) -> Scalar:
         """The value of a cell, None where nothing was put."""
-        runs = self._columns.get(col)
+        runs = self.columns.get(col)
         if not runs:
             return None
         index = bisect_right(runs, row, key=lambda run: run.row) - 1
@@ -99,20 +113,43 @@ class CellStore:
     @property
     def columns(self) -> Mapping[int, Sequence[Run]]:
         """Column -> its runs from the top down."""
+        if self._late:
+            self._settle()
         return self._columns
 
     def items(self) -> Iterator[tuple[int, int, Scalar]]:
         """(row, col, value) of every cell, column by column."""
-        for col in sorted(self._columns):
-            for run in self._columns[col]:
+        for col, runs in sorted(self.columns.items()):
+            for run in runs:
                 for offset, value in enumerate(run.values):
                     yield run.row + offset, col, value
 
     def copy(self) -> CellStore:
         """A store that can be changed apart from this one."""
         new = CellStore()
-        new._columns = {col: [Run(run.row, run.values[:]) for run in runs] for col, runs in self._columns.items()}
+        new._columns = {col: [Run(run.row, run.values[:]) for run in runs] for col, runs in self.columns.items()}
         return new
+
+
+_FEW = 16
+"""Up to so many cells of a column out of order are put in one by one."""
+
+
+def _run(row: int, value: Scalar) -> Run:
+    number = type(value) is float or type(value) is int
+    return Run(row, array("d", (value,)) if number else [value])  # type: ignore[arg-type]
+
+
+def _replace(runs: list[Run], row: int, value: Scalar) -> None:
+    """Set a cell above the end: split the run it stands in, or stand between two."""
+    index = bisect_right(runs, row, key=lambda run: run.row) - 1
+    if index >= 0 and row < runs[index].end:
+        run = runs[index]
+        at = row - run.row
+        parts = [Run(run.row, run.values[:at]), _run(row, value), Run(row + 1, run.values[at + 1 :])]
+        runs[index : index + 1] = [part for part in parts if part.values]
+    else:
+        runs.insert(index + 1, _run(row, value))
 
 
 @dataclass(slots=True)
@@ -132,9 +169,18 @@ class BookSheet:
         """Cells that hold values, from (row, col) down."""
         self.constants.extend(row, col, values)
 
-    def block(self, row: int, col: int, rows: int, cols: int, formula: Node) -> None:
-        """A rectangle filled with one formula, written as seen from its first cell."""
-        self.blocks.append(Block(row, col, rows, cols, formula))
+    def block(self, row: int, col: int, rows: int, cols: int, formula: Node, kind: Kind = "fill") -> None:
+        """A rectangle filled with one formula, written as seen from its first cell; or an array formula over it."""
+        self.blocks.append(Block(row, col, rows, cols, formula, kind))
+
+    def keep(self, areas: Iterable[tuple[int, int, int, int]]) -> None:
+        """Cells (row, column, rows, columns) hold their stored values as constants: their formulas cannot be computed."""
+        for top, left, rows, cols in areas:
+            for col in range(left, left + cols):
+                for row in range(top, top + rows):
+                    value = self.cached.get(row, col)
+                    if value is not None:
+                        self.constants.put(row, col, value)
 
     def formula_at(self, row: int, col: int) -> Block | None:
         """The block that a cell belongs to, None for a constant or an empty cell."""
@@ -159,12 +205,16 @@ class DefinedName:
 
 @dataclass(slots=True)
 class Book:
-    """A workbook. Titles of sheets and names are found without regard to case, as spreadsheet programs do."""
+    """A workbook. Titles of sheets and names are found without regard to case, as spreadsheet programs do.
+
+    remarks  what a reader could not understand, with its cells (their stored values stand in the book as constants)
+    """
 
     sheets: list[BookSheet]
     names: list[DefinedName] = field(default_factory=list)
     date1904: bool = False
     source: str = ""
+    remarks: list[Fault] = field(default_factory=list)
 
     def sheet(self, title: str) -> BookSheet | None:
         """The sheet of that title, None when there is none."""
