@@ -10,10 +10,10 @@ from array import array
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
 
 from ..diagnostics import Fault
 from .nodes import MAX_COLUMNS, MAX_ROWS, Node, Scalar
-
 
 Kind: TypeAlias = Literal["fill", "array", "spill"]
 
@@ -203,6 +203,20 @@ class DefinedName:
     sheet: str | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table of a sheet, for structured references: its whole area, and how many of its rows are headers and totals."""
+
+    name: str
+    sheet: str
+    row: int
+    col: int
+    rows: int
+    columns: tuple[str, ...]
+    headers: int = 1
+    totals: int = 0
+
+
 @dataclass(slots=True)
 class Book:
     """A workbook. Titles of sheets and names are found without regard to case, as spreadsheet programs do.
@@ -215,6 +229,7 @@ class Book:
     date1904: bool = False
     source: str = ""
     remarks: list[Fault] = field(default_factory=list)
+    tables: list[Table] = field(default_factory=list)
 
     def sheet(self, title: str) -> BookSheet | None:
         """The sheet of that title, None when there is none."""

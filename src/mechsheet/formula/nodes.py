@@ -131,6 +131,62 @@ class ArrayLiteral:
     rows: tuple[tuple[Node, ...], ...]
 
 
+@dataclass(frozen=True, slots=True)
+class SheetsRef:
+    """`Sheet1:Sheet3!A1:B2`: the same cells of several sheets that follow one another; `area` names no sheet."""
+
+    first: str
+    last: str
+    area: Node
+
+
+@dataclass(frozen=True, slots=True)
+class TableRef:
+    """A structured reference, `Table1[[#Headers],[a]:[b]]`.
+
+    table     None for the table the formula stands in
+    parts     any of "all", "data", "headers", "totals", "this row"; none means the data
+    first, last  the columns, both None for all of them
+    """
+
+    table: str | None
+    parts: frozenset[str] = frozenset()
+    first: str | None = None
+    last: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Foreign:
+    """What cannot be computed from the workbook alone: a cell of another workbook. `text` as the file spells it."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Local:
+    """A name that LET or LAMBDA gives, in small letters."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionRef:
+    """A defined name that stands for a function; relative references in it are as seen from (row, col) of `sheet`."""
+
+    name: str
+    sheet: str
+    row: int = 0
+    col: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Apply:
+    """A call of what an expression gives: `LAMBDA(x,x+1)(3)`, or of a name of LET or of the workbook."""
+
+    function: Node
+    args: tuple[Node, ...] = ()
+
+
 Node: TypeAlias = (
     Number
     | Text
@@ -146,6 +202,12 @@ Node: TypeAlias = (
     | Binary
     | Call
     | ArrayLiteral
+    | SheetsRef
+    | TableRef
+    | Foreign
+    | Local
+    | FunctionRef
+    | Apply
 )
 
 Scalar: TypeAlias = float | str | bool | ErrorValue | None
@@ -161,6 +223,8 @@ def children(node: Node) -> tuple[Node, ...]:
             return (left, right)
         case Call(_, args):
             return args
+        case Apply(function, args):
+            return (function, *args)
         case RangeRef(start, end):
             return (start, end)
         case ArrayLiteral(rows):
@@ -210,6 +274,8 @@ def _rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
             return Binary(op, below[0], below[1])
         case Call(name, _):
             return Call(name, below)
+        case Apply():
+            return Apply(below[0], below[1:])
         case RangeRef():
             start, end = below
             if isinstance(start, CellRef) and isinstance(end, CellRef):
