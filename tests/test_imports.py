@@ -21,6 +21,8 @@ ALLOWED = {
     "formats": {"formula", "sheet.workbook"},
     # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
     "plotting": {"model", "formula", "kinematics", "sheet", "compute", "engine", "formats.archive"},
+    # exporting prints the equations, draws what plotting draws, and tabulates what the engine computes
+    "exporting": {"model", "formula", "kinematics", "sheet", "plotting", "show", "formats.archive"},
 }
 PARTS = sorted(ALLOWED)
 

@@ -14,6 +14,7 @@ from mechsheet.diagnostics import MechsheetError, near_miss
 
 from .build import build
 from .check import check
+from .export import export
 from .new import new
 from .plot import plot
 from .recalc import recalc
@@ -56,5 +57,5 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show):
+for command in (new, build, check, recalc, plot, show, export):
     main.add_command(command)

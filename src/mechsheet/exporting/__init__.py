@@ -1,0 +1,93 @@
+"""The same equations for other programs: each kind of export is a printer for the one list of equations, or a reader of
+what the engine computes from it. No kind has mathematics of its own.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
+from mechsheet.exporting.identifiers import ascii_word
+from mechsheet.exporting.job import Job, Kind
+from mechsheet.exporting.kinds import KINDS
+from mechsheet.formats.archive import replace_file
+from mechsheet.model import Mechanism
+
+__all__ = ["KINDS", "Job", "Kind", "export", "kind_of"]
+
+MOST_FRAMES = 10_000
+
+
+def kind_of(name: str) -> Kind:
+    """The kind of that name. Raises MechsheetError with the near miss when there is none."""
+    if name not in KINDS:
+        hint = near_miss(name.casefold(), KINDS) or f"kinds: {', '.join(KINDS)}"
+        raise MechsheetError(Fault(f'no kind of export is called "{name}"', key="--to", hint=hint))
+    return KINDS[name]
+
+
+def export(
+    mechanism: Mechanism,
+    to: str,
+    path: str | Path | None = None,
+    at: float | None = None,
+    frames: int | None = None,
+) -> list[Path]:
+    """Write a mechanism as another program reads it, and return the files written.
+
+    to      a kind: one of `KINDS`
+    path    the file, by default the mechanism's name in the present folder; with `frames` the folder for the files
+    at      for kinds that show one position: the driver's value in its own unit; by default the first that exists
+    frames  for kinds that draw: so many positions, evenly spread over the sweep, one file each
+
+    Raises MechsheetError for another kind or an option that the kind does not take, MechanismError when the mechanism
+    cannot be solved or has no position at `at`, MissingProgramError when a package is missing, OutputError when a file
+    cannot be written. A failure leaves every old file whole.
+    """
+    kind = kind_of(to)
+    faults = _faults(kind, at, frames)
+    if faults:
+        raise MechsheetError(faults)
+    stem = ascii_word(mechanism.name) if kind.identifier else mechanism.name
+    path = Path(path) if path is not None else Path(stem if frames else stem + kind.suffix)
+    name = path.name if frames else path.stem
+    if kind.identifier and name != ascii_word(name):
+        hint = f"for example {ascii_word(name)}{kind.suffix}"
+        fault = f"the file's name is a name in its language too: letters, digits and _ ({kind.name})"
+        raise MechsheetError(Fault(fault, readable_name(path), key="-o", hint=hint))
+    contents = kind.write(Job(mechanism, name, at, frames))
+    files = [path]
+    if frames:
+        digits = len(str(len(contents)))
+        files = [path / f"{name}-{number:0{digits}}{kind.suffix}" for number in range(1, len(contents) + 1)]
+        make_folder(path)
+    for file, content in zip(files, contents, strict=True):
+        replace_file(file, content)
+    return files
+
+
+def make_folder(path: Path) -> None:
+    """The folder for several files. Raises OutputError when the system refuses it."""
+    from mechsheet.diagnostics import OutputError
+
+    try:
+        path.mkdir(exist_ok=True)
+    except OSError as error:
+        raise OutputError(Fault(f"cannot be made a folder: {error.strerror}", readable_name(path))) from error
+
+
+def _faults(kind: Kind, at: float | None, frames: int | None) -> list[Fault]:
+    """Options that the kind does not take, and values that no position has."""
+    faults = []
+    for key, given, taken in (("--at", at, "positions"), ("--frames", frames, "frames")):
+        if given is not None and not getattr(kind, taken):
+            others = ", ".join(other.name for other in KINDS.values() if getattr(other, taken))
+            faults.append(Fault(f"{kind.name} holds the whole sweep", key=key, hint=f"kinds with {key}: {others}"))
+    if at is not None and not math.isfinite(at):
+        faults.append(Fault(f"{at} is not a position of the driver", key="--at"))
+    if at is not None and frames is not None:
+        faults.append(Fault("one position or several: --at and --frames exclude each other", key="--frames"))
+    if frames is not None and not 1 <= frames <= MOST_FRAMES:
+        faults.append(Fault(f"{frames} frames: from 1 to {MOST_FRAMES} can be written", key="--frames"))
+    return faults
