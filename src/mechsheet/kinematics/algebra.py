@@ -137,12 +137,26 @@ def call(name: str, *args: Node) -> Node:
 
 def largest(nodes: Sequence[Node]) -> Node:
     """MAX of any number of nodes: nested where there are more than a function takes (255 arguments)."""
+    return _nested("MAX", nodes)
+
+
+def smallest(nodes: Sequence[Node]) -> Node:
+    """MIN of any number of nodes, as `largest`."""
+    return _nested("MIN", nodes)
+
+
+def all_of(conditions: Sequence[Node]) -> Node:
+    """AND of any number of conditions, as `largest`."""
+    return _nested("AND", conditions)
+
+
+def _nested(function: str, nodes: Sequence[Node]) -> Node:
     if len(nodes) == 1:
         return nodes[0]
     if len(nodes) > MOST_ARGUMENTS:
         chunks = range(0, len(nodes), MOST_ARGUMENTS)
-        nodes = [largest(nodes[start : start + MOST_ARGUMENTS]) for start in chunks]
-    return Call("MAX", tuple(nodes))
+        nodes = [_nested(function, nodes[start : start + MOST_ARGUMENTS]) for start in chunks]
+    return Call(function, tuple(nodes))
 
 
 def atan2(x: Node, y: Node) -> Node:

@@ -308,4 +308,4 @@ def _sum(nodes: Iterable[Node]) -> Node:
 
 
 def _largest(nodes: list[CellRef]) -> Node:
-    return Call("MAX", tuple(nodes)) if nodes else al.ZERO
+    return al.largest(nodes) if nodes else al.ZERO

@@ -183,6 +183,4 @@ def _difference(one: Node, other: Node) -> Node:
 
 
 def _largest(nodes: list[Node]) -> Node:
-    if not nodes:
-        return Number(0.0)
-    return nodes[0] if len(nodes) == 1 else Call("MAX", tuple(nodes))
+    return al.largest(nodes) if nodes else al.ZERO

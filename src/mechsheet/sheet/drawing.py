@@ -119,7 +119,7 @@ def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame
         constants = tuple(page.at_position(f"{name}.{axis}") for name in fixed)
         low, high = page.extremes(head, [page.read(f"{name}.{axis}") for name in moving])
         if constants:
-            low, high = Call("MIN", (low, *constants)), Call("MAX", (high, *constants))
+            low, high = al.smallest((low, *constants)), al.largest((high, *constants))
         extremes.append((low, high))
     return write_frame(page, title, extremes[0], extremes[1], margin)
 

@@ -132,8 +132,8 @@ class Page:
             both = _range(self.column(head, self.where_exists(nodes[0])))
             return Call("MIN", (both,)), Call("MAX", (both,))
         text = self.plan.text
-        low = _range(self.column(text("drawing.least", symbol=head), self.where_exists(Call("MIN", tuple(nodes)))))
-        high = _range(self.column(text("drawing.most", symbol=head), self.where_exists(Call("MAX", tuple(nodes)))))
+        low = _range(self.column(text("drawing.least", symbol=head), self.where_exists(al.smallest(nodes))))
+        high = _range(self.column(text("drawing.most", symbol=head), self.where_exists(al.largest(nodes))))
         return Call("MIN", (low,)), Call("MAX", (high,))
 
     def _numbers(self) -> None:

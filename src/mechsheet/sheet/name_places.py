@@ -64,7 +64,7 @@ def place_names(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Gu
         if name in mechanism.ground.points:
             terms += [_fixed(math.radians(side), c, s) for side in SUPPORT_SIDES]
         # Rounded, so that of equally free directions every program takes the same.
-        score = al.add(Call("MAX", tuple(terms)), handicap) if terms else handicap
+        score = al.add(al.largest(terms), handicap) if terms else handicap
         page.fills.append(Fill(page.row, FIRST, score, NUMBER_STYLE, cols=len(DIRECTIONS)))
         scores = _across(page.row)
         row = here.x.row

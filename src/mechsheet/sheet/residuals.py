@@ -229,7 +229,7 @@ class _Ruler:
         group, head = self.plan.text("checks.motion"), self.plan.text(f"checks.{unit}")
         for batch in range(0, len(changes), BATCH):
             part = tuple(changes[batch : batch + BATCH])
-            largest = part[0] if len(part) == 1 else Call("MAX", part)
+            largest = al.largest(part)
             value = Call("SQRT", (largest,)) if unit == "move" else largest
             self.found.append(Check(group, head, unit, Call("IF", (both, value, Text(""))), after=True))
 
