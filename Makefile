@@ -16,8 +16,8 @@ demo: $(VENV)/.ready
 
 test: $(VENV)/.ready
 	$(MAKE) lint types
-	$(BIN)/python -m pytest -n auto -m "not slow"
-	$(BIN)/python -m pytest -n auto -m slow
+	$(BIN)/python -m pytest -n auto --dist worksteal -m "not slow"
+	$(BIN)/python -m pytest -n auto --dist worksteal -m slow
 
 lint: $(VENV)/.ready
 	$(BIN)/ruff check .

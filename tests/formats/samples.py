@@ -192,7 +192,7 @@ def table() -> Sheet:
         ),
         freeze=(FIRST, 1),
         selected=(FIRST, 0),
-        print_setup=PrintSetup(landscape=False, repeat_rows=(0, 1), header="&C&A"),
+        print_setup=PrintSetup(landscape=False, repeat_rows=(0, 1), repeat_cols=(0, 0), header="&C&A"),
     )  # fmt: skip
 
 

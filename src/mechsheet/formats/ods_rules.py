@@ -79,6 +79,8 @@ def _message(element: str, kind: str, title: str, text: str) -> str:
 
 def _condition(rule: Validation) -> str:
     if rule.kind == "list":
+        if rule.low is not None:
+            return f"of:cell-content-is-in-list({_formula(rule.low)})"
         choices = ";".join('"' + choice.replace('"', '""') + '"' for choice in rule.choices)
         return f"of:cell-content-is-in-list({choices})"
     if rule.kind == "custom":

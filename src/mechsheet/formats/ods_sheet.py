@@ -62,6 +62,7 @@ def enter_columns(sheet: Sheet, styles: OdsStyles) -> None:
 
 def _columns(sheet: Sheet, styles: OdsStyles) -> str:
     text, level, next_col = "", 0, 0
+    heading = sheet.print_setup.repeat_cols
     for column in sorted(sheet.columns, key=lambda column: column.first):
         if column.first > next_col:
             text += _to_level(level, 0, True) + _column(styles, COLUMN_PIXELS, column.first - next_col)
@@ -69,7 +70,9 @@ def _columns(sheet: Sheet, styles: OdsStyles) -> str:
         text += _to_level(level, column.level, not column.hidden)
         level = column.level
         width = DIGIT_PIXELS * column.width + PADDING_PIXELS
+        text += "<table:table-header-columns>" if heading and column.first == heading[0] else ""
         text += _column(styles, width, column.last - column.first + 1, column)
+        text += "</table:table-header-columns>" if heading and column.last == heading[1] else ""
         next_col = column.last + 1
     rest = _column(styles, COLUMN_PIXELS, max(_ALL_COLUMNS - next_col, 1))
     return text + _to_level(level, 0, True) + rest

@@ -121,6 +121,8 @@ def _print_setup(page: DataWorksheet, setup: PrintSetup) -> None:
         page.fit_to_pages(setup.fit_width, setup.fit_height)
     if setup.repeat_rows:
         page.repeat_rows(*setup.repeat_rows)
+    if setup.repeat_cols:
+        page.repeat_columns(*setup.repeat_cols)
     if setup.area:
         area = setup.area
         page.print_area(area.first_row, area.first_col, area.last_row, area.last_col)
@@ -156,7 +158,7 @@ def _validation(rule: Validation) -> dict[str, Any]:
     }
     options = {key: value for key, value in options.items() if value}
     if rule.kind == "list":
-        return options | {"source": list(rule.choices)}
+        return options | {"source": list(rule.choices) if rule.low is None else _formula(rule.low)}
     if rule.kind == "custom":
         return options | {"value": _formula(rule.low)}
     options["criteria"] = rule.operator

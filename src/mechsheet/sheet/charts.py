@@ -17,7 +17,7 @@ from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing import SIZE, Drawing, marker
-from mechsheet.sheet.mechanism import CHARTS, shown_unit
+from mechsheet.sheet.mechanism import CHARTS, ROW_HEIGHT, shown_unit
 from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Series, SeriesRef, Sheet
@@ -26,7 +26,7 @@ GAP = 12
 HEIGHT = (SIZE - GAP) // 2
 """Two curves are as high as the drawing beside them."""
 
-ROW_HEIGHT, COLUMN_WIDTH, COLUMN_CHARACTERS = 20, 80, 10.7
+COLUMN_WIDTH, COLUMN_CHARACTERS = 80, 10.7
 """Pixels of a row and of a column beside the blocks, by which charts are placed: both are set, not left to a program."""
 
 FIRST_ROW = 3

@@ -170,10 +170,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "{driver} tahrikinin ilk değeri ve adımı değiştirilebilir; satır sayısı ({rows}) sabittir.",
     ),
     "notes.use.positions": (
-        "The sheet {positions} has one row for each value of the driver. Intermediate quantities are folded away: "
-        "the + signs over the columns unfold them.",
-        "{positions} sayfasında tahrikin her değeri için bir satır vardır. Ara büyüklükler gizlidir: sütunların üstündeki + "
-        "işaretleriyle açılır.",
+        "The sheet {positions} has one row for each value of the driver. Intermediate quantities (grey) can be "
+        "folded away: by the marks over the columns.",
+        "{positions} sayfasında tahrikin her değeri için bir satır vardır. Ara büyüklükler (gri) gizlenebilir: sütunların "
+        "üstündeki işaretlerle.",
     ),
     "notes.use.charts": (
         "Charts leave out rows that do not exist. The drawing and the paths of points are at true scale: a "

@@ -10,6 +10,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.plan import (
     DRIVER,
     MEANING,
+    NUMBER,
     STATUS,
     SYMBOL,
     TOLERANCE,
@@ -43,6 +44,9 @@ MARGIN = MEANING + 1
 
 CHARTS = MARGIN + 1
 """The first column of the charts."""
+
+ROW_HEIGHT = 20
+"""Pixels."""
 
 
 class Writer:
@@ -105,7 +109,8 @@ def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[
             Column(MEANING, MEANING, 40),
             Column(MARGIN, MARGIN, 3),
         ),
-        row_heights=((0, 26.0),),
+        # given, not left to the program: rows with subscripts would be higher than others, and charts hang on rows
+        row_heights=((0, 26.0), *((row, float(ROW_HEIGHT)) for row in range(1, _last_row(plan) + 1))),
         charts=charts,
         controls=controls,
         validations=tuple(writer.validations),
@@ -115,6 +120,10 @@ def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[
         tab_color="1F4E79",
         print_setup=PrintSetup(footer=plan.text("footer"), fit_height=1),
     )
+
+
+def _last_row(plan: Plan) -> int:
+    return max(row for block in plan.blocks.values() for row in (block.row, *block.rows.values()))
 
 
 def _first_input(plan: Plan) -> tuple[int, int]:
@@ -170,7 +179,8 @@ def _derived(writer: Writer) -> None:
         row = rows[equation.symbol]
         unit = plan.unit_shown(equation.unit)
         writer.line(row, rich(equation.symbol), unit, equation.label.of(plan.language))
-        style = styles.RESULT if equation.symbol == plan.equations.tolerance else _style(plan, equation.unit)
+        tolerance = equation.symbol == plan.equations.tolerance
+        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else _style(plan, equation.unit)
         _result(writer, row, equation.expression, plan.shown_in_degrees(equation.unit), style)
 
 
@@ -264,10 +274,8 @@ def _position(writer: Writer) -> None:
     writer.validations.append(
         Validation(
             Area(rows["position"], VALUE, rows["position"], VALUE),
-            "whole",
-            "between",
-            Number(0.0),
-            Number(float(last)),
+            "list",
+            low=fixed_column(plan, NUMBER),
             input_title=plan.text("hint.position.title"),
             input_message=plan.text("hint.position", last=last),
             error_title=plan.text("hint.position.title"),

@@ -28,6 +28,10 @@ from mechsheet.sheet.workbook import (
 )
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
+COLUMNS_OF_A_PAGE = 17
+"""Columns that are still readable on one page of A4, landscape."""
+SERVING = ("blank", "rounded")
+"""The kinds of column that only serve summaries: folded away."""
 COMMENT_LIMIT = 60
 """Formulas longer than this are shown shortened in the heading; the Notes sheet has them all."""
 
@@ -60,7 +64,12 @@ def positions_sheet(plan: Plan) -> Sheet:
         comments=tuple(comments),
         freeze=(HEADING_ROWS, EXISTS),
         selected=(first, DRIVER),
-        print_setup=PrintSetup(repeat_rows=(0, HEADING_ROWS - 1), footer=plan.text("footer")),
+        print_setup=PrintSetup(
+            fit_width=1 + sum(column.kind not in SERVING for column in plan.columns) // COLUMNS_OF_A_PAGE,
+            repeat_rows=(0, HEADING_ROWS - 1),
+            repeat_cols=(NUMBER, DRIVER),
+            footer=plan.text("footer"),
+        ),
         tab_color="2E8B57",
     )
 
@@ -316,10 +325,10 @@ def _widths(plan: Plan) -> tuple[Column, ...]:
     fixed = {NUMBER: 5.0, DRIVER: 9.0, STATUS: 16.0}
     widths = []
     for column in plan.columns:
-        serving = column.kind in ("blank", "rounded")
+        serving = column.kind in SERVING
         width = fixed.get(column.col, 11.0)
         widths.append(Column(column.col, column.col, width, level=1 if column.inner else 0, hidden=serving))
-    if plan.columns[-1].kind in ("blank", "rounded"):
+    if plan.columns[-1].kind in SERVING:
         widths.append(Column(len(plan.columns), len(plan.columns), 3.0, collapsed=True))
     return tuple(widths)
 

@@ -115,7 +115,7 @@ class Validation:
     """What may be typed into `area`.
 
     kind    "decimal", "whole": compared by `operator` with `low` (and `high` for "between");
-            "list": one of `choices`; "custom": `low` is a formula that must be TRUE
+            "list": one of `choices`, or of the cells of the range `low`; "custom": `low` is a formula that must be TRUE
     """
 
     area: Area
@@ -258,6 +258,7 @@ class Merge:
 class PrintSetup:
     """Paper and print range; A4. `fit_width` pages across (0: no fit), `fit_height` pages down (0: as many as needed).
 
+    `repeat_rows`, `repeat_cols` (first, last) stand on every page; the columns are ones that `Sheet.columns` names.
     `header`, `footer`: &L, &C, &R begin their parts, &P is the page, &N their count, &A the sheet, && an ampersand.
     """
 
@@ -265,6 +266,7 @@ class PrintSetup:
     fit_width: int = 1
     fit_height: int = 0
     repeat_rows: tuple[int, int] | None = None
+    repeat_cols: tuple[int, int] | None = None
     area: Area | None = None
     header: str = ""
     footer: str = ""
