@@ -6,6 +6,7 @@ import re
 from typing import NamedTuple
 
 from ..diagnostics import Fault, FormulaError
+from .tables import BRACKETS
 
 
 class Token(NamedTuple):
@@ -32,21 +33,24 @@ _DESCRIPTION = re.compile(
     re.VERBOSE,
 )
 
-_QUOTED = r"'(?:[^']|'')+'"
+QUOTED = r"'(?:[^']|'')+'"
+_PLAIN = r"[^\W\d][\w.]*"
+_TWO_SHEETS = rf"(?!\$?[A-Za-z]{{1,3}}\$?[0-9]+:){_PLAIN}:{_PLAIN}"
 
 _EXCEL = re.compile(
     rf"""
     (?P<space>[ \t\r\n]+)
     | (?P<text>"(?:[^"]|"")*")
     | {_ERRORS}
-    | (?P<sheet>(?:{_QUOTED}|[^\W\d][\w.]*(?::[^\W\d][\w.]*)?)!)
+    | (?P<sheet>(?:{QUOTED}(?::{QUOTED})?|\[[^\[\]']+\][\w.:]*|{_PLAIN}|{_TWO_SHEETS})!)
+    | (?P<table>(?:(?:[^\W\d]|\\)[\w.?\\]*)?{BRACKETS})
     | (?P<rows>\$?[1-9][0-9]{{0,6}}:\$?[1-9][0-9]{{0,6}}(?![\w.(]))
     | {_NUMBER}
     | (?P<cell>\$?[A-Za-z]{{1,3}}\$?[1-9][0-9]{{0,6}}(?![\w.(\[?\\$]))
     | (?P<columns>\$?[A-Za-z]{{1,3}}:\$?[A-Za-z]{{1,3}}(?![\w.(!?\\$]))
     | (?P<function>[^\W\d][\w.]*(?=\())
     | (?P<name>(?:[^\W\d]|\\)[\w.?\\]*)
-    | (?P<op><>|<=|>=|[-+*/^&=<>%:~])
+    | (?P<op><>|<=|>=|[-+*/^&=<>%:~@\#])
     | (?P<open>\() | (?P<close>\)) | (?P<array>\{{) | (?P<array_end>\}})
     | (?P<separator>,) | (?P<row_separator>;)
     """,
@@ -57,10 +61,10 @@ _OPENFORMULA = re.compile(
     rf"""
     (?P<space>[ \t\r\n]+)
     | (?P<text>"(?:[^"]|"")*")
-    | (?P<reference>\[(?:{_QUOTED}|[^\]'])*\])
+    | (?P<reference>\[(?:{QUOTED}|[^\]'])*\])
     | {_ERRORS}
     | {_NUMBER}
-    | (?P<sheet>\$(?:{_QUOTED}|[^\W\d]\w*)\.)
+    | (?P<sheet>\$(?:{QUOTED}|[^\W\d]\w*)\.)
     | (?P<function>[^\W\d][\w.]*(?=\s*\())
     | (?P<name>[^\W\d][\w.]*)
     | (?P<op><>|<=|>=|[-+*/^&=<>%:!~])
@@ -95,10 +99,6 @@ def _refusal(text: str, position: int, dialect: str) -> FormulaError:
     character = text[position]
     if character == '"' and dialect != "description":
         return fail(text, position + 1, "a text without its closing quotation mark")
-    if character == "[" and dialect == "excel":
-        outside = re.match(r"\[[^\[\]]+\][^\[\]!]*!", text[position:])
-        what = "a reference to another workbook" if outside else "a structured reference"
-        return fail(text, position + 1, f"{what}, which is not supported,")
     return fail(text, position + 1, f'unexpected character "{character}"', _HINTS.get(character, ""))
 
 

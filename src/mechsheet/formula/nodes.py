@@ -225,6 +225,8 @@ def children(node: Node) -> tuple[Node, ...]:
             return args
         case Apply(function, args):
             return (function, *args)
+        case SheetsRef(_, _, area):
+            return (area,)
         case RangeRef(start, end):
             return (start, end)
         case ArrayLiteral(rows):
@@ -276,6 +278,8 @@ def _rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
             return Call(name, below)
         case Apply():
             return Apply(below[0], below[1:])
+        case SheetsRef(first, last, _):
+            return below[0] if isinstance(below[0], ErrorValue) else SheetsRef(first, last, below[0])
         case RangeRef():
             start, end = below
             if isinstance(start, CellRef) and isinstance(end, CellRef):

@@ -12,19 +12,25 @@ from .functions import spelling
 from .nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
+    Apply,
     ArrayLiteral,
     Binary,
     Boolean,
     Call,
     CellRef,
     ErrorValue,
+    Foreign,
+    FunctionRef,
+    Local,
     Missing,
     NameRef,
     Node,
     Number,
     Previous,
     RangeRef,
+    SheetsRef,
     Symbol,
+    TableRef,
     Text,
     Unary,
     children,
@@ -32,6 +38,7 @@ from .nodes import (
 )
 from .parser import DESCRIPTION_FUNCTIONS
 from .references import column_letters, parse_cell, reference_text
+from .tables import table_text
 from .written import WRITTEN, pairwise, real_powers
 
 _ATOM = 1000
@@ -130,6 +137,12 @@ class _Printer:
                 return _Printed("{" + self.dialect.array_row.join(lines) + "}", _ATOM)
             case CellRef() | RangeRef():
                 return _Printed(self.reference(node), _ATOM)
+            case SheetsRef(first, last, _):
+                return _Printed(self.through_sheets(first, last, parts[0].text), _ATOM)
+            case Apply():
+                function, *args = parts
+                text = f"{function.text}({self.dialect.argument.join(arg.text for arg in args)})"
+                return _Printed(text, _ATOM, max(part.depth for part in parts) + 1)
             case _:
                 word = self.word(node)
                 signed = self.dialect.sets_signs_apart and word.startswith("-")
@@ -201,6 +214,15 @@ class _Printer:
             return _Printed(self.dialect.short[name].format(*texts), self.dialect.infix["*"], depth)
         return _Printed(self.dialect.calls[name].format(*texts), _ATOM, depth)
 
+    def through_sheets(self, first: str, last: str, area: str) -> str:
+        """The same cells of several sheets."""
+        if self.dialect.name != "openformula":
+            quoted = any(quote_sheet(sheet) != sheet for sheet in (first, last))
+            sheets = f"{first}:{last}"
+            return (f"'{sheets.replace(chr(39), chr(39) * 2)}'" if quoted else sheets) + f"!{area}"
+        start, _, end = area[1:-1].partition(":")
+        return f"[${quote_sheet(first)}{start}:${quote_sheet(last)}{end or start}]"
+
     def word(self, node: Node) -> str:
         name = self.dialect.name
         if self.names is not None and isinstance(node, Symbol | Previous):
@@ -221,6 +243,13 @@ class _Printer:
                 return code
             case Missing():
                 return ""
+            case Local(local) | FunctionRef(local):
+                mark = "_xlpm." if isinstance(node, Local) else "" if node.sheet else "_xleta."
+                return mark + local if name == "excel" else local
+            case TableRef():
+                return table_text(node)
+            case Foreign(text):
+                return text
             case NameRef(word, None):
                 return word
             case NameRef(word, str(sheet)):

@@ -2,26 +2,39 @@
 
 from __future__ import annotations
 
+import re
+
 from .functions import canonical_name
-from .lexer import Token, fail
+from .lexer import QUOTED, Token, fail
 from .nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
+    Apply,
     ArrayLiteral,
     Binary,
     Boolean,
     Call,
     CellRef,
     ErrorValue,
+    Foreign,
+    FunctionRef,
+    Local,
     Missing,
     NameRef,
     Node,
     Number,
     RangeRef,
+    SheetsRef,
     Text,
 )
 from .precedence import Parser, number_value
 from .references import COLUMN, ROW, column_index, parse_reference
+from .tables import parse_table
+
+_LOCAL = "_xlpm."
+"""Before the names that LET and LAMBDA give, in an .xlsx."""
+_FUNCTION = "_xleta."
+"""Before the name of a function that is an argument itself."""
 
 
 class SheetParser(Parser):
@@ -29,7 +42,7 @@ class SheetParser(Parser):
 
     spaces = True
 
-    _STARTS = frozenset(("cell", "columns", "rows", "sheet", "name", "function", "open", "reference", "error"))
+    _STARTS = frozenset(("cell", "columns", "rows", "sheet", "name", "function", "open", "reference", "error", "table"))
 
     def operator(self) -> str | None:
         """As above; a space between two references is the intersection, any other space means nothing."""
@@ -49,11 +62,31 @@ class SheetParser(Parser):
 
     def combine(self, op: str, left: Node, right: Node) -> Node:
         """The node of an infix operator; two cells and a colon are one range."""
-        if op == ":" and isinstance(left, CellRef) and isinstance(right, CellRef) and right.sheet is None:
+        if op == ":" and isinstance(left, SheetsRef) and isinstance(left.area, CellRef) and isinstance(right, CellRef):
+            return SheetsRef(left.first, left.last, RangeRef(left.area, right))
+        if op == ":" and isinstance(left, CellRef) and isinstance(right, CellRef) and right.sheet in (None, left.sheet):
             return RangeRef(left, CellRef(right.row, right.col, right.row_abs, right.col_abs, left.sheet))
         return Binary(op, left, right)
 
     def operand(self) -> Node:
+        """What an operator works on, with the spill operator `#` behind it and calls of what it gives."""
+        if self.next.text == "@" and self.next.kind == "op":
+            self.take()
+            self.deeper()
+            node: Node = Call("SINGLE", (self.expression(self.dialect.infix[" "]),))
+            self.depth -= 1
+            return node
+        node = self.simple_operand()
+        while True:
+            if self.next.text == "#" and self.next.kind == "op":
+                self.take()
+                node = Call("ANCHORARRAY", (node,))
+            elif self.next.kind == "open" and isinstance(node, Call | Apply | Foreign):
+                node = Apply(node, self.arguments())
+            else:
+                return node
+
+    def simple_operand(self) -> Node:
         """A constant, a reference, a name, a function's call, an array, or something in parentheses."""
         token = self.next
         match token.kind:
@@ -73,6 +106,11 @@ class SheetParser(Parser):
                 return self.qualified()
             case "reference":
                 return _bracketed(self.text, self.take())
+            case "table":
+                table = parse_table(self.take().text)
+                if table is None:
+                    raise fail(self.text, token.column, f"{token.text} is not a structured reference,")
+                return table
             case "cell" | "columns" | "rows" | "name":
                 return self.reference(None)
             case _:
@@ -93,7 +131,17 @@ class SheetParser(Parser):
 
     def function(self) -> Node:
         """A function's call."""
-        name = canonical_name(self.take().text, self.dialect.name)
+        written = self.take().text
+        args = self.arguments()
+        if written.lower().startswith(_LOCAL):
+            return Apply(Local(_folded(written)), args)
+        name = canonical_name(written, self.dialect.name)
+        if name in ("TRUE", "FALSE") and not args:
+            return Boolean(name == "TRUE")
+        return Call(name, args)
+
+    def arguments(self) -> tuple[Node, ...]:
+        """The arguments of a call, with their parentheses."""
         self.skip_space()
         self.take()
         self.deeper()
@@ -105,9 +153,7 @@ class SheetParser(Parser):
                 self.take()
                 args.append(self.argument())
         self.close()
-        if name in ("TRUE", "FALSE") and not args:
-            return Boolean(name == "TRUE")
-        return Call(name, tuple(args))
+        return tuple(args)
 
     def argument(self) -> Node:
         """An argument, or that it is missing."""
@@ -163,15 +209,18 @@ class SheetParser(Parser):
         """What follows `Sheet1!` (in OpenFormula, `$Sheet1.` before a name)."""
         token = self.take()
         sheet = _unquote(token.text[:-1].removeprefix("$"))
-        if "[" in sheet:
-            raise fail(self.text, token.column, "a reference to another workbook, which is not supported,")
-        if ":" in sheet:
-            raise fail(self.text, token.column, "a reference through several sheets, which is not supported,")
+        if sheet == "[0]":  # this workbook itself
+            sheet = ""
+        if "[" in sheet and self.next.kind in ("cell", "columns", "rows", "name", "function", "error"):
+            return Foreign(token.text + self.take().text)
         if self.next.kind == "error":
             return ErrorValue(self.take().text)
         if self.next.kind not in ("cell", "columns", "rows", "name"):
             raise self.unexpected("a reference or a name")
-        return self.reference(sheet)
+        if ":" in sheet:
+            first, _, last = sheet.partition(":")
+            return SheetsRef(_unquote(first), _unquote(last), self.reference(None))
+        return self.reference(sheet or None)
 
     def reference(self, sheet: str | None) -> Node:
         """A cell, whole columns or rows, a name, TRUE or FALSE."""
@@ -185,8 +234,13 @@ class SheetParser(Parser):
                 return ref
             if "$" in token.text:
                 raise fail(self.text, token.column, f"{token.text} is outside the sheet,")
-        if sheet is None and token.text.upper() in ("TRUE", "FALSE"):
-            return Boolean(token.text.upper() == "TRUE")
+        word = token.text.lower()
+        if sheet is None and word in ("true", "false"):
+            return Boolean(word == "true")
+        if sheet is None and word.startswith(_LOCAL):
+            return Local(_folded(token.text))
+        if sheet is None and word.startswith(_FUNCTION):
+            return FunctionRef(canonical_name(token.text[len(_FUNCTION) :], self.dialect.name), "")
         return NameRef(token.text, sheet)
 
 
@@ -215,11 +269,18 @@ def _strip(text: str, token: Token, first: str, second: str, sheet: str | None) 
     raise fail(text, token.column, f"{token.text} is outside the sheet,")
 
 
+def _folded(written: str) -> str:
+    """A name of LET or LAMBDA without its mark."""
+    return written[len(_LOCAL) :].casefold()
+
+
 def _bracketed(text: str, token: Token) -> Node:
     """OpenFormula's `[.A1]`, `[$'Sheet x'.$A$1:.B2]`, `[.A:.A]`."""
     inside = token.text[1:-1]
     if "#REF!" in inside:
         return ErrorValue("#REF!")
+    if re.match(rf"\$?{QUOTED}#", inside):
+        return Foreign(token.text)
     sheet, rest = _sheet_part(text, token, inside)
     if ":" not in rest:
         ref = parse_reference(rest, sheet)
@@ -229,7 +290,11 @@ def _bracketed(text: str, token: Token) -> Node:
     first, _, second = rest.partition(":")
     second_sheet, second = _sheet_part(text, token, second)
     if second_sheet not in (None, sheet):
-        raise fail(text, token.column, "a reference through several sheets, which is not supported,")
+        corners = parse_reference(first), parse_reference(second)
+        if sheet is None or second_sheet is None or corners[0] is None or corners[1] is None:
+            raise fail(text, token.column, f"{token.text} is not a reference of a sheet,")
+        area = corners[0] if corners[0] == corners[1] else RangeRef(corners[0], corners[1])
+        return SheetsRef(sheet, second_sheet, area)
     start, end = parse_reference(first, sheet), parse_reference(second, sheet)
     if start is None or end is None:
         return _strip(text, token, first, second, sheet)
@@ -247,8 +312,6 @@ def _sheet_part(text: str, token: Token, part: str) -> tuple[str | None, str]:
     else:
         sheet, dot, rest = part.partition(".")
         rest = dot + rest
-    if rest.startswith("#"):
-        raise fail(text, token.column, "a reference to another workbook, which is not supported,")
     if not rest.startswith("."):
         raise fail(text, token.column, f"{token.text} is not a reference of a sheet,")
     return (_unquote(sheet) or None), rest[1:]
