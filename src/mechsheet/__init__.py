@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from mechsheet.model import Mechanism
     from mechsheet.plotting import plot
     from mechsheet.recalculation import Result, recalc
+    from mechsheet.what_if import Session, open_book
 
 _HOMES = {
     "build": "building",
@@ -33,8 +34,10 @@ _HOMES = {
     "MechsheetError": "diagnostics",
     "Mechanism": "model",
     "plot": "plotting",
+    "open_book": "what_if",
     "recalc": "recalculation",
     "Result": "recalculation",
+    "Session": "what_if",
 }
 """Name -> module: imported when first used, so that `mechsheet --help` need not load numpy."""
 
@@ -44,12 +47,14 @@ __all__ = [
     "MechsheetError",
     "Report",
     "Result",
+    "Session",
     "__version__",
     "build",
     "check",
     "compile_workbook",
     "load",
     "loads",
+    "open_book",
     "plot",
     "recalc",
 ]

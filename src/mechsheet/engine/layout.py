@@ -109,6 +109,7 @@ class Layout:
     date1904: bool = False
     used_rows: list[int] = field(default_factory=list)
     _known: dict[Area, int] = field(default_factory=dict)
+    _pieces: dict[Area, tuple[tuple[int, slice, slice], ...]] = field(default_factory=dict)
     template: tuple[Numbers, Codes, list[Constants]] = field(init=False)
 
     def filled(self) -> tuple[Numbers, Codes]:
@@ -165,15 +166,24 @@ class Layout:
             )
         found = np.zeros((area.cols, area.rows))
         kinds = np.ones((area.cols, area.rows), np.uint8)  # BLANK
+        pieces = self._pieces.get(area)
+        if pieces is None:
+            pieces = tuple(self._scattered(area))
+            if len(self._pieces) < _MOST_KNOWN:
+                self._pieces[area] = pieces
+        for col, target, source in pieces:
+            found[col, target] = numbers[source]
+            kinds[col, target] = codes[source]
+        return Cells(found, kinds if kinds.any() else None)
+
+    def _scattered(self, area: Area) -> Iterator[tuple[int, slice, slice]]:
+        """The pieces of an area that lie side by side: (column of the area, its rows there, where they lie)."""
         columns = self.columns[area.sheet]
         for col in _columns_in(columns, area):
             for band in columns[col].bands_in(area.row, area.rows):
                 first, last = max(band.row, area.row), min(band.row + band.rows, area.row + area.rows)
-                source = slice(band.offset + first - band.row, band.offset + last - band.row)
-                target = slice(first - area.row, last - area.row)
-                found[col - area.col, target] = numbers[source]
-                kinds[col - area.col, target] = codes[source]
-        return Cells(found, kinds if kinds.any() else None)
+                place = band.offset - band.row
+                yield col - area.col, slice(first - area.row, last - area.row), slice(place + first, place + last)
 
     def _contiguous(self, area: Area) -> int:
         """Where the area lies as one piece of the flat array, -1 when it does not."""

@@ -41,7 +41,7 @@ class Plan:
         self.formulas = resolve(book)
         self.reads = dependencies(self.layout, self.formulas)
         self.steps = schedule(self.layout, self.formulas, self.reads)
-        self._marks = marks_of_constants(self.layout)
+        self.marks = marks_of_constants(self.layout)
         self._replaced: dict[frozenset[tuple[int, int, int]], Plan] = {}
 
     def evaluate(self, overrides: Overrides | None = None) -> Values:
@@ -53,11 +53,11 @@ class Plan:
         count = len(self.layout.blocks)
         structural = [cell for cell, (_, producer) in places.items() if producer < count]
         if structural:
-            return self._without(frozenset(structural)).evaluate(overrides)
+            return self.with_constants_in(frozenset(structural)).evaluate(overrides)
         layout = self.layout
         numbers, codes = layout.filled()
         texts = Texts(layout.texts)
-        marks = self._marks.copy()
+        marks = self.marks.copy()
         for cell, value in (overrides or {}).items():
             place, producer = places[self._cell(cell)]
             numbers[place], codes[place] = texts.encode(value)
@@ -86,8 +86,9 @@ class Plan:
             found[(sheet, row, col)] = place, next(iter(producers), -1)
         return found
 
-    def _without(self, cells: frozenset[tuple[int, int, int]]) -> Plan:
-        """The plan of this book with constants (blank for now) in cells that hold formulas or nothing."""
+    def with_constants_in(self, cells: frozenset[tuple[int, int, int]]) -> Plan:
+        """The plan of this book with constants (blank for now) in cells, (sheet's index, row, column), that hold formulas or
+        nothing."""
         if cells not in self._replaced:
             sheets = [
                 _replaced(sheet, sorted((row, col) for at, row, col in cells if at == index))

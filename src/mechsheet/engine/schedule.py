@@ -20,6 +20,10 @@ from .sequence import Together
 class Step(Protocol):
     """Something that computes cells, and marks those of its blocks that do not consist of numbers alone."""
 
+    @property
+    def producers(self) -> Sequence[int]:
+        """The numbers of its blocks."""
+
     def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells of the step."""
 

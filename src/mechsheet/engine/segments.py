@@ -64,6 +64,7 @@ class Segment:
     def __init__(self, layout: Layout, first: Member, lowering: Lowering | None) -> None:
         self.layout = layout
         self.members = [first]
+        self.producers = [first.number]
         self.lowering = lowering
         self.rows = first.block.rows
         self.cols = first.block.cols
@@ -82,6 +83,7 @@ class Segment:
         except UnsuitableError:
             return False
         self.members.append(member)
+        self.producers.append(member.number)
         return True
 
     @cached_property

@@ -25,7 +25,7 @@ class Together:
     def __init__(self, layout: Layout, formulas: Sequence[Node], members: Sequence[int]) -> None:
         self.layout = layout
         self.formulas = formulas
-        self.members = members
+        self.producers = members
         self.sheets = {title: index for index, title in enumerate(layout.titles)}
         self.reads = {number: self._inner(number) for number in members}
 
@@ -36,7 +36,7 @@ class Together:
             start, end = (ref.start, ref.end) if isinstance(ref, RangeRef) else (ref, ref)
             if isinstance(start, CellRef) and isinstance(end, CellRef) and start.sheet is not None:
                 sheet = self.sheets[start.sheet]
-                if any(self.layout.block_sheets[member] == sheet for member in self.members):
+                if any(self.layout.block_sheets[member] == sheet for member in self.producers):
                     inner.append((start, end))
         return inner
 
@@ -47,7 +47,7 @@ class Together:
             sheet = self.sheets[start.sheet or ""]
             rows = sorted(ref.row if ref.row_abs else ref.row + down for ref in (start, end))
             cols = sorted(ref.col if ref.col_abs else ref.col + right for ref in (start, end))
-            for member in self.members:
+            for member in self.producers:
                 if self.layout.block_sheets[member] != sheet:
                     continue
                 block = self.layout.blocks[member]
@@ -60,14 +60,14 @@ class Together:
     def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells. Raises WorkbookError naming the cells of a circle."""
         done: set[Cell] = set()
-        longest = max(self.layout.blocks[member].rows for member in self.members)
+        longest = max(self.layout.blocks[member].rows for member in self.producers)
         for down in range(longest):
-            for member in self.members:
+            for member in self.producers:
                 block = self.layout.blocks[member]
                 if down < block.rows:
                     for right in range(block.cols):
                         self._compute((member, down, right), done, ev)
-        for member in self.members:
+        for member in self.producers:
             block, start = self.layout.blocks[member], self.layout.block_offsets[member]
             marks.note(member, ev.codes[start : start + block.rows * block.cols])
 

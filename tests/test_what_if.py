@@ -1,0 +1,275 @@
+"""Sessions: inputs set and values read, always what a full recalculation gives."""
+
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import mechsheet
+from mechsheet.diagnostics import WorkbookError
+from mechsheet.engine import compile_book
+from mechsheet.engine import live as live_module
+from mechsheet.formula.book import BookBuilder
+from mechsheet.formula.nodes import ErrorValue
+from mechsheet.formula.parser import parse_formula
+from mechsheet.what_if import Session
+
+ROOT = Path(__file__).parent.parent
+ROWS = 40
+NA = ErrorValue("#N/A")
+
+
+def sheet_of_everything():
+    """Inputs in B1:B4 (named), data in column D; columns of every kind that the engine computes in its own way."""
+    builder = BookBuilder("book.xlsx")
+    sheet = builder.sheet("S")
+    for row, value in enumerate([2.0, 0.5, "text", 7.0]):
+        sheet.constant(row, 1, value)
+        builder.name(f"in_{row + 1}", parse_formula(f"S!$B${row + 1}"))
+    builder.name("curve", parse_formula(f"S!$F$6:$F${ROWS + 5}"))
+    sheet.column_constants(5, 3, [0.1 * row for row in range(ROWS)])
+    fills = [
+        "D6*in_1", "SIN(E6)+in_2", "1/(F6-in_4)", 'IF(in_3="text",D6,-D6)', "IF(ISNUMBER(G6),H6,in_1)", "D6&in_3",
+        "SUM(D$6:D6)*in_2", 'IF(F6>0,"up","down")',
+    ]  # fmt: skip
+    for col, text in enumerate(fills, 4):
+        sheet.block(5, col, ROWS, 1, parse_formula(text))
+    sheet.constant(4, 12, 0.0)
+    sheet.constant(4, 13, 1.0)
+    sheet.block(5, 12, ROWS, 1, parse_formula("M5+E6"))
+    sheet.block(5, 13, ROWS, 1, parse_formula("IF(F6>in_2,F6,N5)"))
+    sheet.block(5, 14, ROWS, 3, parse_formula("$D6*O$5+$B$1"))
+    sheet.column_constants(4, 14, [1.0])
+    sheet.column_constants(4, 15, [-2.0])
+    sheet.column_constants(4, 16, [0.25])
+    sheet.block(0, 18, 1, 1, parse_formula("SUM(E6:E45)+COUNT(S!$D$1:$D$99)"))
+    sheet.block(1, 18, 1, 1, parse_formula("S1&in_3"))
+    sheet.block(2, 18, 1, 1, parse_formula("MATCH(in_1,D6:D45,1)+IF(ISBLANK(in_4),100,0)"))
+    sheet.block(3, 18, 1, 1, parse_formula("Z9+1"))  # an empty cell
+    sheet.block(4, 18, 2, 1, parse_formula("S4*2"))
+    sheet.block(0, 20, 9, 1, parse_formula("V2+in_1"))  # two columns that read each other
+    sheet.block(0, 21, 9, 1, parse_formula("IF(ROW()>4,in_2,U3)"))
+    return builder.build()
+
+
+BOOK = sheet_of_everything()
+AREAS = ["S!E6:E45", "curve", "S!G6:G45", "S!A1:V45", "S!S1", "S!S2", "S!S3", "S!M45", "S!O6:Q45", "S!U1:V9", "S!S4:S6"]
+CELLS = ["in_1", "in_2", "in_3", "in_4", "S!D6", "S!D20", "S!D45", "S!M5", "S!P5", "S!Z9"]
+INPUTS = st.one_of(
+    st.floats(-3, 3), st.sampled_from([0.0, -0.0, 1e308, 1e-300, "text", "x", "3", "", True, None, NA, 2.0])
+)
+CHANGES = st.lists(
+    st.one_of(
+        st.tuples(st.just("set"), st.sampled_from(CELLS), INPUTS),
+        st.tuples(st.just("get"), st.sampled_from(AREAS), st.none()),
+        st.tuples(st.just("reset"), st.sampled_from(CELLS[:9]), st.none()),
+    ),
+    max_size=12,
+)
+
+
+def bits(values):
+    """Values that can be compared to the last bit."""
+    return [[np.float64(v).tobytes() if isinstance(v, float) else v for v in row] for row in values]
+
+
+def place_of(where):
+    """A cell of BOOK as (sheet, row, column)."""
+    found = re.fullmatch(r"S!([A-Z])(\d+)", where)
+    return ("S", int(found[2]) - 1, ord(found[1]) - 65) if found else ("S", int(where[-1]) - 1, 1)
+
+
+WARM = compile_book(BOOK)
+WARM.evaluate()
+
+
+@settings(max_examples=150, deadline=None)
+@given(CHANGES)
+def test_any_changes_give_what_a_full_recalculation_gives(changes):
+    session = Session(BOOK)
+    inputs = {}
+    for what, where, value in changes:
+        if what == "get":
+            session.get(where)
+        elif what == "set":
+            session.set(where, value)
+            inputs[place_of(where)] = value
+        else:
+            session.reset(where)
+            inputs.pop(place_of(where), None)
+    expected = WARM.evaluate(inputs)
+    for where in AREAS:
+        area = session._area(where)
+        full = [
+            [expected.get("S", row, col) for col in range(area.col, area.col + area.cols)]
+            for row in range(area.row, area.row + area.rows)
+        ]
+        assert bits(session.table(where)) == bits(full), where
+
+
+def steps_run(session, monkeypatch):
+    """A list that grows by the first block of every step that runs."""
+    ran = []
+    for step in session._live.plan.steps:
+
+        def noted(ev, marks, step=step, run=step.run):
+            ran.append(step.producers[0])
+            run(ev, marks)
+
+        monkeypatch.setattr(step, "run", noted)
+    return ran
+
+
+def columns(*texts, rows=3):
+    """A1:A3 and B1 hold numbers; each text fills a column from D on, alone in its step by its height."""
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.column_constants(0, 0, [1.0, 2.0, 3.0])
+    sheet.constant(0, 1, 5.0)
+    for index, text in enumerate(texts):
+        sheet.block(0, 3 + index, rows + index, 1, parse_formula(text))
+    return builder.build()
+
+
+def test_only_what_depends_on_the_change_and_is_asked_for_is_computed(monkeypatch):
+    session = Session(columns("$A$1*2", "$B$1+1", "D1+1", "E1+1"))
+    ran = steps_run(session, monkeypatch)
+    session.set("S!A1", 9.0)
+    assert not ran
+    assert session.get("S!E1") == 6.0  # does not depend on A1
+    assert ran == []
+    assert session.get("S!D1") == 18.0
+    assert ran == [0]
+    assert session.get("S!F1") == 19.0
+    assert session.get("S!F1") == 19.0
+    assert ran == [0, 2]
+    session.set("S!A1", 9.0)  # no change
+    session.set("S!B1", 6.0)
+    assert session.get("S!F1") == 19.0
+    assert ran == [0, 2]
+    assert session.get("S!G2") == 8.0
+    assert ran == [0, 2, 1, 3]
+
+
+def test_values_of_every_kind():
+    builder = BookBuilder()
+    sheet = builder.sheet("My sheet")
+    sheet.column_constants(0, 0, [1.5, "x", True, NA, None])
+    sheet.block(0, 1, 5, 1, parse_formula("A1"))
+    builder.name("a_1", parse_formula("'My sheet'!$A$1"))
+    builder.name("all", parse_formula("'My sheet'!$A$1:$B$2"))
+    builder.name("again", parse_formula("a_1"))
+    builder.name("two", parse_formula("2"))
+    session = Session(builder.build())
+    assert session.names == ("a_1", "all", "again", "two")
+    assert [session.get(f"'My sheet'!B{row}") for row in range(1, 7)] == [1.5, "x", True, NA, 0.0, None]
+    assert session["a1"] == session["A_1"] == session["again"] == session.number("a1") == 1.5
+    assert np.array_equal(session.get("my sheet!B1:B4"), [1.5, np.nan, 1.0, np.nan], equal_nan=True)
+    assert np.array_equal(session.get("all"), [[1.5, 1.5], [np.nan, np.nan]], equal_nan=True)
+    assert session.array("a1").tolist() == [1.5]
+    assert session.table("all") == [[1.5, 1.5], ["x", "x"]]
+    assert session.get("'My sheet'!B1:C1").shape == (2,)
+    assert session.get("'My sheet'!B:B").shape == (5,)
+    assert session.get("My sheet!B4:B7").shape == (4,)
+    with pytest.raises(WorkbookError, match="'My sheet'!B2: x, no number"):
+        session.number("'My sheet'!B2")
+    with pytest.raises(WorkbookError, match="all: several cells, no number"):
+        session.number("all")
+    for where in ("two", "nowhere", "No!A1", "B1", "1+1", "", "'My sheet'!", "all:all"):
+        with pytest.raises(WorkbookError, match="no cell or range of this workbook"):
+            session.get(where)
+
+
+def test_arrays_are_views_that_cannot_be_written_to():
+    session = Session(columns("A1*$B$1", rows=3))
+    array = session.get("S!D1:D3")
+    assert not array.flags.owndata
+    with pytest.raises(ValueError, match="read-only"):
+        array[0] = 1.0
+
+
+def test_what_cannot_be_set():
+    session = Session(columns("A1*$B$1"))
+    with pytest.raises(WorkbookError, match="S!D2: computed by a formula"):
+        session.set("S!D2", 1.0)
+    with pytest.raises(WorkbookError, match="S!A1:A3: several cells"):
+        session["S!A1:A3"] = 1.0
+    for number in (math.nan, math.inf, np.float64("-inf")):
+        with pytest.raises(WorkbookError, match="no number that a cell can hold"):
+            session.set("S!A1", number)
+    with pytest.raises(WorkbookError) as caught:
+        session.update({"S!A1": 77.0, "x": 1.0, "S!D1": 2.0})
+    assert [fault.key for fault in caught.value.faults] == ["x", "S!D1"]
+    assert session.get("S!A1") == 1.0
+
+
+def test_kinds_of_numbers_and_resets():
+    session = Session(columns("A1*$B$1"))
+    for value in (7, np.int32(7), np.float32(7), np.float64(7), 7.0):
+        session.set("S!B1", value)
+        assert session.get("S!D1") == 7.0
+        session.reset()
+    assert session.get("S!D1") == 5.0
+    session.update({"S!B1": 10, "S!A2": True, "S!A3": "4"})
+    assert session.get("S!D1:D3").tolist() == [10, 10, 40]
+    session.reset("S!A2")
+    session.reset("S!A2")
+    assert session.get("S!D1:D3").tolist() == [10, 20, 40]
+
+
+def test_an_empty_cell_can_be_set_and_emptied_again():
+    session = Session(columns("A1+$H$1", "COUNT($H$1)"))
+    session["S!A1"] = 4.0
+    session["S!H1"] = 3.0
+    assert (session["S!D1"], session["S!E1"]) == (7.0, 1.0)
+    session["S!H1"] = None
+    assert (session["S!D1"], session["S!E1"], session["S!H1"]) == (4.0, 0.0, None)
+
+
+def test_texts_of_long_loops_are_forgotten(monkeypatch):
+    monkeypatch.setattr(live_module, "MOST_TEXTS", 50)
+    session = Session(columns('A1&"x"'))
+    for number in range(200):
+        session["S!A1"] = float(number)
+        assert session["S!D1"] == f"{number}x"
+        assert session["S!D2"] == "2x"
+        assert len(session._live.texts) < 100
+
+
+def test_a_circle_is_found_when_the_book_is_opened():
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.block(0, 0, 1, 1, parse_formula("B1"))
+    sheet.block(0, 1, 1, 1, parse_formula("A1"))
+    with pytest.raises(WorkbookError, match="circular reference"):
+        Session(builder.build())
+
+
+def test_a_file_set_written_and_read_again(tmp_path):
+    source = ROOT / "generated" / "four-bar.xlsx"
+    session = mechsheet.open_book(source)
+    session["a1"] = 68.0
+    output = tmp_path / "four-bar.xlsx"
+    session.write(output)
+    again = mechsheet.open_book(output)
+    expected = mechsheet.recalc(source, {"a1": 68.0})
+    table = "Positions!A4:K20"
+    assert bits(again.table(table)) == bits(session.table(table))
+    assert bits(session.table(table)) == bits(
+        [[expected.get("Positions", r, c) for c in range(11)] for r in range(3, 20)]
+    )
+    with pytest.raises(ValueError, match="not read from a file"):
+        Session(BOOK).write(output)
+
+
+def test_the_example_of_the_documentation(monkeypatch):
+    monkeypatch.chdir(ROOT / "generated")
+    text = (ROOT / "docs" / "what-if.md").read_text(encoding="utf-8")
+    examples = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    assert examples
+    for example in examples:
+        exec(compile(example, "what-if.md", "exec"), {})
