@@ -191,6 +191,7 @@ def test_names_and_calendar(read):
     assert {(n.name, n.sheet, print_formula(n.formula)) for n in book.names} == {
         ("rate", None, "S!$A$1"),
         ("own", "S", "S!$A$1*2"),
+        ("broken", None, "[1]Other!$A$1"),
     }
     assert book.date1904
     assert book.source.endswith("book.xlsx")

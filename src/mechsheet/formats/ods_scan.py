@@ -14,6 +14,7 @@ from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 
+from .array_areas import ArrayText, give_arrays
 from .cell_faults import CellFaults
 from .fill_runs import FormulaRuns
 from .ods_values import NULL_DATE, day_number, error_of, finite, time_number
@@ -43,6 +44,7 @@ class Table:
     sheet: BookSheet
     faults: CellFaults
     runs: FormulaRuns
+    arrays: list[ArrayText] = field(default_factory=list)
 
 
 @dataclass(slots=True)
@@ -92,6 +94,7 @@ class ContentScan:
         """Everything of a sheet has been read."""
         table.sheet.blocks.extend(table.runs.blocks())
         table.sheet.keep(table.runs.kept)
+        give_arrays(table.sheet, table.arrays, table.faults)
         self.faults += table.faults.found
         self.remarks += table.faults.remarks
 
@@ -115,7 +118,9 @@ class ContentScan:
         if rows == cols == 1:
             if value is not None:
                 store.put(row, col, value)
-            if formula is not None:
+            if formula is not None and self.words.matrix_columns in about and self.words.matrix_rows in about:
+                table.arrays.append(self.array(table, row, col, formula, about))
+            elif formula is not None:
                 table.runs.text(row, col, formula)
             return
         self.repeated += rows * cols - 1
@@ -129,13 +134,21 @@ class ContentScan:
                     # The same text, not what fill-down would write: addresses in it mean the same cells everywhere.
                     table.runs.text(down, right, formula)
 
+    def array(self, table: Table, row: int, col: int, formula: str, about: Mapping[str, str]) -> ArrayText:
+        """An array formula with the cells that show its array."""
+        rows, cols = (self.count(about[word]) for word in (self.words.matrix_rows, self.words.matrix_columns))
+        if row + rows > MAX_ROWS or col + cols > MAX_COLUMNS:
+            raise self.fault(f'an array formula that leaves the sheet "{table.sheet.title}"')
+        self.repeated += rows * cols
+        if self.repeated > MAX_REPEATED:
+            raise self.fault(f"array formulas over more than {MAX_REPEATED} cells: this is no workbook")
+        return ArrayText(row, col, rows, cols, formula, False)
+
     def formula(self, table: Table, row: int, col: int, about: Mapping[str, str]) -> str | None:
         """The formula of a cell as OpenFormula, None for a cell without one."""
         text = about.get(self.words.formula)
         if text is None:
             return None
-        if self.words.matrix_columns in about or self.words.matrix_rows in about:
-            table.faults.note("array formulas are not supported yet", row, col)
         if text.startswith(("=", self.words.openformula)):
             return text.partition("=")[2]
         notation, _, rest = text.partition(":=")

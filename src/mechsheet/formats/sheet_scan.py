@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 from xml.parsers import expat
 
@@ -12,6 +12,7 @@ from mechsheet.formula.book import BookSheet
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from mechsheet.formula.references import CELL, cell_name, column_index
 
+from .array_areas import ArrayText, array_text, give_arrays
 from .cell_faults import Area, CellFaults
 from .fill_runs import FormulaRuns
 from .ods_values import NULL_DATE, NULL_DATE_1904, day_number
@@ -21,7 +22,17 @@ from .package import Package, local_name, unescaped
 class SheetScan:
     """Expat's handlers for one sheet, and what they gather."""
 
-    def __init__(self, package: Package, part: str, sheet: BookSheet, strings: Sequence[str], date1904: bool) -> None:
+    def __init__(
+        self,
+        package: Package,
+        part: str,
+        sheet: BookSheet,
+        strings: Sequence[str],
+        date1904: bool,
+        dynamic: Collection[str] = (),
+    ) -> None:
+        self.dynamic = dynamic
+        self.arrays: list[ArrayText] = []
         self.date1904 = date1904
         self.package = package
         self.part = part
@@ -39,13 +50,23 @@ class SheetScan:
         self.package.parse(self.part, parser, texts)
         self.sheet.blocks.extend(self.runs.blocks())
         self.sheet.keep(self.runs.kept)
+        give_arrays(self.sheet, self.arrays, self.faults)
         return self.faults.found
 
     def _no_master(self, number: str, area: Area) -> None:
         self.faults.remark(f"the shared formula {number[:20]} has no text: stored values are kept", area)
 
-    def cell(self, row: int, col: int, kind: str, text: str, formula: str | None, about: dict[str, str] | None) -> None:
-        """A cell with its type, the text of its value, and its formula with that one's attributes."""
+    def cell(
+        self,
+        row: int,
+        col: int,
+        kind: str,
+        text: str,
+        formula: str | None,
+        about: dict[str, str] | None,
+        mark: str | None = None,
+    ) -> None:
+        """A cell with its type, the text of its value, its formula with that one's attributes, and its metadata."""
         value = self.value(kind, text, row, col)
         if about is None:
             if value is not None:
@@ -61,8 +82,12 @@ class SheetScan:
                 self.runs.master(row, col, about["si"], formula)
             else:
                 self.runs.member(row, col, about["si"])
-        elif sort == "array":
-            self.faults.note("array formulas are not supported yet", row, col)
+        elif sort == "array" and formula:
+            found = array_text(row, col, about.get("ref", ""), formula, mark in self.dynamic)
+            if found is None:
+                self.faults.note("an array formula without a proper area", row, col)
+            else:
+                self.arrays.append(found)
         elif sort == "dataTable":
             self._what_if(row, col, value, about)
         elif value is not None:  # an empty formula: the value is all there is
@@ -132,6 +157,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
     row = col = -1
     row_text = ""
     kind = "n"
+    cell: dict[str, Any] = {}
     formula: str | None = None
     about: dict[str, str] | None = None
     value = ""
@@ -142,7 +168,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
     put, add_text = scan.sheet.cached.put, scan.runs.text
 
     def start(tag: str, attributes: dict[str, Any]) -> None:
-        nonlocal row, col, row_text, kind, formula, about, value, skipping
+        nonlocal row, col, row_text, kind, cell, formula, about, value, skipping
         name = tags.get(tag) or tags.setdefault(tag, local_name(tag))
         if name == "c":
             place = attributes.get("r")
@@ -154,6 +180,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
                 if found is None:
                     found = _column(scan, place, row, columns)
                 col = found
+            cell = attributes
             kind = attributes.get("t", "n")
             formula = about = None
             value = ""
@@ -188,7 +215,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
                     add_text(row, col, formula)
                     return
             if kind != "n" or value or about is not None:
-                scan.cell(row, col, kind, value, formula, about)
+                scan.cell(row, col, kind, value, formula, about, cell.get("cm"))
         elif name == "t" and not skipping:
             value += "".join(pieces)
         elif name == "rPh":

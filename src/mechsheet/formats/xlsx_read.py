@@ -11,8 +11,10 @@ from mechsheet.diagnostics import Fault, FormulaError, WorkbookError
 from mechsheet.formula.book import Book, BookSheet, DefinedName
 from mechsheet.formula.parser import parse_formula
 
+from .metadata import dynamic_marks
 from .package import Package, attribute, local_name, open_package, relationships, unescaped
 from .sheet_scan import SheetScan
+from .xlsx_tables import tables_of
 
 
 def read_xlsx(path: Path) -> Book:
@@ -37,13 +39,15 @@ def _read(package: Package) -> Book:
     links = relationships(package, part)
     strings = next((_strings(package, target) for kind, target in links.values() if kind == "sharedStrings"), [])
     book = Book([], date1904=contents.date1904, source=package.name)
+    dynamic = dynamic_marks(package, links)
     faults: list[Fault] = []
     for title, target in _sheet_parts(package, part, contents, links):
         if book.sheet(title) is not None:
             raise package.fault(f'two sheets are called "{title}"', part)
         sheet = BookSheet(title)
         book.sheets.append(sheet)
-        scan = SheetScan(package, target, sheet, strings, contents.date1904)
+        scan = SheetScan(package, target, sheet, strings, contents.date1904, dynamic)
+        book.tables += tables_of(package, target, title)
         faults += scan.run()
         book.remarks += scan.faults.remarks
     if faults:

@@ -1,0 +1,71 @@
+"""Array formulas of a sheet: one formula, and the cells that show its array. Files store those as cells with values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from mechsheet.formula.book import Block, BookSheet, CellStore, Kind
+from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
+from mechsheet.formula.references import parse_cell
+
+from .cell_faults import CellFaults
+
+_MOST = 1 << 24
+"""Cells of an array formula: more of them are a mistake, or meant to fill the memory."""
+
+
+class ArrayText(NamedTuple):
+    """An array formula as it is read; a dynamic one grows and shrinks with its array."""
+
+    row: int
+    col: int
+    rows: int
+    cols: int
+    text: str
+    dynamic: bool
+
+
+def array_text(row: int, col: int, ref: str, text: str, dynamic: bool) -> ArrayText | None:
+    """An array formula in (row, col) with the area `ref` ("B2:B9"); None when that does not begin there or is too large."""
+    first, _, last = ref.partition(":")
+    corners = parse_cell(first), parse_cell(last or first)
+    if corners[0] != (row, col) or corners[1] is None:
+        return None
+    rows, cols = corners[1][0] - row + 1, corners[1][1] - col + 1
+    if rows < 1 or cols < 1 or rows * cols > _MOST:
+        return None
+    return ArrayText(row, col, rows, cols, text, dynamic)
+
+
+def give_arrays(sheet: BookSheet, arrays: Iterable[ArrayText], faults: CellFaults) -> None:
+    """Put array formulas into a sheet that has been read. The values in their areas are results, not constants."""
+    taken: list[Block] = []
+    for array in arrays:
+        area = array.row, array.col, array.rows, array.cols
+        formula = faults.formula(array.text, area)
+        if formula is None:
+            sheet.keep([(array.row, array.col, 1, 1)])
+            continue
+        if array.row + array.rows > MAX_ROWS or array.col + array.cols > MAX_COLUMNS:
+            faults.note("an array formula that leaves the sheet", array.row, array.col)
+            continue
+        kind: Kind = "spill" if array.dynamic else "array"
+        taken.append(Block(*area, formula, kind))
+    sheet.blocks.extend(taken)
+    wide = [block for block in taken if block.rows * block.cols > 1]
+    if wide:
+        _move_values(sheet, wide)
+
+
+def _move_values(sheet: BookSheet, blocks: list[Block]) -> None:
+    """What stands as a constant inside the areas is a stored result."""
+    areas: dict[int, list[tuple[int, int]]] = {}
+    for block in blocks:
+        for col in range(block.col, block.col + block.cols):
+            areas.setdefault(col, []).append((block.row, block.row + block.rows))
+    constants = CellStore()
+    for row, col, value in sheet.constants.items():
+        inside = any(first <= row < end for first, end in areas.get(col, ()))
+        (sheet.cached if inside else constants).put(row, col, value)
+    sheet.constants = constants
