@@ -260,7 +260,7 @@ class TestFaults:
         )
         path = write_ods(tmp_path / "a.ods", content(table(rows)))
         error = self.refused(path, "S!A1", "S!B1", "S!C1", '"1,5"')
-        assert len(error.faults) == 4
+        assert len(error.faults) == 3
 
     def test_notations(self, tmp_path):
         def formula(notation, value):

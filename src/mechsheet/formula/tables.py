@@ -18,7 +18,8 @@ BRACKETS = rf"\[(?:[^\[\]']|'.|\[{_INSIDE}\])*\]"
 
 _PARTS = {"#all": "all", "#headers": "headers", "#data": "data", "#totals": "totals", "#this row": "this row"}
 _SPELLINGS = {part: f"#{part.title()}" for part in _PARTS.values()}
-_ITEM = re.compile(rf"\s*(?:\[(?P<inner>{_INSIDE})\]|(?P<mark>[,:]))\s*")
+_ITEM = re.compile(rf"\s*(?:\[(?P<inner>{_INSIDE})\]|(?P<mark>[,:])|(?P<bare>[^\[\],:#'@]+))\s*")
+"""XlsxWriter spells `[@a]` as `[[#This Row],a]`, which Excel reads."""
 
 
 def parse_table(text: str) -> TableRef | None:
@@ -36,18 +37,18 @@ def parse_table(text: str) -> TableRef | None:
     place, expected = 0, True
     while place < len(body):
         match = _ITEM.match(body, place)
-        if match is None or (match["inner"] is not None) != expected:
+        if match is None or (match["mark"] is None) != expected:
             return None
         place, expected = match.end(), not expected
-        if match["inner"] is None:
+        if match["mark"] is not None:
             if (match["mark"] == ":") != (len(names) == 1 and match["mark"] == ":"):
                 return None
             continue
-        inner = match["inner"].strip()
+        inner = (match["inner"] or match["bare"] or "").strip()
         if inner.casefold() in _PARTS:
             parts.add(_PARTS[inner.casefold()])
         else:
-            names.append(_unescaped(match["inner"]))
+            names.append(_unescaped(inner))
     if expected or len(names) > 2:
         return None
     return TableRef(table, frozenset(parts), names[0] if names else None, names[-1] if names else None)
