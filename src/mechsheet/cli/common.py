@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -43,12 +44,19 @@ def progress(label: str) -> Iterator[Callable[[str], None]]:
         click.echo("\r\033[K", nl=False, err=True)
 
 
+_QUOTED = re.compile(r"'(?:[^']|'')*'!")
+"""A sheet's name in quotes, in which a `=` means nothing."""
+
+
 def settings_of(pairs: tuple[str, ...]) -> dict[str, str]:
     """`a1=65` options as a mapping."""
     found = {}
     faults = []
     for pair in pairs:
-        name, equals, value = pair.partition("=")
+        quoted = _QUOTED.match(pair)
+        start = quoted.end() if quoted else 0
+        name, equals, value = pair[start:].partition("=")
+        name = pair[:start] + name
         if not equals or not name.strip() or not value.strip():
             faults.append(Fault(f'"{pair}" is not NAME=VALUE', key="--set", hint="for example --set a1=65"))
         found[name.strip()] = value.strip()

@@ -2,33 +2,150 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
+import math
+import sys
+from collections.abc import Iterable
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from .common import JSON, SET, settings_of
+from mechsheet.diagnostics import Fault, MechsheetError
+
+from .common import JSON, SET, progress, settings_of
+
+if TYPE_CHECKING:
+    from mechsheet.checking.stored import Stored
+    from mechsheet.recalculation import Result
+
+MOST_LINES = 50
+"""Most notes and most groups of differences that are printed; --json has all of them."""
 
 
 @click.command()
 @click.argument("workbook", type=click.Path(path_type=Path))
 @SET
+@click.option(
+    "--print", "ranges", multiple=True, metavar="RANGE", help="Print Sheet!A1:C9, tab separated; may be repeated."
+)
+@click.option("--check", is_flag=True, help="Compare with the stored values instead; exit code 1 when any differs.")
+@click.option("--strict", is_flag=True, help="Exit code 1 when anything cannot be computed as it is meant.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the recalculated workbook there.")
 @JSON
-def recalc(workbook: Path, settings: tuple[str, ...], output: Path | None, as_json: bool) -> None:
-    """Recalculate any workbook without a spreadsheet program.
+def recalc(
+    workbook: Path,
+    settings: tuple[str, ...],
+    ranges: tuple[str, ...],
+    check: bool,
+    strict: bool,
+    output: Path | None,
+    as_json: bool,
+) -> None:
+    """Recalculate any workbook (.xlsx, .xlsm, .ods) without a spreadsheet program.
 
     \b
-    mechsheet recalc four-bar.xlsx --set a1=65 --json
+    mechsheet recalc book.xlsx --set rate=0.07 --print 'Plan!A1:C9'
+    mechsheet recalc book.xlsx --set 'Plan!B2=3' -o new.xlsx      all else stays as it was
+    mechsheet recalc book.xlsx --check                            does it hold what its formulas say?
+
+    What cannot be computed as it is meant (an unknown function, another workbook, a circle ...) is named on standard
+    error, cell by cell.
+
+    Exit code 0: done; 1: --check found a difference, or --strict anything to remark; 2: cannot be read.
     """
     from mechsheet.recalculation import recalc as recalculate
 
-    result = recalculate(workbook, settings_of(settings))
+    if check and settings:
+        raise MechsheetError(Fault("--check compares with the stored values, which know nothing of --set"))
+    with progress(workbook.name) as say:
+        say("recalculating")
+        result = recalculate(workbook, settings_of(settings))
+    areas = [result.area(text) for text in ranges]
     if output is not None:
         result.write(output)
         click.echo(f"wrote {output.as_posix()}", err=True)
-    if as_json:
+    _print_notes(result.remarks)
+    stored = result.compare_with_stored() if check else None
+    if stored is not None:
+        click.echo(json.dumps(stored.as_dict(), ensure_ascii=False) if as_json else _check_text(stored), nl=True)
+    if areas and not (check and as_json):
+        _print_areas(result, areas, as_json)
+    elif stored is None and as_json:
         click.echo(json.dumps(result.as_dict(), ensure_ascii=False))
-    elif output is None:
+    elif stored is None and output is None:
         for name, value in result.named().items():
             click.echo(f"{name} = {value}")
+    if (stored is not None and not stored.agrees) or (strict and result.remarks):
+        sys.exit(1)
+
+
+def _print_notes(remarks: Iterable[Fault]) -> None:
+    """What cannot be computed as it is meant, a line each."""
+    remarks = list(remarks)
+    for remark in remarks[:MOST_LINES]:
+        place = f"{remark.key}: " if remark.key else ""
+        click.echo(f"note: {place}{remark.message}{f' ({remark.hint})' if remark.hint else ''}", err=True)
+    if len(remarks) > MOST_LINES:
+        click.echo(f"note: and {len(remarks) - MOST_LINES} more", err=True)
+
+
+def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
+    """The cells of some ranges: JSON as for the whole workbook, or tables with an empty line between them."""
+    from mechsheet.formula.references import cell_name
+    from mechsheet.recalculation import plain
+
+    if as_json:
+        found: dict[str, dict[str, object]] = {}
+        for area in areas:
+            cells = found.setdefault(area.sheet, {})
+            for row, values in enumerate(result.table(area), area.row):
+                cells.update({cell_name(row, col): plain(value) for col, value in enumerate(values, area.col)})
+        click.echo(json.dumps(found, ensure_ascii=False))
+        return
+    for number, area in enumerate(areas):
+        if number:
+            click.echo()
+        text = io.StringIO()
+        writer = csv.writer(text, "excel-tab", lineterminator="\n")
+        writer.writerows([_cell_text(value) for value in row] for row in result.table(area))
+        click.echo(text.getvalue(), nl=False)
+
+
+def _cell_text(value: object) -> str:
+    """A value as a table shows it: numbers with all their digits, TRUE and FALSE."""
+    if value is None:
+        return ""
+    if isinstance(value, bool):
+        return str(value).upper()
+    if isinstance(value, float):
+        return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
+    return str(value)
+
+
+def _check_text(stored: Stored) -> str:
+    """What a comparison with the stored values found."""
+    lines = [f"{stored.formulas} formulas: {stored.equal} as stored, {len(stored.differences)} differ"]
+    if stored.unstored:
+        lines.append(f"  {stored.unstored} have no stored value")
+    if stored.kept:
+        lines.append(f"  {stored.kept} more were not computed: their stored values were taken")
+    excused = sum(item.excused for item in stored.differences)
+    follow = sum(item.follows and not item.excused for item in stored.differences)
+    if excused:
+        lines.append(f"  {excused} differ by functions that change by themselves (NOW, RAND ...)")
+    if follow:
+        lines.append(f"  {follow} read cells that differ themselves; the others, by their functions:")
+    groups = stored.groups()
+    for group in groups[:MOST_LINES]:
+        size = f" by {group.first.size:.1e}" if math.isfinite(group.first.size) else ""
+        lines.append(f"  {group.cells:>7} {group.kind}{size}  {group.functions or 'references'}")
+        shown = group.first.formula if len(group.first.formula) <= 80 else group.first.formula[:77] + "..."
+        lines.append(f"{'':>10}{group.first.address} ={shown}")
+        ours, theirs = _cell_text(group.first.ours), _cell_text(group.first.theirs)
+        lines.append(f"{'':>10}computed {ours or 'nothing'}, stored {theirs or 'nothing'}")
+    if len(groups) > MOST_LINES:
+        lines.append(f"  and {len(groups) - MOST_LINES} groups more")
+    return "\n".join(lines)
