@@ -92,7 +92,8 @@ def table_of(ev: Evaluator, node: Node, frame: Frame) -> Cells:
     return Cells(numbers, np.broadcast_to(codes_of(cells), shape)[:, :, 0, 0])
 
 
-def _raise_first(codes: Any) -> None:
+def raise_first(codes: Any) -> None:
+    """Raise the first error among codes, row by row."""
     bad = np.flatnonzero(codes >= ERROR)
     if len(bad):
         raise Problem(ERROR_NAMES[int(codes.flat[bad[0]]) - ERROR])
@@ -107,15 +108,15 @@ def values_of(ev: Evaluator, node: Node, frame: Frame) -> Numbers:
     if single:
         numbers, errors = numbers_of(table, ev.texts)
         if errors is not None:
-            _raise_first(np.broadcast_to(errors, np.shape(numbers)))
+            raise_first(np.broadcast_to(errors, np.shape(numbers)))
         return np.asarray(np.ravel(numbers), np.float64)
-    _raise_first(table.codes)
+    raise_first(table.codes)
     return np.asarray(table.numbers[table.codes == NUMBER], np.float64)
 
 
 def matrix_of(table: Cells) -> Numbers:
     """A matrix of numbers: the first error, or #VALUE! where a cell holds no number."""
-    _raise_first(table.codes)
+    raise_first(table.codes)
     if np.any(table.codes != NUMBER):
         raise Problem("#VALUE!")
     return np.asarray(table.numbers, np.float64)
