@@ -20,15 +20,47 @@ PICTURES = ROOT / "docs" / "pictures"
 START, END = "<!-- gallery -->", "<!-- /gallery -->"
 
 
-def picture(pdf: Path, target: Path, dpi: int) -> None:
-    """The first page of a PDF as a PNG, its white margins cut off, in few colours."""
+def picture(pdf: Path, target: Path, dpi: int, page_number: int = 1, corner: str = "", part: str = "") -> None:
+    """A page of a PDF as a PNG, margins and footer cut off, in few colours; or a part ("40%x60%") at a corner of it."""
     page = pdf.with_suffix("")
-    first_page = ["-f", "1", "-l", "1", "-singlefile", "-png"]
-    subprocess.run(["pdftoppm", "-r", str(dpi), *first_page, str(pdf), str(page)], check=True)
-    trim = ["-trim", "+repage", "-bordercolor", "white", "-border", "8", "-colors", "64", "-strip"]
+    one_page = ["-f", str(page_number), "-l", str(page_number), "-singlefile", "-png"]
+    subprocess.run(["pdftoppm", "-r", str(dpi), *one_page, str(pdf), str(page)], check=True)
+    paper = ["-gravity", "south", "-chop", "0x7%", "-gravity", "northwest", "-trim", "+repage"]
+    crop = ["-gravity", corner, "-crop", f"{part}+0+0", "+repage"] if part else []
+    trim = [
+        *paper,
+        *crop,
+        "-trim",
+        "+repage",
+        "-bordercolor",
+        "white",
+        "-border",
+        "8",
+        "+dither",
+        "-colors",
+        "64",
+        "-strip",
+    ]
     subprocess.run(
         ["convert", f"{page}.png", *trim, "-define", "png:exclude-chunks=date,time", str(target)], check=True
     )
+
+
+def page_of(pdf: Path, sheet: str) -> int:
+    """The number of the first page of a sheet, which its footer names."""
+    text = subprocess.run(["pdftotext", "-layout", str(pdf), "-"], check=True, capture_output=True, text=True).stdout
+    return next(number for number, page in enumerate(text.split("\f"), 1) if f"{sheet}, {number} /" in page)
+
+
+def parts_of_the_workbook(four_bar: Path, pump: Path) -> None:
+    """The pictures of docs/workbook.md."""
+    pages = {"positions": "Positions", "checks": "Checks", "notes": "Notes"}
+    picture(four_bar, PICTURES / "workbook-mechanism.png", 100)
+    picture(four_bar, PICTURES / "workbook-blocks.png", 150, corner="northwest", part="38%x100%")
+    picture(four_bar, PICTURES / "workbook-charts.png", 120, corner="northeast", part="61%x90%")
+    for name, sheet in pages.items():
+        picture(four_bar, PICTURES / f"workbook-{name}.png", 110, page_of(four_bar, sheet))
+    picture(pump, PICTURES / "workbook-table.png", 100, page_of(pump, "Table s15"))
 
 
 def main() -> None:
@@ -48,6 +80,9 @@ def main() -> None:
             image = f"![{mechanism.title.en}](docs/pictures/{mechanism.name}.png)"
             link = f"[{mechanism.title.en}](templates/{mechanism.name}.toml)"
             rows.append(f"| {link} | {image} | {mechanism.source.en} | {worst:.0e} |")
+        pump = build(load(ROOT / "templates" / "adjustable-pump.toml", language="en"), place)
+        four_bar = next(page for page in pages if page.stem == "four-bar")
+        parts_of_the_workbook(four_bar, convert_with_libreoffice(pump, "pdf", place)[0])
     readme = ROOT / "README.md"
     text = readme.read_text(encoding="utf-8")
     before, rest = text.split(START)

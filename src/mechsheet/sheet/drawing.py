@@ -96,7 +96,7 @@ def _sheet(page: Page) -> Sheet:
         columns.append(Column(SWEEP, page.col - 1, 11.0))
     return Sheet(
         page.title, tuple(page.cells), tuple(page.fills), columns=tuple(columns), row_heights=((0, 26.0),),
-        gridlines=False, tab_color="7B3FA0", print_setup=PrintSetup(footer=page.plan.text("footer")),
+        gridlines=False, tab_color="7B3FA0", print_setup=PrintSetup(footer=page.plan.footer),
     )  # fmt: skip
 
 

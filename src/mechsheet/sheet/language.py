@@ -322,7 +322,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "drawing.caption": ("Caption", "Yazı"),
     "drawing.alt": ("{title}: drawing at the position shown", "{title}: gösterilen konumdaki çizim"),
     "source": ("Source: {source}", "Kaynak: {source}"),
-    "footer": ("made with mechsheet", "mechsheet ile hazırlanmıştır"),
+    "footer": ("&L{title}&C&A, &P / &N&R{made}", "&L{title}&C&A, &P / &N&R{made}"),
+    "made": ("made with mechsheet", "mechsheet ile hazırlanmıştır"),
 }  # fmt: skip
 
 

@@ -39,7 +39,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     properties = Properties(
         title=title,
         subject=mechanism.source.of(plan.language),
-        comments=plan.text("footer"),
+        comments=plan.text("made"),
         keywords="mechanism, linkage, mechsheet",
         language=plan.language,
     )

@@ -118,7 +118,7 @@ def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[
         selected=_first_input(plan),
         gridlines=False,
         tab_color="1F4E79",
-        print_setup=PrintSetup(footer=plan.text("footer"), fit_height=1),
+        print_setup=PrintSetup(footer=plan.footer, fit_height=1),
     )
 
 

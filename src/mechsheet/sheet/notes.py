@@ -53,7 +53,7 @@ def notes_sheet(plan: Plan) -> Sheet:
         merges=tuple(page.merges),
         gridlines=False,
         tab_color="6B7280",
-        print_setup=PrintSetup(footer=plan.text("footer")),
+        print_setup=PrintSetup(footer=plan.footer),
     )
 
 

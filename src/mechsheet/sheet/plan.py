@@ -23,6 +23,9 @@ SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""
 
+FOOTER_TITLE = 100
+"""Characters of the title in the footer, which holds 255 in all."""
+
 NUMBER, DRIVER, STATUS, EXISTS = range(4)
 """First columns of the table: row number, driver as shown, status word, 1 where the position exists."""
 
@@ -68,6 +71,12 @@ class Plan:
     columns: list[TableColumn] = field(default_factory=list)
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
+
+    @property
+    def footer(self) -> str:
+        """What stands below every printed page: title, sheet, page; an ampersand is a mark there."""
+        title = self.mechanism.title.of(self.language).replace("&", "&&")
+        return self.text("footer", title=title[:FOOTER_TITLE], made=self.text("made"))
 
     def text(self, key: str, **parts: object) -> str:
         """A word of the workbook in its language."""

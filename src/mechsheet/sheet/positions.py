@@ -43,7 +43,9 @@ def positions_sheet(plan: Plan) -> Sheet:
     comments: list[Comment] = []
     for column in plan.columns:
         label, unit, formula = _heading(plan, column)
-        cells.append(Cell(SYMBOL_ROW, column.col, rich(label, f" [{unit}]" if unit else ""), styles.HEAD))
+        word = column.kind in ("number", "status", "exists")
+        heading = label if word else rich(label, f" [{unit}]" if unit else "")
+        cells.append(Cell(SYMBOL_ROW, column.col, heading, styles.HEAD))
         cells.append(Cell(FORMULA_ROW, column.col, formula, styles.FORMULA_TEXT))
         words = _meaning(plan, column)
         if words:
@@ -68,7 +70,7 @@ def positions_sheet(plan: Plan) -> Sheet:
             fit_width=1 + sum(column.kind not in SERVING for column in plan.columns) // COLUMNS_OF_A_PAGE,
             repeat_rows=(0, HEADING_ROWS - 1),
             repeat_cols=(NUMBER, DRIVER),
-            footer=plan.text("footer"),
+            footer=plan.footer,
         ),
         tab_color="2E8B57",
     )

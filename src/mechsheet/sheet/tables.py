@@ -141,7 +141,7 @@ class _Table:
             tab_color="7B3FA0",
             print_setup=PrintSetup(
                 repeat_rows=(CORNER_ROW, HEAD_ROW),
-                footer=plan.text("footer"),
+                footer=plan.footer,
                 area=Area(0, 0, max(self.last, CORNER_ROW + CHART_ROWS), 1 + self.count + CHART_COLUMNS),
             ),
         )
