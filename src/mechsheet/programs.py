@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from mechsheet.diagnostics import Fault, MissingProgramError, WorkbookError, near_miss, readable_name
@@ -51,6 +51,15 @@ def answers(program: str, path: Path) -> Answers:
             )
         )
     return PROGRAMS[program](path)
+
+
+def answers_to_all(program: str, paths: Sequence[Path]) -> Iterator[Answers]:
+    """What a program computes from each of many files; LibreOffice opens them all in one go (starting it is slow)."""
+    if program != "libreoffice":
+        yield from (answers(program, path) for path in paths)
+        return
+    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+        yield from map(stored_values, convert_with_libreoffice(list(paths), "xlsx", Path(folder)))
 
 
 def libreoffice_command() -> str | None:

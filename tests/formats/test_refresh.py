@@ -94,7 +94,7 @@ class TestOurOwn:
         report = check(output)
         assert report.agrees
         assert report.comparisons[0].worst == 0
-        assert report.remarks == ("a1 differs from the description's",)
+        assert report.remarks == ("a1 is 71.5, was 70",)
 
     def test_back_again(self, suffix, four_bar, tmp_path):
         there, back = tmp_path / f"there.{suffix}", tmp_path / f"back.{suffix}"

@@ -7,10 +7,13 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from mechsheet.building import build
-from mechsheet.checking.against_reference import against_reference
+from mechsheet.checking.against_reference import against_plan
+from mechsheet.checking.audit import audit
 from mechsheet.checking.cells import Angles, angles_in, compare_cells
-from mechsheet.checking.inputs import description_in, plan_inside
-from mechsheet.checking.report import TOLERANCE, Comparison, Report, Tally, difference
+from mechsheet.checking.expected import expected_for
+from mechsheet.checking.inputs import description_in
+from mechsheet.checking.perturb import Perturbation, perturb
+from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
 from mechsheet.checking.twins import with_twins
 from mechsheet.description import load
 from mechsheet.description.locate import located
@@ -21,7 +24,18 @@ from mechsheet.formula.book import Book
 from mechsheet.model import Mechanism
 from mechsheet.programs import answers
 
-__all__ = ["TOLERANCE", "Comparison", "Report", "Tally", "check", "difference", "with_twins"]
+__all__ = [
+    "TOLERANCE",
+    "Comparison",
+    "Edit",
+    "Perturbation",
+    "Report",
+    "Tally",
+    "check",
+    "difference",
+    "perturb",
+    "with_twins",
+]
 
 
 def check(path: str | Path, programs: Sequence[str] = (), progress: Callable[[str], None] | None = None) -> Report:
@@ -62,16 +76,22 @@ def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say
     stored = {sheet.title: sheet.cached for sheet in book.sheets}
     comparisons = [compare_cells("stored values", book, values, lambda title, row, col: stored[title].get(row, col))]
     remarks: list[str] = []
+    edits: tuple[Edit, ...] = ()
     angles = Angles()
     text = description_in(book)
     if text is None:
         remarks.append("no description inside: only recalculated, not compared with the reference")
     else:
+        say("looking for edits")
+        expected = expected_for(text, shown)
+        found = audit(book, expected)
+        edits = found.edits
         say("solving")
-        comparison, remarks = against_reference(book, values, text, shown)
+        comparison, of_inputs = against_plan(book, values, expected.plan, shown)
         comparisons.append(comparison)
-        angles = angles_in(plan_inside(text, shown))
+        remarks += [*found.remarks, *of_inputs]
+        angles = angles_in(expected.plan)
     for program in programs:
         say(program)
         comparisons.append(compare_cells(program, book, values, answers(program, path).get, angles))
-    return Report(shown, tuple(comparisons), tuple(remarks))
+    return Report(shown, tuple(comparisons), tuple(remarks), edits)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from mechsheet import reference
 from mechsheet.checking.inputs import Array, Inputs, inputs_in, plan_inside
+from mechsheet.checking.missing import missing_dimensions, readers
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
@@ -34,9 +35,17 @@ def against_reference(book: Book, values: Any, text: str, shown: str) -> tuple[C
 
     `values` is the engine's, `text` the description inside the workbook. Returns the comparison, and remarks for a person.
     """
-    plan = plan_inside(text, shown)
+    return against_plan(book, values, plan_inside(text, shown), shown)
+
+
+def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Comparison, list[str]]:
+    """The same for a workbook whose plan is known already."""
     mechanism = plan.mechanism
     inputs = inputs_in(book, values, plan, shown)
+    if missing := missing_dimensions(mechanism, inputs.dimensions):
+        lost = readers(plan.equations, missing)
+        words = [f"{symbol} has no value with these dimensions: {why}" for symbol, why in missing.items()]
+        return _nowhere(plan, values, lost), [*inputs.remarks, *words, UNREACHED]
     start = _start(mechanism, inputs)
     if start is None:
         return _nowhere(plan, values), [*inputs.remarks, NOWHERE]
@@ -53,11 +62,14 @@ def against_reference(book: Book, values: Any, text: str, shown: str) -> tuple[C
 NOWHERE = "with these dimensions and modes no row exists: there is no position to compare, only that none is shown"
 
 
-def _nowhere(plan: Plan, values: Any) -> Comparison:
-    """Nothing assembles: every result must say so."""
+UNREACHED = "the reference cannot be asked: compared is only that no number is shown of what depends on them"
+
+
+def _nowhere(plan: Plan, values: Any, symbols: Collection[str] | None = None) -> Comparison:
+    """Nothing assembles: every result (or each of `symbols`) must say so."""
     tally = Tally("reference")
     for equation in plan.equations.columns:
-        if equation.kind in ("variable", "point", "output"):
+        if equation.kind in ("variable", "point", "output") and (symbols is None or equation.symbol in symbols):
             spot = plan.at.shown[equation.symbol]
             for row, value in enumerate(_column(plan, values, equation.symbol)):
                 where = f"{cell_address(spot.sheet, plan.at.first + row, spot.col)} ({equation.symbol}, row {row})"

@@ -78,13 +78,6 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
                 remarks.append(
                     f"{group.mode} is {modes[group.mode]:+d}; the description's sketch means {group.mode_value:+d}"
                 )
-    for dim in plan.mechanism.dimensions:
-        if (
-            not dim.derived
-            and isinstance(dim.value, float)
-            and not math.isclose(dimensions[dim.symbol], dim.value, rel_tol=1e-14, abs_tol=1e-300)
-        ):
-            remarks.append(f"{dim.symbol} differs from the description's")
     driver = _driver_column(plan, values, faults, shown)
     if faults:
         raise WorkbookError(faults)

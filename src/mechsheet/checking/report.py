@@ -36,17 +36,40 @@ class Comparison:
 
 
 @dataclass(frozen=True, slots=True)
+class Edit:
+    """A place in a workbook that is not as its description would build it.
+
+    kind   "changed" a formula is another one; "out of its run" so it is in a part of a filled range; "overwritten" a
+           constant stands in its place; "emptied" nothing does; "formula" one stands in the place of an input; "value" a
+           number that is no input; "name", "sheet" changed or missing; "deleted" rows or columns
+    where  the range, the name, or the sheet;  was, now  formulas or values there
+    note   what else there is to say of the place
+    """
+
+    kind: str
+    where: str
+    was: str
+    now: str
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Report:
-    """What `check` found in one file; `remarks` say what a person should know (a mode that was flipped …)."""
+    """What `check` found in one file.
+
+    edits    what somebody changed that is not there to be changed
+    remarks  what a person should know (an input that was changed, a mode that was flipped …)
+    """
 
     file: str
     comparisons: tuple[Comparison, ...]
     remarks: tuple[str, ...] = ()
+    edits: tuple[Edit, ...] = ()
 
     @property
     def agrees(self) -> bool:
-        """True when all judges agree."""
-        return all(comparison.agrees for comparison in self.comparisons)
+        """True when all judges agree and nothing was edited but inputs."""
+        return not self.edits and all(comparison.agrees for comparison in self.comparisons)
 
     def as_dict(self) -> dict[str, Any]:
         """The report as JSON data."""
@@ -54,6 +77,9 @@ class Report:
             "file": self.file,
             "agrees": self.agrees,
             "remarks": list(self.remarks),
+            "edits": [
+                {"kind": edit.kind, "where": edit.where, "was": edit.was, "now": edit.now} for edit in self.edits
+            ],
             "comparisons": [
                 {
                     "judge": item.judge,

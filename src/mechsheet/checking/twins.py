@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 from pathlib import Path
 
 from mechsheet.checking.cells import column_scale
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.report import TOLERANCE, Comparison, Report, Tally, difference
+from mechsheet.checking.trees import Formulas, neutral, stretches
 from mechsheet.formats import READERS, read
-from mechsheet.formula.book import Block, Book, BookSheet, CellStore
-from mechsheet.formula.nodes import Call, CellRef, NameRef, Node, RangeRef, Scalar, shifted, transform
+from mechsheet.formula.book import Book, BookSheet, CellStore
+from mechsheet.formula.nodes import Node, Scalar
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_address
 
@@ -62,7 +61,7 @@ def compare_twins(ours: Book, theirs: Book, judge: str) -> Comparison:
 
 
 def _compare_names(tally: Tally, ours: Book, theirs: Book) -> None:
-    mine, yours = ({(d.name, d.sheet): _neutral(d.formula, "") for d in book.names} for book in (ours, theirs))
+    mine, yours = ({(d.name, d.sheet): neutral(d.formula, "") for d in book.names} for book in (ours, theirs))
     for name in sorted(mine.keys() | yours.keys(), key=str):
         _compare_nodes(tally, f"name {name[0]}", mine.get(name), yours.get(name))
 
@@ -78,51 +77,15 @@ def _printed(node: Node | None) -> str:
     return "no formula" if node is None else "=" + print_formula(node)
 
 
-def _compare_formulas(tally: Tally, ours: BookSheet, theirs: BookSheet) -> None:
+def _compare_formulas(tally: Tally, sheet: BookSheet, other: BookSheet) -> None:
     """Column by column, from one row where either side begins another formula to the next."""
-    mine, yours = _by_column(ours.blocks), _by_column(theirs.blocks)
-    for col in sorted(mine.keys() | yours.keys()):
-        sides = mine.get(col, []), yours.get(col, [])
-        edges = sorted({edge for side in sides for block in side for edge in (block.row, block.row + block.rows)})
-        for start, stop in pairwise(edges):
-            nodes = [_formula_at(side, start, col, ours.title) for side in sides]
-            if nodes != [None, None]:
-                _compare_nodes(tally, cell_address(ours.title, start, col), nodes[0], nodes[1])
-                tally.cells += stop - start - 1
-
-
-def _by_column(blocks: Iterable[Block]) -> dict[int, list[Block]]:
-    found: dict[int, list[Block]] = {}
-    for block in blocks:
-        for col in range(block.col, block.col + block.cols):
-            found.setdefault(col, []).append(block)
-    return {col: sorted(column, key=lambda block: block.row) for col, column in found.items()}
-
-
-def _formula_at(column: Sequence[Block], row: int, col: int, title: str) -> Node | None:
-    index = bisect_right(column, row, key=lambda block: block.row) - 1
-    if index < 0 or row >= column[index].row + column[index].rows:
-        return None
-    block = column[index]
-    return _neutral(shifted(block.formula, row - block.row, col - block.col), title)
-
-
-def _neutral(node: Node, title: str) -> Node:
-    """The formula without what only spelling decides: capital letters of names, a sheet's own name before a reference."""
-
-    def change(part: Node) -> Node:
-        match part:
-            case CellRef(sheet=str(sheet)):
-                return replace(part, sheet=None if sheet.casefold() == title.casefold() else sheet.casefold())
-            case RangeRef(start, end) if end.sheet is None and start.sheet is not None:
-                return RangeRef(start, replace(end, sheet=start.sheet))
-            case NameRef(name, sheet):
-                return NameRef(name.casefold(), sheet and sheet.casefold())
-            case Call(name, args):
-                return Call(name.upper(), args)
-        return part
-
-    return transform(node, change)
+    ours, theirs = Formulas(sheet), Formulas(other)
+    for col, start, stop in stretches(ours, theirs):
+        found = [side.at(start, col) for side in (ours, theirs)]
+        nodes = [None if node is None else neutral(node, sheet.title) for node in found]
+        if nodes != [None, None]:
+            _compare_nodes(tally, cell_address(sheet.title, start, col), nodes[0], nodes[1])
+            tally.cells += stop - start - 1
 
 
 def _compare_values(tally: Tally, title: str, ours: CellStore, theirs: CellStore, scaled: bool) -> None:

@@ -4,60 +4,85 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
 
 from .common import JSON, progress
+from .printing import print_perturbation, print_report
+
+if TYPE_CHECKING:
+    from mechsheet.checking import Perturbation, Report
+
+Found = TypeVar("Found")
 
 
 @click.command()
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--with", "programs", default="", help="Other judges: formulas, ironcalc, libreoffice, gnumeric.")
+@click.option("--perturb", type=click.IntRange(min=1), metavar="N", help="Type N random sets of inputs and compare.")
+@click.option("--seed", default=0, show_default=True, help="Another seed, other random sets.")
 @JSON
-def check(files: tuple[Path, ...], programs: str, as_json: bool) -> None:
+def check(files: tuple[Path, ...], programs: str, perturb: int | None, seed: int, as_json: bool) -> None:
     """Recalculate and compare: engine, stored values, numpy reference, other programs.
 
     \b
     mechsheet check four-bar.xlsx
+    mechsheet check edited.xlsx                     what did somebody change?
     mechsheet check four-bar.toml --with libreoffice,ironcalc
     mechsheet check four-bar.xlsx four-bar.ods      also: are they the same, cell by cell?
+    mechsheet check four-bar.xlsx --perturb 100 --with libreoffice
 
-    Exit code 0: all agree; 1: something differs; 2: cannot be read.
+    Exit code 0: all agree; 1: something differs, or was edited; 2: cannot be read.
     """
-    from mechsheet.checking import check as check_file
-    from mechsheet.checking import with_twins
-
     judges = [part.strip() for part in programs.split(",") if part.strip()]
-    reports = []
     faults: list[Fault] = []
-    for file in files:
-        with progress(file.name) as say:
-            try:
-                reports.append(check_file(file, judges, say))
-            except MechsheetError as error:
-                faults += error.faults
-    reports = with_twins(reports)
+    reports: list[Report] | list[Perturbation]
+    show: Callable[[Any], None] = print_report
+    if perturb is not None:
+        reports = _perturbed(files, perturb, seed, judges, faults)
+        show = print_perturbation
+    else:
+        reports = _checked(files, judges, faults)
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:
         for report in reports:
-            _print_report(report)
+            show(report)
     if faults:
         raise MechsheetError(faults)
     if not all(report.agrees for report in reports):
         sys.exit(1)
 
 
-def _print_report(report: Any) -> None:
-    click.echo(f"{report.file}: {'all agree' if report.agrees else 'SOMETHING DIFFERS'}")
-    for item in report.comparisons:
-        verdict = "agrees " if item.agrees else "DIFFERS"
-        click.echo(f"  {item.judge:<14} {verdict} {item.cells:>8} values, worst {item.worst:9.2e}  {item.where}")
-        if not item.agrees:
-            click.echo(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
-    for remark in report.remarks:
-        click.echo(f"  note: {remark}")
+def _of_each(
+    files: tuple[Path, ...], faults: list[Fault], judge: Callable[[Path, Callable[[str], None]], Found]
+) -> list[Found]:
+    """What `judge` finds in each file; a file that cannot be judged does not keep the others from it."""
+    found = []
+    for file in files:
+        with progress(file.name) as say:
+            try:
+                found.append(judge(file, say))
+            except MechsheetError as error:
+                faults += error.faults
+    return found
+
+
+def _checked(files: tuple[Path, ...], judges: list[str], faults: list[Fault]) -> list[Report]:
+    from mechsheet.checking import check as check_file
+    from mechsheet.checking import with_twins
+
+    return with_twins(_of_each(files, faults, lambda file, say: check_file(file, judges, say)))
+
+
+def _perturbed(
+    files: tuple[Path, ...], count: int, seed: int, judges: list[str], faults: list[Fault]
+) -> list[Perturbation]:
+    from mechsheet.checking import perturb
+
+    return _of_each(files, faults, lambda file, say: perturb(file, count, seed, judges, say))

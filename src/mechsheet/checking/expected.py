@@ -1,0 +1,48 @@
+"""The workbook as the description inside a file would build it: what an edited one is held against."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mechsheet.compute import book_of
+from mechsheet.description import loads
+from mechsheet.formula.book import Book
+from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.layout import DESCRIPTION_SHEET, lay_out
+from mechsheet.sheet.plan import TOLERANCE, Plan
+from mechsheet.sheet.workbook import Workbook
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """The workbook as data, the same as a book of constants and formulas, and where everything stands in it."""
+
+    workbook: Workbook
+    book: Book
+    plan: Plan
+
+    @property
+    def description_sheet(self) -> str:
+        """Title of the hidden sheet that carries the description."""
+        return self.plan.at.titles[DESCRIPTION_SHEET]
+
+    @property
+    def inputs(self) -> dict[tuple[str, int, int], str]:
+        """The cells that are there to be changed, and what each holds: dimensions, modes, the driver, tolerances …"""
+        by_cell = {(spot.sheet, spot.row, spot.col): symbol for symbol, spot in self.plan.at.spots.items()}
+        found = {}
+        for sheet in self.workbook.sheets:
+            for cell in sheet.cells:
+                if not cell.style.locked and not isinstance(cell.content, str):
+                    place = (sheet.title, cell.row, cell.col)
+                    found[place] = by_cell.get(place, "").removeprefix("#")
+        for symbol, row in self.plan.blocks["dimensions"].rows.items():
+            found[self.plan.main, row, TOLERANCE] = f"the tolerance of {symbol}"
+        return found
+
+
+def expected_for(text: str, shown: str) -> Expected:
+    """What the description `text` builds (`shown`: the file it was found in, for messages). Raises MechsheetError."""
+    mechanism = loads(text, file=f"{shown} (description inside)")
+    workbook, plan = lay_out(mechanism, solve(mechanism))
+    return Expected(workbook, book_of(workbook), plan)

@@ -1,0 +1,294 @@
+"""`check --perturb`: random dimensions and modes typed into a workbook's input cells; do all evaluators still agree?
+
+The file is taken as it was read. Each set is a handful of overrides for the engine; for an outside program it is a copy of
+the file in which only the input cells differ, all stored results being those of the unchanged file: a program that
+believed them would be found out.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mechsheet.building import build
+from mechsheet.checking.against_reference import against_plan
+from mechsheet.checking.cells import angles_in, compare_cells
+from mechsheet.checking.inputs import description_in, plan_inside
+from mechsheet.checking.report import Comparison
+from mechsheet.description import load
+from mechsheet.description.locate import located
+from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
+from mechsheet.engine import compile_book
+from mechsheet.formats import read, refresh
+from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import Scalar
+from mechsheet.programs import Answers, answers_to_all
+from mechsheet.sheet.plan import EXISTS, Plan
+
+Place = tuple[str, int, int]
+
+SPREADS = (0.02, 0.1, 0.3, 0.8)
+"""A set's dimensions are those of the file times exp(u), u uniform within one of these; angles get u radians more."""
+
+NOWHERE_KEPT = 0.1
+"""Part of the sets that may assemble nowhere: that such a workbook shows no number at all is worth a look too."""
+
+REDRAWS = 25
+"""Sets that assemble nowhere are drawn again so often."""
+
+FLIPPED = 0.4
+"""How likely each mode is flipped."""
+
+BATCH = 40
+"""Files that are written at once for an outside program."""
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """One set: what each input cell holds, by symbol, in the unit of the cell; and how many rows exist with it."""
+
+    number: int
+    inputs: Mapping[str, float]
+    rows: int = 0
+
+    def text(self) -> str:
+        """`a1 = 65.2, mode_1 = -1`."""
+        return ", ".join(f"{symbol} = {_shortest(value)}" for symbol, value in self.inputs.items())
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """One judge over all sets: the number of values compared, its worst comparison, that one's set, and how many differ."""
+
+    cells: int
+    worst: Comparison
+    setting: Setting
+    differing: int
+
+
+@dataclass(frozen=True, slots=True)
+class Perturbation:
+    """What `perturb` found in one file."""
+
+    file: str
+    sets: int
+    seed: int
+    rows: int
+    whole: int
+    partly: int
+    judged: tuple[Judged, ...]
+
+    @property
+    def agrees(self) -> bool:
+        """True when every judge agrees in every set."""
+        return all(item.differing == 0 for item in self.judged)
+
+    @property
+    def nowhere(self) -> int:
+        """Sets with which no row exists."""
+        return self.sets - self.whole - self.partly
+
+    def as_dict(self) -> dict[str, Any]:
+        """As JSON data."""
+        return {
+            "file": self.file,
+            "agrees": self.agrees,
+            "sets": self.sets,
+            "seed": self.seed,
+            "rows": self.rows,
+            "assemble": {"whole": self.whole, "partly": self.partly, "nowhere": self.nowhere},
+            "judges": [
+                {
+                    "judge": item.worst.judge,
+                    "cells": item.cells,
+                    "worst": item.worst.worst,
+                    "where": item.worst.where,
+                    "ours": item.worst.ours,
+                    "theirs": item.worst.theirs,
+                    "set": item.setting.number,
+                    "inputs": dict(item.setting.inputs),
+                    "differing": item.differing,
+                }
+                for item in self.judged
+            ],
+        }
+
+
+def perturb(
+    path: str | Path,
+    count: int,
+    seed: int = 0,
+    programs: Sequence[str] = (),
+    progress: Callable[[str], None] | None = None,
+) -> Perturbation:
+    """Type `count` random sets of dimensions and modes into the input cells of a workbook (or of what a description builds).
+
+    The engine is compared with the reference and with each program named. The same seed gives the same sets. Raises
+    MechsheetError when the file cannot be read or carries no description.
+    """
+    path = Path(path)
+    say = progress or (lambda _: None)
+    with workbook_of(path) as built:
+        return _Run(built, readable_name(path), seed, say).over(count, programs)
+
+
+@contextmanager
+def workbook_of(path: Path) -> Iterator[Path]:
+    """The workbook itself, or the one that a description builds, aside."""
+    if path.suffix.lower() != ".toml":
+        yield path
+        return
+    mechanism = load(path)
+    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+        try:
+            (built,) = build(mechanism, folder)
+        except MechanismError as error:
+            raise located(error, mechanism.text, readable_name(path)) from error
+        yield built
+
+
+def description_or_fault(book: Book, shown: str) -> str:
+    """The description that a book carries. Raises WorkbookError when there is none."""
+    text = description_in(book)
+    if text is None:
+        raise WorkbookError(Fault("carries no description: it was not built by mechsheet, or its sheet is gone", shown))
+    return text
+
+
+class _Run:
+    """One file: its book compiled once, and the running worst of each judge."""
+
+    def __init__(self, path: Path, shown: str, seed: int, say: Callable[[str], None]) -> None:
+        self.path, self.shown, self.seed, self.say = path, shown, seed, say
+        self.book = read(path)
+        self.plan = plan_inside(description_or_fault(self.book, shown), shown)
+        self.ready = compile_book(self.book)
+        self.tallies: dict[str, Judged] = {}
+
+    def over(self, count: int, programs: Sequence[str]) -> Perturbation:
+        """All sets, in batches."""
+        draw = random.Random(self.seed)
+        settings: list[Setting] = []
+        for first in range(0, count, BATCH):
+            batch = [self._drawn(draw, number) for number in range(first, min(first + BATCH, count))]
+            settings += batch
+            self._judge(batch, programs, count)
+        rows = self.plan.rows
+        return Perturbation(
+            self.shown,
+            count,
+            self.seed,
+            rows,
+            sum(1 for each in settings if each.rows == rows),
+            sum(1 for each in settings if 0 < each.rows < rows),
+            tuple(self.tallies.values()),
+        )
+
+    def _drawn(self, draw: random.Random, number: int) -> Setting:
+        """A set that assembles in some row, nearly always."""
+        may_fail = draw.random() < NOWHERE_KEPT
+        for _ in range(1 if may_fail else REDRAWS):
+            setting = Setting(number, drawn(self.plan, draw))
+            rows = self._rows(self.ready.evaluate(self._changes(setting)))
+            if rows:
+                break
+        return replace(setting, rows=rows)
+
+    def _rows(self, values: Any) -> int:
+        numbers, _ = values.arrays(self.plan.table, EXISTS, self.plan.at.first, self.plan.at.last)
+        return int(np.nansum(numbers))
+
+    def _changes(self, setting: Setting) -> dict[Place, Scalar]:
+        spots = self.plan.at.spots
+        return {(spots[name].sheet, spots[name].row, spots[name].col): value for name, value in setting.inputs.items()}
+
+    def _judge(self, batch: Sequence[Setting], programs: Sequence[str], count: int) -> None:
+        angles = angles_in(self.plan)
+        values = [self.ready.evaluate(self._changes(setting)) for setting in batch]
+        for setting, found in zip(batch, values, strict=True):
+            self.say(f"set {setting.number + 1} of {count}")
+            self._note(against_plan(self.book, found, self.plan, self.shown)[0], setting)
+        for program in programs:
+            self.say(f"{program}, sets {batch[0].number + 1} to {batch[-1].number + 1} of {count}")
+            with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+                paths = [self._written(setting, Path(folder)) for setting in batch]
+                theirs = self._answers(program, paths)
+                for setting, found, answer in zip(batch, values, theirs, strict=True):
+                    self._note(compare_cells(program, self.book, found, answer.get, angles), setting)
+
+    def _answers(self, program: str, paths: Sequence[Path]) -> Iterator[Answers]:
+        try:
+            yield from answers_to_all(program, paths)
+        except MissingProgramError:
+            raise
+        except WorkbookError as error:
+            raise WorkbookError([replace(fault, file=self.shown) for fault in error.faults]) from error
+
+    def _written(self, setting: Setting, folder: Path) -> Path:
+        """The file with only its input cells changed: stored results stay what they were."""
+        output = folder / f"set-{setting.number}{self.path.suffix}"
+        refresh(self.path, output, self.book, _Stored(self.book), self._changes(setting))
+        return output
+
+    def _note(self, found: Comparison, setting: Setting) -> None:
+        differs = 0 if found.agrees else 1
+        old = self.tallies.get(found.judge)
+        if old is None:
+            self.tallies[found.judge] = Judged(found.cells, found, setting, differs)
+            return
+        # A difference is worse than any agreement, whatever their figures (a dead centre's uncertainty is excused).
+        worse = (not found.agrees, found.worst) > (not old.worst.agrees, old.worst.worst)
+        worst, where = (found, setting) if worse else (old.worst, old.setting)
+        self.tallies[found.judge] = Judged(old.cells + found.cells, worst, where, old.differing + differs)
+
+
+class _Stored:
+    """The values stored in a book, as if they were new ones."""
+
+    def __init__(self, book: Book) -> None:
+        self._sheets = {sheet.title: sheet.cached for sheet in book.sheets}
+
+    def get(self, sheet: str, row: int, col: int) -> Scalar:
+        """The stored value of a formula's cell."""
+        return self._sheets[sheet].get(row, col)
+
+
+def drawn(plan: Plan, draw: random.Random) -> dict[str, float]:
+    """A random set: every input dimension and mode, in the unit of its cell.
+
+    Lengths keep their sign; where the workbook allows any sign, a few change it. A zero stays zero half the time: zero is
+    often what makes a mechanism special.
+    """
+    spread = draw.choice(SPREADS)
+    inputs = [dim for dim in plan.mechanism.dimensions if not dim.derived]
+    size = max((abs(float(dim.value)) for dim in inputs if dim.unit not in ("deg", "rad", "1")), default=1.0) or 1.0
+    found: dict[str, float] = {}
+    for dim in inputs:
+        value, change = float(dim.value), draw.uniform(-spread, spread)
+        if dim.unit in ("deg", "rad"):
+            value = value + change
+            value = math.degrees(value) if dim.unit == "deg" else value
+        elif value == 0:
+            value = 0.0 if draw.random() < 0.5 else change * size
+            value = abs(value) if dim.symbol in plan.equations.positive else value
+        else:
+            value *= math.exp(change)
+            if dim.symbol not in plan.equations.positive and draw.random() < 0.05:
+                value = -value
+        found[dim.symbol] = float(f"{value:.6g}")
+    for group in plan.equations.groups:
+        if group.mode:
+            found[group.mode] = float(-group.mode_value if draw.random() < FLIPPED else group.mode_value)
+    return found
+
+
+def _shortest(value: float) -> str:
+    return repr(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)

@@ -1,0 +1,95 @@
+"""How `mechsheet check` prints what it found."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+LONG = 100
+"""Longer formulas are shown around the place in which they differ; with --json in full."""
+
+AROUND = 30
+"""So many signs of them before and behind it."""
+
+EDITS = 40
+"""So many edits are listed; with --json all."""
+
+
+def print_report(report: Any) -> None:
+    """A check: a line for each judge, the edits, the remarks."""
+    click.echo(f"{report.file}: {'all agree' if report.agrees else _verdict(report)}")
+    for item in report.comparisons:
+        verdict = "agrees " if item.agrees else "DIFFERS"
+        click.echo(f"  {item.judge:<14} {verdict} {item.cells:>8} values, worst {item.worst:9.2e}  {item.where}")
+        if not item.agrees:
+            click.echo(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
+    for edit in report.edits[:EDITS]:
+        was, now = focused(edit.was, edit.now)
+        click.echo(f"  edited: {edit.where} {_WORDS.get(edit.kind, edit.kind)}{edit.note}")
+        click.echo(f"          was {was or 'empty'}")
+        click.echo(f"          is  {now or 'empty'}")
+    if len(report.edits) > EDITS:
+        click.echo(f"  edited: {len(report.edits) - EDITS} more places (all with --json)")
+    for remark in report.remarks:
+        click.echo(f"  note: {remark}")
+
+
+_WORDS = {
+    "changed": "has another formula",
+    "out of its run": "has a formula of its own",
+    "overwritten": "was overwritten",
+    "emptied": "was emptied",
+    "formula": "holds a formula in place of a number",
+    "value": "holds another number",
+    "name": "is a name that was changed",
+    "sheet": "is a sheet that is not as it was",
+    "deleted": "was deleted",
+}
+
+
+def _verdict(report: Any) -> str:
+    if all(item.agrees for item in report.comparisons):
+        return "EDITED, all values agree"
+    return "EDITED, AND SOMETHING DIFFERS" if report.edits else "SOMETHING DIFFERS"
+
+
+def focused(was: str, now: str) -> tuple[str, str]:
+    """Two formulas, long ones cut down to where they differ."""
+    if max(len(was), len(now)) <= LONG:
+        return was, now
+    start = max(0, _common(was, now) - AROUND)
+    behind = _common(was[start:][::-1], now[start:][::-1])
+    cut = max(0, behind - AROUND)
+    return _cut(was, start, cut), _cut(now, start, cut)
+
+
+def _common(one: str, other: str) -> int:
+    """How many signs two texts have in common at their beginning."""
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((place for place, (left, right) in pairs if left != right), min(len(one), len(other)))
+
+
+def _cut(text: str, start: int, cut: int) -> str:
+    end = len(text) - cut
+    middle = text[start:end]
+    if len(middle) > 2 * LONG:
+        middle = middle[: 2 * LONG] + "…"
+    return ("…" if start else "") + middle + ("…" if cut else "")
+
+
+def print_perturbation(found: Any) -> None:
+    """Random sets of inputs: how many assemble, and the worst of each judge with the set that caused it."""
+    click.echo(f"{found.file}: {'all agree' if found.agrees else 'SOMETHING DIFFERS'}")
+    click.echo(
+        f"  {found.sets} sets (seed {found.seed}): {found.whole} assemble in all {found.rows} rows, "
+        f"{found.partly} in some, {found.nowhere} in none"
+    )
+    for item in found.judged:
+        worst = item.worst
+        verdict = "agrees " if not item.differing else "DIFFERS"
+        click.echo(f"  {worst.judge:<14} {verdict} {item.cells:>8} values, worst {worst.worst:9.2e}  {worst.where}")
+        if item.differing:
+            click.echo(f"  {'':<14} in {item.differing} of {found.sets} sets; here {worst.subject} {worst.ours}, ")
+            click.echo(f"  {'':<14} {worst.judge} {worst.theirs or 'nothing'}")
+        click.echo(f"  {'':<14} set {item.setting.number + 1}: {item.setting.text()}")
