@@ -16,6 +16,9 @@ from mechsheet.formula.functions import FUNCTIONS
 MAX_LENGTH = 255
 _SHAPE = re.compile(r"[^\W\d][\w.]*")
 _CELL = re.compile(r"[a-z]{1,3}\d+", re.IGNORECASE)
+_COMMON = ("kernels_math", "kernels_logic", "kernels_fold", "kernels_lookup", "kernels_text")
+_FUNCTIONS = frozenset(row.name for row in FUNCTIONS.values() if row.module in _COMMON)
+"""Functions that everybody knows: a cell called so would be legal and misleading. (`phi` is a good name of an angle.)"""
 _R1C1 = re.compile(r"(r\d*)?(c\d*)?", re.IGNORECASE)
 
 
@@ -42,7 +45,7 @@ def name_fault(name: str) -> str:
         return "looks like an address in R1C1 form"
     if name.upper() in {"TRUE", "FALSE"} or name.lower().startswith(("_xlnm", "_xlfn", "_xlpm")):
         return "is reserved by spreadsheet programs"
-    if name.upper() in FUNCTIONS:
+    if name.upper() in _FUNCTIONS:
         return "is the name of a function"
     return ""
 
