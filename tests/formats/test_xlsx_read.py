@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import evaluate
+from mechsheet.formats import refresh
 from mechsheet.formats.fill_runs import FormulaRuns
 from mechsheet.formats.package import MAX_RATIO
 from mechsheet.formats.xlsx_read import read_xlsx
@@ -367,6 +368,35 @@ def test_dates_as_texts_of_a_strict_file(read):
     assert list(constants(read(f"<row>{cells}</row>")).values()) == [45351.5, 59.0, 1.0, 0.25]
     book = read(f"<row>{cells}</row>", workbook='<workbookPr date1904="true"/>')
     assert next(iter(constants(book).values())) == 45351.5 - 1462
+
+
+def test_part_names_with_backslashes_and_other_letters(read, tmp_path):
+    """Some programs write zip files as Windows spells paths."""
+    parts = parts_of('<row r="1"><c r="A1"><f>1+1</f></c></row>')
+    book = read({name.replace("/", "\\").replace("sheet1", "Sheet1"): text for name, text in parts.items()})
+    assert blocks(book) == {"A1": "1+1"}
+    refresh(tmp_path / "book.xlsx", tmp_path / "new.xlsx", book, evaluate(book), {})
+    assert cached(read_xlsx(tmp_path / "new.xlsx")) == {"A1": 2.0}
+
+
+@pytest.mark.filterwarnings("ignore:Duplicate name")
+def test_two_parts_of_one_name(tmp_path):
+    """Whoever takes the first sees another workbook than who takes the last."""
+    path = tmp_path / "book.xlsx"
+    path.write_bytes(packed(parts_of("")))
+    with zipfile.ZipFile(path, "a") as file:
+        file.writestr("xl/worksheets/SHEET1.xml", "<worksheet/>")
+    with pytest.raises(WorkbookError, match=r"SHEET1\.xml: two parts have this name"):
+        read_xlsx(path)
+
+
+def test_sheets_without_a_part_of_their_own(read):
+    """Excel lists modules of macros among the sheets."""
+    parts = parts_of('<row r="1"><c r="A1"><v>1</v></c></row>')
+    parts["xl/workbook.xml"] = parts["xl/workbook.xml"].replace(
+        "<sheets>", '<sheets><sheet name="Module1" sheetId="7" state="veryHidden" r:id=""/>'
+    )
+    assert [sheet.title for sheet in read(parts).sheets] == ["S"]
 
 
 def test_a_zip_that_is_packed_to_burst(read):

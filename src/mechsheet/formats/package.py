@@ -28,16 +28,25 @@ _OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 _ENCRYPTED = "EncryptedPackage".encode("utf-16-le")
 
 
+def part_key(name: str) -> str:
+    """What a part's name is compared by: large and small letters are the same, some programs write backslashes."""
+    return name.replace("\\", "/").lstrip("/").casefold()
+
+
 class Package:
     """An open zip file with its parts by name."""
 
     def __init__(self, file: zipfile.ZipFile, name: str) -> None:
         self._zip = file
         self.name = name
-        self._parts = {info.filename.lstrip("/").casefold(): info for info in file.infolist()}
+        self._parts: dict[str, zipfile.ZipInfo] = {}
+        for info in file.infolist():
+            if self._parts.setdefault(part_key(info.filename), info) is not info:
+                # Two readers of such a file would see two workbooks.
+                raise self.fault("two parts have this name", info.filename[:100])
 
     def __contains__(self, part: str) -> bool:
-        return part.lstrip("/").casefold() in self._parts
+        return part_key(part) in self._parts
 
     def fault(self, message: str, part: str = "") -> WorkbookError:
         """The error that refuses the file."""
@@ -45,7 +54,7 @@ class Package:
 
     def pieces(self, part: str) -> Iterator[bytes]:
         """The bytes of a part, piece by piece."""
-        info = self._parts.get(part.lstrip("/").casefold())
+        info = self._parts.get(part_key(part))
         if info is None:
             raise self.fault("the part is missing", part)
         if info.flag_bits & 1:

@@ -11,7 +11,7 @@ from mechsheet.formula.book import Book, BookSheet
 from mechsheet.formula.nodes import Scalar
 
 from .archive import new_archive
-from .package import Package
+from .package import Package, part_key
 
 Place = tuple[str, int, int]
 """Sheet, row, column."""
@@ -62,11 +62,11 @@ def check_output(source: Path, output: Path) -> None:
 
 def write_package(package: Package, output: Path, parts: Mapping[str, Rewrite]) -> None:
     """Copy all entries of the zip file as they are but those in `parts`, which are rewritten."""
-    wanted = {part.lstrip("/").casefold(): rewrite for part, rewrite in parts.items()}
+    wanted = {part_key(part): rewrite for part, rewrite in parts.items()}
     with new_archive(output) as archive:
         archive.comment(package.comment)
         for entry in package.entries():
-            rewrite = wanted.get(entry.filename.lstrip("/").casefold())
+            rewrite = wanted.get(part_key(entry.filename))
             if rewrite is None:
                 archive.copied(entry, package.raw(entry))
             else:

@@ -16,6 +16,9 @@ from .package import Package, attribute, local_name, open_package, relationships
 from .sheet_scan import SheetScan
 from .xlsx_tables import tables_of
 
+_WITHOUT_CELLS = ("chartsheet", "dialogsheet", "xlMacrosheet", "xlIntlMacrosheet")
+"""Kinds of sheets that are passed over; Excel also lists modules of macros, which link to nothing."""
+
 
 def read_xlsx(path: Path) -> Book:
     """The workbook in a file.
@@ -73,7 +76,7 @@ def _sheet_parts(
     found = []
     for title, link in contents.sheets:
         kind, target = links.get(link, ("", ""))
-        if kind in ("chartsheet", "dialogsheet", "xlMacrosheet"):
+        if not link or kind in _WITHOUT_CELLS:
             continue
         if target not in package:
             raise package.fault(f'the sheet "{title}" has no part in the file', target or part)
