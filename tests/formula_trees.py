@@ -65,7 +65,9 @@ arrays = st.builds(
 )
 
 _FUNCTIONS = sorted(FUNCTIONS)
-functions = st.integers(0, len(_FUNCTIONS) - 1).map(_FUNCTIONS.__getitem__)  # sampled_from would print them all
+functions = st.integers(0, len(_FUNCTIONS) - 1).map(
+    lambda place: _FUNCTIONS[place]
+)  # sampled_from would print them all
 
 
 def _sheet_level(below):
