@@ -65,13 +65,11 @@ arrays = st.builds(
 )
 
 _FUNCTIONS = sorted(FUNCTIONS)
-functions = st.integers(0, len(_FUNCTIONS) - 1).map(
-    lambda place: _FUNCTIONS[place]
-)  # sampled_from would print them all
+functions = st.integers(0, len(_FUNCTIONS) - 1).map(lambda place: _FUNCTIONS[place])
 
 
 def _sheet_level(below):
-    arguments = st.lists(below | st.just(Missing()), max_size=4).filter(lambda args: args != [Missing()])
+    arguments = st.lists(below | st.just(Missing()), max_size=4).map(lambda args: [] if args == [Missing()] else args)
     return (
         st.builds(
             Binary, st.sampled_from(["+", "-", "*", "/", "^", "&", "=", "<>", "<", "<=", ">", ">="]), below, below
