@@ -122,6 +122,12 @@ def matrix_of(table: Cells) -> Numbers:
     return np.asarray(table.numbers, np.float64)
 
 
+def scalars_of(table: Cells, texts: Texts) -> list[Scalar]:
+    """The values of an array, row by row."""
+    pairs = zip(table.numbers.ravel().tolist(), table.codes.ravel().tolist(), strict=True)
+    return [texts.decode(number, code) for number, code in pairs]
+
+
 def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame) -> Any:
     """An argument that is no single value, or the problem with it."""
     try:
@@ -130,6 +136,8 @@ def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame) -> Any:
         if isinstance(node, Missing):
             return None
         table = table_of(ev, node, frame)
+        if kind == "l":
+            return scalars_of(table, ev.texts)
         return matrix_of(table) if kind == "m" else table
     except Problem as problem:
         return problem

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .calling import Problem
+from .calling import Problem, to_truth
 from .kernels_numbers import paired
 from .values import NA, NUM, Cells, Numbers
 
@@ -179,7 +179,7 @@ def _checked(known_y: Numbers, known_x: Numbers | None, logarithmic: bool) -> tu
 def _line(logarithmic: bool) -> Callable[..., Cells]:
     def of(known_y: Numbers, known_x: Numbers | None = None, constant: Any = None, stats: bool = False) -> Cells:
         y, x, _ = _checked(known_y, known_x, logarithmic)
-        with_constant = constant is None or _truth(constant)
+        with_constant = constant is None or to_truth(constant)
         fit = fitted(y, x, with_constant)
         values = np.append(fit.coefficients[::-1], fit.constant)
         if logarithmic:
@@ -189,12 +189,6 @@ def _line(logarithmic: bool) -> Callable[..., Cells]:
         return _with_statistics(values, fit)
 
     return of
-
-
-def _truth(value: Any) -> bool:
-    from .calling import to_truth
-
-    return to_truth(value)
 
 
 def _with_statistics(values: Numbers, fit: Fit) -> Cells:
@@ -222,7 +216,7 @@ def _along(logarithmic: bool) -> Callable[..., Numbers]:
         known_y: Numbers, known_x: Numbers | None = None, new_x: Numbers | None = None, constant: Any = None
     ) -> Numbers:
         y, x, in_rows = _checked(known_y, known_x, logarithmic)
-        fit = fitted(y, x, constant is None or _truth(constant))
+        fit = fitted(y, x, constant is None or to_truth(constant))
         if new_x is None:
             new_x = known_x if known_x is not None else np.arange(1.0, known_y.size + 1).reshape(known_y.shape)
         if x.shape[1] == 1:
