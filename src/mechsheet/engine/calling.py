@@ -204,7 +204,7 @@ class _Call:
         if isinstance(found, Cells):
             return found
         if isinstance(found, Serial):
-            found = float(found) - self.offset
+            found = ErrorValue("#NUM!") if found < self.offset else float(found) - self.offset
         if isinstance(found, int | float | np.floating) and not isinstance(found, bool):
             found = float(found) if np.isfinite(found) else ErrorValue("#NUM!")
         return self.texts.encode(found)

@@ -10,13 +10,14 @@ import numpy as np
 
 from ..formula.nodes import ErrorValue, Scalar
 from .kernels_math import NEAR
-from .values import BLANK, BOOLEAN, ERROR, TEXT, VALUE, Cells, Texts, boolean, codes_of, errors_of, first_error
+from .shown_dates import shown_number
+from .values import BLANK, BOOLEAN, ERROR, TEXT, VALUE, Cells, Texts, boolean, codes_of, errors_of, first_error, fitted
 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
 def text_to_number(text: str) -> float | None:
-    """The number that a text shows ("2.5", "1e3", "50%", "$3" is none), None when it shows none."""
+    """The number that a text shows ("2.5", "1e3", "50%", "$3", "3/14/2026", "6:30 PM"), None when it shows none."""
     body = text.strip()
     percent = body.endswith("%")
     if percent:
@@ -24,7 +25,7 @@ def text_to_number(text: str) -> float | None:
     if "," in body and re.fullmatch(r"[+-]?[0-9]{1,3}(?:,[0-9]{3})+(?:\.[0-9]*)?", body):
         body = body.replace(",", "")
     if not _NUMBER.fullmatch(body):
-        return None
+        return None if percent else shown_number(body)
     value = float(body)
     if not np.isfinite(value):
         return None
@@ -50,6 +51,12 @@ def to_text(value: Scalar) -> str:
     if isinstance(value, bool):
         return "TRUE" if value else "FALSE"
     return number_to_text(value) if isinstance(value, float) else str(value)
+
+
+def text_of(cells: Cells, texts: Texts) -> str | Cells:
+    """The text of one value, or the error it is; of an array the first cell."""
+    value = texts.decode(float(np.ravel(cells.numbers)[0]), int(np.ravel(codes_of(cells))[0]))
+    return texts.constant(value) if isinstance(value, ErrorValue) else to_text(value)
 
 
 def numbers_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
@@ -96,6 +103,7 @@ def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
 
 def each(function: Callable[..., Scalar], args: tuple[Cells, ...], texts: Texts) -> Cells:
     """A function of scalars, cell by cell: the slow way, for texts. Errors in arguments come first, from the left."""
+    args = fitted(*args)
     if all(cells.shape == () for cells in args):
         single = tuple((float(cells.numbers), 0 if cells.codes is None else int(cells.codes)) for cells in args)
         number, code = _one(function, single, texts)
