@@ -39,7 +39,7 @@ def test_set_reaches_the_file(tmp_path):
     ("arguments", "messages"),
     [
         (["--to", "cvs"], ['no kind of export is called "cvs"', 'did you mean "csv"?']),
-        (["--to", "qqqq"], ["kinds: csv"]),
+        (["--to", "qqqq"], ["= kinds: ", ", csv"]),
         (["--to", "csv", "--at", "60"], ["--at: csv holds the whole sweep"]),
         (["--to", "csv", "--frames", "3"], ["--frames: csv holds the whole sweep"]),
         (["--to", "csv", "--set", "a9=1"], ["a9"]),

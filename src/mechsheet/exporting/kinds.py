@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from mechsheet.exporting import table
+from mechsheet.exporting import python, table
 from mechsheet.exporting.job import Kind
 
 _ROWS = (
+    Kind("python", ".py", "a numpy module that needs nothing else", python.write, identifier=True),
     Kind("csv", ".csv", "the variables over the sweep, with units", table.write),
-)  # fmt: skip
+)
 
 KINDS = {kind.name: kind for kind in _ROWS}
 """Name -> kind, in the order of the help."""

@@ -1,0 +1,218 @@
+"""python: a module that needs numpy and nothing else; `solve()` gives the arrays, running it prints a table."""
+
+from __future__ import annotations
+
+import builtins
+import json
+import keyword
+from textwrap import dedent, wrap
+
+from mechsheet.exporting.job import Job
+from mechsheet.exporting.program import ColumnLine, Line, Program, one_line, program_of
+from mechsheet.formula.nodes import Node
+
+RESERVED = (
+    *keyword.kwlist, *keyword.softkwlist, *dir(builtins), "np", "csv", "sys", "solve", "main", "n", "rows", "exists",
+    "start", "stop", "step", "annotations", "ArrayLike", "NDArray", "Array", "UNITS",
+)  # fmt: skip
+
+WIDTH = 100
+
+_HELPERS = '''
+def _direction(x: ArrayLike, y: ArrayLike) -> Array:
+    """Angle of the vector (x, y), x first as in a spreadsheet; NaN where it has no length."""
+    x, y = np.asarray(x, float), np.asarray(y, float)
+    return np.where((x == 0) & (y == 0), np.nan, np.arctan2(y, x))
+
+
+def _rounded(x: ArrayLike, digits: float) -> Array:
+    """Half away from zero, as a spreadsheet rounds."""
+    x, scale = np.asarray(x, float), 10.0**digits
+    return np.asarray(np.sign(x) * np.floor(np.abs(x) * scale + 0.5) / scale)
+
+
+def _above(x: ArrayLike) -> Array:
+    """Each row's value moved down by one; nothing stands above the first."""
+    return np.concatenate(([np.nan], np.asarray(x, float)[:-1]))
+
+
+def _kept(x: ArrayLike, exists: NDArray[np.bool_]) -> Array:
+    """The finite values in rows that exist, NaN elsewhere."""
+    whole = np.broadcast_to(np.asarray(x, float), exists.shape)
+    return np.where(exists & np.isfinite(whole), whole, np.nan)
+
+
+def main() -> None:
+    """Print the variables over the sweep as CSV, angles in degrees."""
+    found = solve()
+    degrees = {symbol: unit == "rad" for symbol, unit in UNITS.items()}
+    writer = csv.writer(sys.stdout, lineterminator="\\n")
+    writer.writerow(f"{symbol} [{'deg' if degrees[symbol] else UNITS[symbol]}]" for symbol in found)
+    for row in zip(*(np.degrees(x) if degrees[s] else x for s, x in found.items()), strict=True):
+        writer.writerow("" if np.isnan(value) else repr(float(value)) for value in row)
+
+
+if __name__ == "__main__":
+    main()
+'''
+
+
+def write(job: Job) -> list[bytes]:
+    """The module in UTF-8."""
+    program = program_of(job.mechanism, RESERVED)
+    lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
+    return [("\n".join(lines) + _HELPERS).encode()]
+
+
+def _text(program: Program, node: Node, indexed: bool = False) -> str:
+    if indexed:
+        return program.print(node, "python", lambda name: f"{name}[n - 1]", lambda name: f"{name}[n]")
+    return program.print(node, "python", lambda name: f"_above({name})")
+
+
+def _quoted(text: str) -> str:
+    """A text of the description inside a docstring."""
+    return one_line(text).replace("\\", "\\\\").replace('"', "'")
+
+
+def _string(text: str) -> str:
+    """A string in double quotes; JSON's escapes are Python's."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _paragraph(text: str, indent: str = "") -> list[str]:
+    return wrap(text, WIDTH, initial_indent=indent, subsequent_indent=indent, break_long_words=False)
+
+
+def _opening(program: Program, name: str) -> list[str]:
+    mechanism = program.mechanism
+    title, source = (_quoted(words.of(mechanism.language)) for words in (mechanism.title, mechanism.source))
+    body = [
+        f'"""{title}: positions over a sweep of {program.names[mechanism.driver.symbol]}.',
+        "",
+        *([*_paragraph(f"Source: {source}"), ""] if source else []),
+        *_paragraph(
+            f"Lengths are in {_quoted(mechanism.length_unit)}, angles in radians. Each array has one entry per row of the "
+            "sweep, NaN where the links cannot be joined. Angles are continuous from row to row. Needs numpy only."
+        ),
+        "",
+        f"    import {name}",
+        f'    found = {name}.solve()["{program.shown[1]}"]',
+        '"""',
+    ]
+    imports = """
+        from __future__ import annotations
+
+        import csv
+        import sys
+
+        import numpy as np
+        from numpy.typing import ArrayLike, NDArray
+
+        Array = NDArray[np.float64]
+        """
+    return [*body, *dedent(imports).splitlines(), ""]
+
+
+def _tables(program: Program) -> list[str]:
+    units = [f"    {_string(symbol)}: {_string(one_line(program.unit_of(symbol)))}," for symbol in program.shown]
+    return ["UNITS = {", *units, "}", '"""Unit of each array that `solve` returns."""', ""]
+
+
+def _solve(program: Program) -> list[str]:
+    driver = program.names[program.mechanism.driver.symbol]
+    body = ['    with np.errstate(all="ignore"):']
+    given = ", ".join(program.names[line.symbol] for line in (*program.given, *program.modes))
+    body += [f"        ({given},) = np.array(({given},), float)"] if given else []
+    body += [text for line in program.derived for text in _line(program, line)]
+    body += _driver(program, driver)
+    body += [f"        rows = len({driver})"]
+    group: int | None = None
+    for column in program.columns:
+        if column.group != group:
+            group = column.group
+            body += [f"        # {_heading(program, group)}"]
+        body += _column(program, column)
+    body += [f"        exists = np.broadcast_to({_text(program, program.exists)}, {driver}.shape)"]
+    body += ["        return {"]
+    body += [f"            {_string(program.shown[0])}: {driver},"]
+    body += [f"            {_string(symbol)}: _kept({program.names[symbol]}, exists)," for symbol in program.shown[1:]]
+    return [*_signature(program, driver), *body, "        }", ""]
+
+
+def _heading(program: Program, number: int) -> str:
+    if number == 0:
+        return "driver's side"
+    if number < 0:
+        return "outputs"
+    group = program.equations.groups[number - 1]
+    return f"group {number} ({group.kind}): {one_line(group.label.of(program.mechanism.language))}"
+
+
+def _signature(program: Program, driver: str) -> list[str]:
+    head = ["", "def solve(", f"    {driver}: ArrayLike | None = None,", "    *,"]
+    texts = ["", f"    {driver}: the driver's values, one per row; by default the description's sweep"]
+    for line in program.given:
+        head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.node)},")
+        texts += _argument(program, line)
+    for line in program.modes:
+        head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.node)},")
+        texts += _argument(program, line)
+    doc = ['    """Positions of all links in every row: {symbol: array}, units in `UNITS`.', *texts, '    """']
+    return [*head, ") -> dict[str, Array]:", *doc]
+
+
+def _argument(program: Program, line: Line) -> list[str]:
+    unit = f" [{line.unit}]" if line.unit else ""
+    text = _quoted(
+        f"{program.names[line.symbol]}{unit}: {line.words}" if line.words else program.names[line.symbol] + unit
+    )
+    return _paragraph(text, " " * 4)
+
+
+def _line(program: Program, line: Line) -> list[str]:
+    return _commented(f"        {program.names[line.symbol]} = {_text(program, line.node)}", line.words)
+
+
+def _driver(program: Program, driver: str) -> list[str]:
+    """The driver's values: given, or the description's; these may be made of dimensions."""
+    lines = [f"        if {driver} is None:"]
+    if program.sweep:
+        start, stop, step = (_text(program, part) for part in program.sweep)
+        lines += [
+            f"            start, stop, step = {start}, {stop}, {step}",
+            f"            {driver} = start + step * np.arange(np.floor((stop - start) / step + 1e-9) + 1)",
+        ]
+    else:
+        lines += [f"            {driver} = ({', '.join(_text(program, value) for value in program.values)},)"]
+    return [*lines, f"        {driver} = np.atleast_1d(np.asarray({driver}, float))"]
+
+
+def _column(program: Program, column: ColumnLine) -> list[str]:
+    name = program.names[column.symbol]
+    text = _text(program, column.node, indexed=column.way == "rows")
+    if column.way == "still":
+        return _commented(f"        {name} = np.full(rows, {text})", column.words)
+    if column.way == "whole":
+        return _commented(f"        {name} = {text}", column.words)
+    first = _text(program, column.first, indexed=column.way == "rows") if column.first is not None else "0"
+    if column.way == "running":
+        return [
+            *_commented(f"        {name} = np.asarray({text})", column.words),
+            f"        {name}[0] = {first}",
+            f"        {name} = np.cumsum({name})",
+        ]
+    return [
+        *_commented(f"        {name} = np.full(rows, np.nan)", column.words),
+        "        for n in range(rows):",
+        f"            {name}[n] = {first} if n == 0 else {text}",
+    ]
+
+
+def _commented(code: str, words: str) -> list[str]:
+    """The code with its comment behind it, or over it where there is no room."""
+    if not words:
+        return [code]
+    if len(code) + len(words) + 4 <= WIDTH:
+        return [f"{code}  # {words}"]
+    return [f"        # {words}", code]

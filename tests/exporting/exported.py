@@ -1,0 +1,74 @@
+"""What the tests of all kinds share: the mechanisms, and arrays compared with the reference."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+
+from mechsheet import reference
+from mechsheet.description import load, loads
+from mechsheet.kinematics.rough import rough_poses
+from mechsheet.kinematics.solve import solve
+from random_mechanisms import Grower
+
+TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
+SEEDS = range(700, 724)
+
+DEAD_CENTRE, CLOSED = 1e-6, 1e-11
+"""At a dead centre a position is as uncertain as the square root of rounding, if it closes the loops to rounding."""
+
+
+def mechanisms():
+    """Every template, and random linkages of all dyads, by a name that is an identifier."""
+    found = {path.stem.replace("-", "_"): load(path) for path in TEMPLATES}
+    return found | {f"random_{seed}": loads(Grower(seed, 1 + seed % 6).text(13)) for seed in SEEDS}
+
+
+def worst_against_reference(mechanism, found, dimensions=None, modes=None):
+    """The largest difference, as a part of the size (angles in radians); infinite where only one has a number.
+
+    found  {symbol: array} in internal units, the driver among them
+    """
+    driver = np.asarray(found[mechanism.driver.symbol], float)
+    equations = solve(mechanism)
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode} | (modes or {})
+    start = rough_poses(mechanism, modes)
+    solution = reference.solve(mechanism, dimensions, start=start, values=driver)
+    theirs = reference.variables(solution)
+    residual, _ = reference.worst(
+        reference.residuals(mechanism, solution.dimensions, complete(mechanism, found, theirs))
+    )
+    closed = np.nan_to_num(residual, nan=math.inf) < CLOSED * solution.size
+    worst = 0.0
+    for symbol, values in found.items():
+        gap = np.asarray(values, float) - theirs[symbol]
+        unit = "angle" if symbol == mechanism.driver.symbol else equations.of(symbol).unit
+        if symbol == mechanism.driver.symbol:
+            gap = gap / (1.0 if mechanism.driver.unit in ("deg", "rad") else solution.size)
+        elif unit == "angle":
+            gap = np.remainder(gap + math.pi, math.tau) - math.pi
+        elif unit == "length":
+            gap = gap / solution.size
+        else:
+            gap = gap / np.maximum(1.0, np.abs(theirs[symbol]))
+        gap = np.where(np.isnan(values) & np.isnan(theirs[symbol]), 0.0, np.abs(gap))
+        gap = np.where(np.isnan(gap), math.inf, gap)
+        gap = np.where(closed & (gap < DEAD_CENTRE), 0.0, gap) if (gap > 1e-9).any() else gap
+        worst = max(worst, float(gap.max()))
+    return worst
+
+
+def complete(mechanism, found, theirs):
+    """The arrays, with the fixed points that programs do not hand back."""
+    fixed = {f"{point}.{axis}" for point in mechanism.ground.points for axis in "xy"}
+    return {symbol: theirs[symbol] for symbol in fixed} | found
+
+
+def turns_are_continuous(mechanism, found):
+    """True when no angle leaps by half a turn from one row to the next that exists."""
+    for link in mechanism.links[1:]:
+        angle = np.asarray(found[link.angle_symbol], float)
+        steps = np.abs(np.diff(angle[np.isfinite(angle)]))
+        if len(steps) and steps.max() > math.pi + 1e-9:
+            return False
+    return True

@@ -1,0 +1,126 @@
+"""The numpy modules: run by a Python that cannot import anything of this package, against the reference."""
+
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from exported import TEMPLATES, mechanisms, worst_against_reference
+
+from mechsheet.description import load, loads
+from mechsheet.exporting import export
+from mechsheet.kinematics.solve import dimension_values, solve
+
+RUNNER = """
+import importlib.util, pathlib, sys, warnings
+warnings.simplefilter("error")
+import numpy as np
+for name in ("mechsheet", "click", "openpyxl", "formulas", "xlsxwriter", "lxml"):
+    sys.modules[name] = None  # an import of it fails
+for path in sorted(pathlib.Path(sys.argv[1]).glob("*.py")):
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    changes = eval(path.with_suffix(".changes").read_text())
+    found = module.solve(**changes)
+    assert set(found) == set(module.UNITS)
+    assert all(column.dtype == float and column.shape == found[next(iter(found))].shape for column in found.values())
+    np.savez(path.with_suffix(".npz"), **found)
+"""
+
+
+def run_all(folder):
+    subprocess.run([sys.executable, "-I", "-c", RUNNER, str(folder)], check=True, timeout=120)
+
+
+def loaded(folder, name):
+    with np.load(folder / f"{name}.npz") as file:
+        return dict(file)
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory):
+    """Every mechanism's arrays: with its own dimensions, and once more with others."""
+    folder = tmp_path_factory.mktemp("modules")
+    given = mechanisms()
+    changed = {}
+    random = np.random.default_rng(8)
+    for name, mechanism in given.items():
+        inputs = {dim.symbol: dim.value for dim in mechanism.dimensions if not dim.derived}
+        changed[name] = {symbol: value * random.uniform(0.99, 1.01) for symbol, value in inputs.items()}
+        for stem, changes in ((name, {}), (f"{name}_changed", changed[name])):
+            export(mechanism, "python", folder / f"{stem}.py")
+            (folder / f"{stem}.changes").write_text(repr({key: float(value) for key, value in changes.items()}))
+    run_all(folder)
+    return given, changed, folder
+
+
+def test_equal_to_the_reference(ran):
+    given, _, folder = ran
+    assert max(worst_against_reference(mechanism, loaded(folder, name)) for name, mechanism in given.items()) < 1e-9
+
+
+def test_other_dimensions(ran):
+    """The module follows its arguments as the reference follows its own."""
+    given, changed, folder = ran
+    judged = 0
+    for name, mechanism in given.items():
+        found = loaded(folder, f"{name}_changed")
+        if all(np.isnan(column).all() for symbol, column in found.items() if symbol != mechanism.driver.symbol):
+            continue  # nowhere assembled: no position to start the reference from
+        judged += 1
+        assert worst_against_reference(mechanism, found, dimensions_of(mechanism, changed[name])) < 1e-9, name
+    assert judged > 40
+
+
+def dimensions_of(mechanism, changes):
+    dims = tuple(replace(dim, value=changes.get(dim.symbol, dim.value)) for dim in mechanism.dimensions)
+    return dimension_values(replace(mechanism, dimensions=dims))
+
+
+def test_printed_table_is_that_of_csv(tmp_path):
+    mechanism = load(next(path for path in TEMPLATES if path.stem == "fivelink"))
+    (module,) = export(mechanism, "python", tmp_path / "fivelink.py")
+    (table,) = export(mechanism, "csv", tmp_path / "fivelink.csv")
+    ran = subprocess.run(
+        [sys.executable, "-I", str(module)], check=True, capture_output=True, text=True, encoding="utf-8"
+    )
+    ours, theirs = (text.splitlines() for text in (ran.stdout, table.read_text(encoding="utf-8")))
+    assert ours[0] == theirs[0]
+    assert len(ours) == len(theirs) == 20
+    for line, other in zip(ours[1:], theirs[1:], strict=True):
+        np.testing.assert_allclose(
+            [float(x) for x in line.split(",")], [float(x) for x in other.split(",")], rtol=1e-12
+        )
+
+
+def test_texts_of_the_description_stay_texts(tmp_path):
+    text = (TEMPLATES[0].parent / "four-bar.toml").read_text(encoding="utf-8")
+    hostile = 'x """ \\\\ \\" end\\nimport os # %s'
+    text = text.replace('title = { en = "Four-bar linkage"', f'title = {{ en = "{hostile}"')
+    text = text.replace('label = { en = "ground A0B0"', f'label = {{ en = "{hostile}"')
+    mechanism = loads(text)
+    assert mechanism.dimensions[0].label.en.count("import os") == 1
+    (module,) = export(mechanism, "python", tmp_path / "hostile.py")
+    source = module.read_text(encoding="utf-8")
+    names = compile(source, "hostile", "exec").co_names
+    assert "os" not in names
+    assert "solve" in names
+
+
+def test_same_bytes(tmp_path):
+    mechanism = load(TEMPLATES[0])
+    written = [export(mechanism, "python", tmp_path / name)[0].read_bytes() for name in ("a.py", "a.py")]
+    assert written[0] == written[1]
+
+
+def test_modes_are_arguments(tmp_path):
+    """The other assembly of a four-bar is the mirror image of the first about the line of its outer pins."""
+    mechanism = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    mode = solve(mechanism).groups[0].mode_value
+    export(mechanism, "python", tmp_path / "mirror.py")
+    (tmp_path / "mirror.changes").write_text(repr({"mode_1": -mode}))
+    run_all(tmp_path)
+    found = loaded(tmp_path, "mirror")
+    assert worst_against_reference(mechanism, found, modes={"mode_1": -mode}) < 1e-9
