@@ -29,18 +29,21 @@ def compile_book(book: Book) -> Plan:
 
 def evaluate(book: Book, overrides: Overrides | None = None) -> Values:
     """All values of a book, with some cells' contents replaced. To do so many times, keep `compile_book`'s plan."""
-    return Plan(book).evaluate(overrides)
+    return Plan(book, once=True).evaluate(overrides)
 
 
 class Plan:
     """A book with its cells laid out, its formulas resolved and their order found."""
 
-    def __init__(self, book: Book) -> None:
+    def __init__(self, book: Book, once: bool = False) -> None:
         self.book = book
+        self.once = once
         self.layout = make_layout(book)
-        self.formulas = resolve(book)
-        self.reads = dependencies(self.layout, self.formulas)
-        self.steps = schedule(self.layout, self.formulas, self.reads)
+        self.resolved = resolve(book)
+        self.remarks = tuple(self.resolved.remarks)
+        self.formulas = self.resolved.formulas
+        self.reads = dependencies(self.layout, self.formulas, self.resolved.functions)
+        self.steps = schedule(self.layout, self.formulas, self.reads, once)
         self.marks = marks_of_constants(self.layout)
         self._replaced: dict[frozenset[tuple[int, int, int]], Plan] = {}
 
@@ -96,7 +99,7 @@ class Plan:
             ]
             book = copy(self.book)
             book.sheets = sheets
-            self._replaced[cells] = Plan(book)
+            self._replaced[cells] = Plan(book, self.once)
         return self._replaced[cells]
 
 

@@ -13,7 +13,7 @@ from .lowered_functions import FUNCTIONS
 from .lowering import Lowering, UnsuitableError
 from .marks import Marks, marks_of_constants
 from .recurrence import recognise
-from .segments import Member, Segment
+from .segments import Member, Segment, worth_at_once
 from .sequence import Together
 
 
@@ -28,8 +28,11 @@ class Step(Protocol):
         """Compute all cells of the step."""
 
 
-def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]]) -> list[Step]:
-    """The steps in order; a block stands in the earliest segment of its height that comes after all it reads."""
+def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]], once: bool = False) -> list[Step]:
+    """The steps in order; a block stands in the earliest segment of its height that comes after all it reads.
+
+    once  the book will be computed only once: no code is prepared for blocks too small to be worth it then
+    """
     steps: list[Step] = []
     place: dict[int, int] = {}
     alike: dict[tuple[int, int], list[int]] = {}
@@ -44,6 +47,10 @@ def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]]
             continue
         member = Member(layout, number, formulas[number], recurrence)
         after = max((place[read] for read in reads[number] if read in place), default=0)
+        if once and not worth_at_once(member.block.rows, member.block.cols):
+            place[number] = len(steps)
+            steps.append(Segment(layout, member, None))
+            continue
         # A wide block shares nothing with others but is a segment of its own.
         key = (member.block.rows, 1) if member.block.cols == 1 else (-number, member.block.cols)
         for index in alike.setdefault(key, []):

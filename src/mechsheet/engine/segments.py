@@ -28,6 +28,11 @@ _GAP = 16
 _FAILURES = (TroubleError, FloatingPointError, ZeroDivisionError, OverflowError)
 
 
+def worth_at_once(rows: int, cols: int) -> bool:
+    """Whether a block is so large that making code for it pays even when it is computed only once."""
+    return rows * cols >= 4 * CHUNK
+
+
 class Member:
     """A block of a segment: its formula, and what kind of recurrence it is, if it is one."""
 
@@ -98,7 +103,7 @@ class Segment:
         """Compute all cells, and mark those blocks that do not consist of numbers alone."""
         self._runs += 1
         # Making the code costs some milliseconds: worth it for long columns, or when the plan is used again.
-        worth = (self._runs > 1 or self.rows * self.cols >= 4 * CHUNK) and _flags_work()
+        worth = (self._runs > 1 or worth_at_once(self.rows, self.cols)) and _flags_work()
         marks.texts |= self.texts  # what a careful chunk finds may take them out again
         marks.dirty |= self.texts
         if self.lowering is not None and self.lowering.reads.top + self.lowering.reads.bottom > 0:

@@ -6,6 +6,7 @@ Everything that is read by a formula gets its address here; the writers of the s
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Literal
 
 from mechsheet.formula.names import folded, safe_name
@@ -71,6 +72,11 @@ class Plan:
     columns: list[TableColumn] = field(default_factory=list)
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
+
+    @cached_property
+    def reads(self) -> dict[str, tuple[str, ...]]:
+        """What each column reads of its row."""
+        return {equation.symbol: equation.reads for equation in self.equations.columns}
 
     @property
     def footer(self) -> str:
@@ -242,8 +248,7 @@ def needs_guard(plan: Plan, symbol: str) -> bool:
 
     A row that does not exist must show no number at all, so such a column is shown through IF(exists, ...).
     """
-    missing = {group.closes for group in plan.equations.groups}
-    reads = {equation.symbol: equation.reads for equation in plan.equations.columns}
+    missing, reads = {group.closes for group in plan.equations.groups}, plan.reads
     stack, seen = [symbol], {symbol}
     while stack:
         for name in reads.get(stack.pop(), ()):
