@@ -7,7 +7,7 @@ written in the next row is predicted from the first one. Columns with the same f
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.book import Block
@@ -43,6 +43,14 @@ class Template:
             parts.append(str(row + 1 + offset))
             parts.append(piece)
         return "".join(parts)
+
+    def places(self, row: int) -> Iterator[tuple[int, int, int]]:
+        """(start, stop, offset) of the row numbers in the text of `row`."""
+        at = 0
+        for offset, piece in zip(self.offsets, self.pieces, strict=False):
+            start = at + len(piece)
+            at = start + len(str(row + 1 + offset))
+            yield start, at, offset
 
 
 _BRACKETED_ROW = re.compile(r"'(?:[^']|'')+'|\.\$?[A-Za-z]{0,3}(?P<anchor>\$?)(?P<row>[1-9][0-9]{0,6})")
@@ -132,13 +140,28 @@ class FormulaRuns:
 
     def member(self, row: int, col: int, key: str) -> None:
         """A cell of a shared formula without a text, which may come before the cell with the text."""
-        masters = self._masters.get(key)
-        shared = key, len(masters) - 1 if masters else 0
+        shared = self._latest(key)
         run = self._open.get(col)
         if run is not None and run.end == row and run.shared == shared:
             run.end += 1
         else:
             self._start(col, Run(row, "", shared))
+
+    def _latest(self, number: str) -> Key:
+        """The key that a member of a shared formula has now."""
+        masters = self._masters.get(number)
+        return number, len(masters) - 1 if masters else 0
+
+    def filled_to(self, col: int, row: int, least: int) -> Run | None:
+        """The run of at least so many cells whose last one is in `row`, None when there is none that can go on."""
+        run = self._open.get(col)
+        return run if run is not None and run.end - run.first >= least and self.goes_on(col, run, row + 1) else None
+
+    def goes_on(self, col: int, run: Run, row: int) -> bool:
+        """Whether the same formula in `row` would be a part of the run: nothing has come between."""
+        if self._open.get(col) is not run or run.end != row:
+            return False
+        return run.shared is None or run.shared == self._latest(run.shared[0])
 
     def _start(self, col: int, run: Run) -> None:
         old = self._open.get(col)

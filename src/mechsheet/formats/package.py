@@ -13,6 +13,8 @@ from xml.parsers import expat
 
 from mechsheet.diagnostics import Fault, WorkbookError, readable_name
 
+from .repeated_rows import RepeatedRows
+
 MAX_PARTS = 10_000
 MAX_SIZE = 4 << 30
 """Most bytes of all parts together, unpacked: a full sheet of a million rows takes half of it."""
@@ -90,12 +92,15 @@ class Package:
             left -= len(piece)
             yield piece
 
-    def parse(self, part: str, parser: expat.XMLParserType, texts: Sequence[str] = ()) -> None:
+    def parse(
+        self, part: str, parser: expat.XMLParserType, texts: Sequence[str] = (), rows: RepeatedRows | None = None
+    ) -> None:
         """Run an XML parser over a part. Document types and entities are refused: no workbook has any.
 
         texts  where its handlers gather the text at hand, watched so that it cannot grow without end
+        rows   takes rows out before the parser sees them
         """
-        for _ in self.parsed(part, parser, texts):
+        for _ in self.parsed(part, parser, texts, rows=rows):
             pass
 
     def parsed(
@@ -104,13 +109,14 @@ class Package:
         parser: expat.XMLParserType,
         texts: Sequence[str] = (),
         before: Callable[[bytes], None] = lambda _: None,
+        rows: RepeatedRows | None = None,
     ) -> Iterator[None]:
         """As `parse`, with a stop after the events of each piece of the part; `before` is given each piece first."""
         parser.StartDoctypeDeclHandler = self._refuse_doctype(part)
         parser.EntityDeclHandler = self._refuse_doctype(part)
         fed = 0
         try:
-            for piece in self.pieces(part):
+            for piece in self.pieces(part) if rows is None else rows.through(self.pieces(part)):
                 before(piece)
                 parser.Parse(piece, False)
                 fed += len(piece)
@@ -120,7 +126,13 @@ class Package:
                 yield
             parser.Parse(b"", True)
         except expat.ExpatError as problem:
-            raise self.fault(f"the part is no proper XML ({problem})", part) from problem
+            # Where rows were taken out, the parser counts its lines and columns wrong.
+            reason = expat.ErrorString(problem.code) if rows is not None and rows.taken else problem
+            raise self.fault(f"the part is no proper XML ({reason})", part) from problem
+        except (LookupError, ValueError) as problem:
+            if "encoding" not in str(problem):
+                raise
+            raise self.fault(f"the part is written in an encoding that is not read ({problem})", part) from problem
 
     def _refuse_doctype(self, part: str) -> Callable[..., Any]:
         def refuse(*_: object) -> None:

@@ -17,6 +17,8 @@ from .cell_faults import Area, CellFaults
 from .fill_runs import FormulaRuns
 from .ods_values import NULL_DATE, NULL_DATE_1904, day_number
 from .package import Package, local_name, unescaped
+from .repeated_rows import RepeatedRows
+from .row_pattern import row_pattern
 
 
 class SheetScan:
@@ -40,6 +42,9 @@ class SheetScan:
         self.strings = strings
         self.faults = CellFaults(package.name, sheet.title, "excel")
         self.runs = FormulaRuns(self.faults.formula, unknown=self._no_master)
+        # The row at hand, the lowest one so far, and whether the next one only tells the parser where it is.
+        self.row = self.lowest = -1
+        self.told = False
 
     def run(self) -> list[Fault]:
         """Read the part into the sheet; the faults found, one for each cell that cannot be understood."""
@@ -47,11 +52,21 @@ class SheetScan:
         parser.buffer_text = True
         parser.buffer_size = 1 << 16
         texts = _handlers(self, parser)
-        self.package.parse(self.part, parser, texts)
+        self.package.parse(self.part, parser, texts, RepeatedRows(b"</row>", lambda row: row_pattern(self, row)))
         self.sheet.blocks.extend(self.runs.blocks())
         self.sheet.keep(self.runs.kept)
         give_arrays(self.sheet, self.arrays, self.faults)
         return self.faults.found
+
+    def at_row(self, row: int) -> None:
+        """A row begins, mostly the one below the lowest so far."""
+        if self.told:
+            self.told = False
+        elif row <= self.lowest:
+            self.sheet.cached.settle()  # what comes now is the later value of its cells
+        else:
+            self.lowest = row
+        self.row = row
 
     def _no_master(self, number: str, area: Area) -> None:
         self.faults.remark(f"the shared formula {number[:20]} has no text: stored values are kept", area)
@@ -194,6 +209,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
             row = row + 1 if place is None else _row(scan, place)
             row_text = str(row + 1)
             col = -1
+            scan.at_row(row)
         elif name == "rPh":
             skipping += 1
 

@@ -59,6 +59,7 @@ class CellStore:
     def __init__(self) -> None:
         self._columns: dict[int, list[Run]] = {}
         self._late: dict[int, dict[int, Scalar]] = {}
+        self._texts: dict[int, list[tuple[int, bytes]]] = {}
 
     def put(self, row: int, col: int, value: Scalar) -> None:
         """Set one cell; a cell that is set twice keeps the last value."""
@@ -78,12 +79,50 @@ class CellStore:
                 return
         runs.append(_run(row, value))
 
-    def extend(self, row: int, col: int, values: Sequence[Scalar]) -> None:
+    def extend(self, row: int, col: int, values: Sequence[Scalar] | array[float]) -> None:
         """Set the cells from (row, col) down."""
+        if isinstance(values, array):
+            runs = self._columns.setdefault(col, [])
+            if not runs or runs[-1].end < row:
+                runs.append(Run(row, values[:]))
+                return
+            last = runs[-1].values
+            if runs[-1].end == row and isinstance(last, array):
+                last.extend(values)
+                return
         for offset, value in enumerate(values):
             self.put(row + offset, col, value)
 
-    def _settle(self) -> None:
+    def later(self, row: int, col: int, texts: bytes) -> None:
+        """Set the cells from (row, col) down to finite numbers, written with blanks between them.
+
+        Nothing may stand in these cells yet. They are converted when the store is first read: who recalculates a workbook
+        has no use for the values that are stored in it.
+        """
+        self._texts.setdefault(col, []).append((row, texts))
+
+    def settle(self) -> None:
+        """Put everything where it belongs that was not put there at once."""
+        if self._texts:
+            self._convert()
+        if self._late:
+            self._sort_in()
+
+    def _convert(self) -> None:
+        for col, texts in self._texts.items():
+            runs = [Run(row, array("d", map(float, text.split()))) for row, text in texts]
+            runs = sorted([*self._columns.get(col, ()), *runs], key=lambda run: run.row)
+            joined = runs[:1]
+            for run in runs[1:]:
+                last = joined[-1]
+                if run.row == last.end and isinstance(run.values, array) and isinstance(last.values, array):
+                    last.values.extend(run.values)
+                else:
+                    joined.append(run)
+            self._columns[col] = joined
+        self._texts.clear()
+
+    def _sort_in(self) -> None:
         """Put the cells that came out of order where they belong, each column in one go: a file may have many of them."""
         for col, late in self._late.items():
             runs = self._columns[col]
@@ -113,8 +152,7 @@ class CellStore:
     @property
     def columns(self) -> Mapping[int, Sequence[Run]]:
         """Column -> its runs from the top down."""
-        if self._late:
-            self._settle()
+        self.settle()
         return self._columns
 
     def items(self) -> Iterator[tuple[int, int, Scalar]]:
