@@ -18,6 +18,7 @@ from .export import export
 from .new import new
 from .plot import plot
 from .recalc import recalc
+from .schema import schema
 from .show import show
 
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
@@ -57,5 +58,5 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show, export):
+for command in (new, build, check, recalc, plot, show, export, schema):
     main.add_command(command)
