@@ -10,7 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-DialectName: TypeAlias = Literal["excel", "openformula", "description", "text", "octave", "python", "latex", "numbers"]
+DialectName: TypeAlias = Literal[
+    "excel", "openformula", "description", "text", "octave", "python", "latex", "numbers", "basic"
+]
 
 MAX_NESTING = 64
 """How deep parentheses, functions and signs may stand inside one another: Excel's limit for functions."""

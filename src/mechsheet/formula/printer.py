@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import NamedTuple, TypeAlias
 
 from ..diagnostics import FormulaError
@@ -39,7 +40,7 @@ from .nodes import (
 from .parser import DESCRIPTION_FUNCTIONS
 from .references import column_letters, parse_cell, reference_text
 from .tables import table_text
-from .written import WRITTEN, pairwise, real_powers
+from .written import WRITTEN, pairwise, real_powers, signs_apart
 
 _ATOM = 1000
 _UNION = _ATOM + 1  # a union in its own parentheses, which a union around it takes off
@@ -52,19 +53,22 @@ Names: TypeAlias = Callable[[Symbol | Previous], str]
 """How a program or a textbook spells a quantity of this row, and of the row above."""
 
 
-def print_formula(node: Node, dialect: str = "excel", names: Names | None = None) -> str:
+def print_formula(
+    node: Node, dialect: str = "excel", names: Names | None = None, calls: Mapping[str, str] | None = None
+) -> str:
     """The text of a tree.
 
     "excel"        what an .xlsx holds in <f>: no leading `=`, English, commas
     "openformula"  what follows `of:=`: `[.A1]`, semicolons, arrays with `|`
     "description"  the description's own expressions; only symbols, numbers and its functions can be said in it
     "text"         for people: textbook binding, small letters, `;` between arguments, atan2(x; y) as in the cell
-    others         those of `written.py`, in which `names` spells the quantities
+    others         those of `written.py`, in which `names` spells the quantities; `calls` are functions beside its own
 
     Numbers have the fewest digits that read back as the same number. Raises FormulaError beyond MAX_NESTING levels, and
     ValueError for a tree that the dialect cannot say (a symbol in a workbook, a cell in a description).
     """
-    return _Printer(DIALECTS.get(dialect) or WRITTEN[dialect], names).text(node)
+    table = DIALECTS.get(dialect) or WRITTEN[dialect]
+    return _Printer(replace(table, calls={**table.calls, **calls}) if calls else table, names).text(node)
 
 
 def number_text(value: float, exponent: str = "E") -> str:
@@ -291,6 +295,7 @@ _REWRITES = {
     "python": real_powers,
     "latex": pairwise,
     "numbers": pairwise,
+    "basic": signs_apart,
 }
 
 

@@ -134,7 +134,42 @@ LATEX = Dialect(
 NUMBERS = replace(LATEX, name="numbers", spelling={**LATEX.spelling, "*": r" \cdot "}, short={})
 """The same with numbers in place of symbols: 2 · 3 needs a dot."""
 
-WRITTEN: dict[str, Dialect] = {dialect.name: dialect for dialect in (OCTAVE, PYTHON, LATEX, NUMBERS)}
+BASIC = Dialect(
+    "basic",
+    {**COMPARISONS, **MATHEMATICS},
+    prefix=60,
+    postfix=0,
+    argument=", ",
+    spaced=frozenset(("+", "-", "*", "/", "^", *COMPARISONS)),
+    calls={
+        "ABS": "Abs({0})",
+        "ACOS": "ArcCos({0})",
+        "AND": "({0} And {1})",
+        "ASIN": "ArcSin({0})",
+        "ATAN": "Atn({0})",
+        "COS": "Cos({0})",
+        "DEGREES": "(({0}) * 180 / PiValue())",
+        "EXP": "Exp({0})",
+        "LN": "Log({0})",
+        "MAX": "MaxOf({0}, {1})",
+        "MIN": "MinOf({0}, {1})",
+        "MOD": "Modulo({0}, {1})",
+        "NOT": "(Not ({0}))",
+        "OR": "({0} Or {1})",
+        "PI": "PiValue()",
+        "POWER": "(({0}) ^ ({1}))",
+        "RADIANS": "(({0}) * PiValue() / 180)",
+        "SIGN": "Sgn({0})",
+        "SIN": "Sin({0})",
+        "SQRT": "Sqr({0})",
+        "TAN": "Tan({0})",
+    },
+    sets_signs_apart=True,
+)
+"""VBA, and the Basic of LibreOffice, where -x ^ 2 is (-x) ^ 2: what has a sign gets parentheses under a power. Log is the
+natural logarithm. A direction (ATAN2) is a function that the program brings along under its own name."""
+
+WRITTEN: dict[str, Dialect] = {dialect.name: dialect for dialect in (OCTAVE, PYTHON, LATEX, NUMBERS, BASIC)}
 
 
 def pairwise(node: Node) -> Node:
@@ -161,5 +196,13 @@ def real_powers(node: Node) -> Node:
         case Binary("^", _, Number(value)) | Binary("^", _, Unary("-", Number(value))) if value.is_integer():
             return node
         case Binary("^", base, exponent):
+            return Call("POWER", (base, exponent))
+    return pairwise(node)
+
+
+def signs_apart(node: Node) -> Node:
+    """As `pairwise`; a power of something with a sign is a function."""
+    match node:
+        case Binary("^", Unary("-") as base, exponent):
             return Call("POWER", (base, exponent))
     return pairwise(node)

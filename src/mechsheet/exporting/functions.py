@@ -1,0 +1,168 @@
+"""All functions of a mechanism with their names: the basic ones, one per variable, and that of its two-way table."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from mechsheet.exporting.calls import with_calls
+from mechsheet.exporting.library import PARAMETERS, basics
+from mechsheet.exporting.routines import Parameter, Routine, Source, Step
+from mechsheet.formula.names import folded, safe_name
+from mechsheet.formula.nodes import Call, Node, Symbol
+from mechsheet.model import Mechanism, TableRequest, Words
+
+LONGEST_PREFIX = 24
+"""A title that makes a longer word is replaced by the mechanism's name in the names of its functions."""
+
+TABLE_KEY = "the function of the table"
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function that a person can call.
+
+    name       in the language wanted, with its letters
+    parameters what its parameters are called
+    routine    calling other functions by their keys
+    basic      a basic function, the same for all mechanisms
+    """
+
+    name: str
+    parameters: tuple[str, ...]
+    routine: Routine
+    basic: bool = False
+
+    @property
+    def key(self) -> str:
+        """What trees call it."""
+        return self.routine.key
+
+    @property
+    def modes(self) -> tuple[Parameter, ...]:
+        """The configurations at the end of a mechanism's function, which may be left out."""
+        return () if self.basic else tuple(part for part in self.routine.parameters if part.unit == "mode")
+
+
+def variable_key(symbol: str) -> str:
+    """What trees call the function of a variable."""
+    return f"the function of {symbol}"
+
+
+@lru_cache(maxsize=1)
+def _library() -> tuple[tuple[Words, Routine], ...]:
+    """Names and routines of the basic functions, calling each other."""
+    found: list[tuple[Words, Routine]] = []
+    for basic in basics():
+        elementary = not basic.routine.steps
+        found.append((basic.name, basic.routine if elementary else with_calls(basic.routine, patterns())))
+    return tuple(found)
+
+
+@lru_cache(maxsize=1)
+def patterns() -> tuple[Routine, ...]:
+    """The elementary functions, those that say most first."""
+    elementary = {basic.routine.key: basic.routine for basic in basics() if not basic.routine.steps}
+    return tuple(elementary[key] for key in ("triangle area", "triangle angle", "leg", "length", "angle"))
+
+
+def functions_of(source: Source, language: str, taken: Collection[str] = ()) -> tuple[Function, ...]:
+    """Every function, each after those that it calls.
+
+    taken  names that other things have (folded)
+    """
+    names = _Names(taken)
+    found = [
+        Function(
+            names.take(name.of(language)),
+            tuple(
+                PARAMETERS.get(part.symbol, Words(part.symbol, part.symbol)).of(language) for part in routine.parameters
+            ),
+            routine,
+            basic=True,
+        )
+        for name, routine in _library()
+    ]
+    mechanism = source.mechanism
+    prefix = prefix_of(mechanism, language)
+    table = main_table(mechanism)
+    main = names.take(prefix) if table else ""
+    symbols = tuple(part.symbol for part in source.parameters())
+    for symbol in source.variables():
+        about = next(equation.label for equation in source.equations.columns if equation.symbol == symbol)
+        routine = with_calls(source.routine(variable_key(symbol), symbol, about), patterns())
+        found.append(Function(names.take(f"{prefix}_{symbol}".replace(".", "_")), symbols, routine))
+    if table:
+        found.append(Function(main, symbols, table_routine(source, table)))
+    return tuple(found)
+
+
+def main_table(mechanism: Mechanism) -> TableRequest | None:
+    """The two-way table whose function has the mechanism's name, if there is one that a function can compute."""
+    derived = {dim.symbol for dim in mechanism.dimensions if dim.derived}
+    return next((request for request in mechanism.tables if request.column not in derived), None)
+
+
+def table_routine(source: Source, request: TableRequest) -> Routine:
+    """The value of a table's cell: the driver in its own unit, as the table's first column has it."""
+    driver = source.mechanism.driver
+    arguments = []
+    parameters = []
+    steps: list[Step] = []
+    for part in source.parameters():
+        parameters.append(part)
+        arguments.append(Symbol(part.symbol))
+        if part.symbol == driver.symbol and driver.unit == "deg":
+            parameters[-1] = replace(part, unit="deg")
+            steps.append(Step("driver", Call("RADIANS", (Symbol(part.symbol),))))
+            arguments[-1] = Symbol("driver")
+    value: Node = Symbol(request.value)
+    unit = "number"
+    if request.value == driver.symbol:
+        value = Symbol("driver") if steps else value
+    else:
+        value = Call(variable_key(request.value), tuple(arguments))
+        unit = next(equation.unit for equation in source.equations.all if equation.symbol == request.value)
+    if in_degrees(source, request.value):
+        value, unit = Call("DEGREES", (value,)), "deg"
+    title = request.title or Words(f"{request.value}", f"{request.value}")
+    return Routine(TABLE_KEY, title, tuple(parameters), tuple(steps), value, unit)
+
+
+def in_degrees(source: Source, symbol: str) -> bool:
+    """True for a quantity that people read in degrees."""
+    mechanism = source.mechanism
+    if symbol == mechanism.driver.symbol:
+        return mechanism.driver.unit == "deg"
+    for output in mechanism.outputs:
+        if output.symbol == symbol:
+            return output.unit == "deg"
+    return source.plan.shown_in_degrees(next(eq.unit for eq in source.equations.all if eq.symbol == symbol))
+
+
+def prefix_of(mechanism: Mechanism, language: str) -> str:
+    """The title in one word (`AyarlıPompa`), or the mechanism's name where the title is long."""
+    words = re.findall(r"[^\W_]+", mechanism.title.of(language))
+    title = "".join(_capital(word, language) for word in words)
+    if title and len(title) <= LONGEST_PREFIX and not title[0].isdigit():
+        return title
+    return "".join(_capital(word, "en") for word in re.findall(r"[^\W_]+", mechanism.name))
+
+
+def _capital(word: str, language: str) -> str:
+    first = "İ" if language == "tr" and word[0] == "i" else word[0].upper()
+    return first + word[1:]
+
+
+class _Names:
+    """Names that differ from each other and from those taken."""
+
+    def __init__(self, taken: Collection[str]) -> None:
+        self.taken = set(taken)
+
+    def take(self, name: str) -> str:
+        found = safe_name(name, self.taken)
+        self.taken.add(folded(found))
+        return found

@@ -1,0 +1,389 @@
+"""The basic functions: length, angle, triangle, one per dyad, the four-link mechanisms, with the configuration argument.
+
+They have no mathematics of their own. Each is read from the equations of a small mechanism that the program solves:
+DörtÇubuk is the four-bar's theta14, the law of cosines the angle psi of its dyad. So they change when the equations do.
+Source of the names and of the order of arguments: Soeylemez, Mechanisms, section 3.8 and Appendix 2.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from mechsheet.exporting.routines import Parameter, Routine, Source, Step, with_names, with_values
+from mechsheet.formula.nodes import Call, Number, Symbol
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.solve import CLOSING, solve
+from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
+from mechsheet.sheet.tables import Window
+
+
+@dataclass(frozen=True, slots=True)
+class Basic:
+    """A basic function: what it is called, and its routine."""
+
+    name: Words
+    routine: Routine
+
+
+# --- the small mechanisms -------------------------------------------------------------------------------------------
+
+
+def _source(
+    lengths: dict[str, float],
+    links: dict[str, dict[str, tuple[Quantity, Quantity]]],
+    joints: Sequence[Joint] = (),
+    slides: str = "",
+    angles: dict[str, float] | None = None,
+    value: float = 1.0,
+) -> Source:
+    """A mechanism from its dimensions (with sizes at which it closes), links and joints; `slides`: the joint that is driven.
+
+    The driver is the second link, or the sliding joint. The first link is the ground.
+    """
+    dimensions = [Dimension(symbol, size, "mm") for symbol, size in lengths.items()]
+    dimensions += [Dimension(symbol, size, "rad") for symbol, size in (angles or {}).items()]
+    bodies = tuple(
+        Link(name, number, {point: Cartesian(*place) for point, place in points.items()})
+        for number, (name, points) in enumerate(links.items(), 1)
+    )
+    driven = next((joint.symbol for joint in joints if joint.name == slides), "theta12")
+    driver = Driver(driven, "mm" if slides else "rad", "" if slides else bodies[1].name, bodies[0].name, slides)
+    nothing = Words("", "")
+    mechanism = Mechanism(
+        "basic",
+        nothing,
+        nothing,
+        "mm",
+        "rad",
+        tuple(dimensions),
+        bodies,
+        tuple(joints),
+        replace(driver, values=(value,)),
+    )
+    return Source(mechanism, solve(mechanism))
+
+
+def _guide(name: str, link: str, point: str, through: tuple[Quantity, Quantity], angle: Quantity, symbol: str) -> Joint:
+    return Joint(name, "prismatic", link, "ground", point, through, angle, 0.0, symbol)
+
+
+def _pin(height: Quantity, symbol: str, point: str = "P") -> Joint:
+    """The driven slide that brings a pin anywhere: along x at the height given, from x = 0."""
+    return _guide("place", "carrier", point, (0.0, height), 0.0, symbol)
+
+
+@lru_cache(maxsize=1)
+def _four_bar() -> Source:
+    return _source(
+        {"crank": 35.0, "coupler": 62.3, "output": 56.0, "ground": 70.0},
+        {
+            "ground": {"A0": (0.0, 0.0), "B0": ("ground", 0.0)},
+            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
+            "coupler": {"A": (0.0, 0.0), "B": ("coupler", 0.0)},
+            "output": {"B0": (0.0, 0.0), "B": ("output", 0.0)},
+        },
+    )
+
+
+@lru_cache(maxsize=1)
+def _slider_crank() -> Source:
+    return _source(
+        {"crank": 50.0, "coupler": 250.0, "eccentricity": -20.0},
+        {
+            "ground": {"A0": (0.0, 0.0)},
+            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
+            "coupler": {"A": (0.0, 0.0), "B": ("coupler", 0.0)},
+            "slider": {"B": (0.0, 0.0)},
+        },
+        (_guide("guide", "slider", "B", (0.0, "eccentricity"), 0.0, "s"),),
+    )
+
+
+@lru_cache(maxsize=2)
+def _inverted(eccentricity: Quantity) -> Source:
+    lengths = {"crank": 51.0, "ground": 127.0}
+    if isinstance(eccentricity, str):
+        lengths[eccentricity] = -5.0
+    return _source(
+        lengths,
+        {
+            "ground": {"A0": (0.0, 0.0), "B0": ("ground", 0.0)},
+            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
+            "lever": {"B0": (0.0, 0.0)},
+        },
+        (Joint("slot", "pin-slot", "crank", "lever", "A", (0.0, eccentricity), 0.0, 0.0, "s"),),
+    )
+
+
+@lru_cache(maxsize=1)
+def _rrr() -> Source:
+    return _source(
+        {"yP": -10.0, "a": 60.0, "xQ": -70.0, "yQ": -30.0, "b": 50.0},
+        {
+            "ground": {"Q": ("xQ", "yQ")},
+            "carrier": {"P": (0.0, 0.0)},
+            "first": {"P": (0.0, 0.0), "R": ("a", 0.0)},
+            "second": {"Q": (0.0, 0.0), "R": ("b", 0.0)},
+        },
+        (_pin("yP", "xP"),),
+        slides="place",
+        value=-140.0,
+    )
+
+
+@lru_cache(maxsize=1)
+def _rrp() -> Source:
+    return _source(
+        {"yP": -30.0, "a": 60.0, "xL": -5.0, "yL": -10.0},
+        {
+            "ground": {},
+            "carrier": {"P": (0.0, 0.0)},
+            "first": {"P": (0.0, 0.0), "R": ("a", 0.0)},
+            "second": {"R": (0.0, 0.0)},
+        },
+        (_pin("yP", "xP"), _guide("guide", "second", "R", ("xL", "yL"), "delta", "s")),
+        slides="place",
+        angles={"delta": 0.3},
+    )
+
+
+@lru_cache(maxsize=1)
+def _rpr() -> Source:
+    return _source(
+        {"xP": -5.0, "yP": -10.0, "yQ": -30.0, "h": -4.0},
+        {"ground": {"P": ("xP", "yP")}, "carrier": {"Q": (0.0, 0.0)}, "lever": {"P": (0.0, 0.0)}},
+        (
+            _pin("yQ", "xQ", "Q"),
+            Joint("slot", "pin-slot", "carrier", "lever", "Q", (0.0, "h"), 0.0, 0.0, "s"),
+        ),
+        slides="place",
+        value=60.0,
+    )
+
+
+@lru_cache(maxsize=1)
+def _prp() -> Source:
+    return _source(
+        {"x1": 5.0, "y1": 10.0, "x2": 50.0, "y2": 30.0},
+        {
+            "ground": {"O": (0.0, 0.0)},
+            "crank": {"O": (0.0, 0.0)},
+            "first": {"R": (0.0, 0.0)},
+            "second": {"R": (0.0, 0.0)},
+        },
+        (
+            _guide("line1", "first", "R", ("x1", "y1"), "delta1", "s1"),
+            _guide("line2", "second", "R", ("x2", "y2"), "delta2", "s2"),
+        ),
+        angles={"delta1": 0.3, "delta2": 1.3},
+    )
+
+
+@lru_cache(maxsize=1)
+def _rpp() -> Source:
+    return _source(
+        {"yP": 30.0, "xL": 5.0, "yL": 10.0},
+        {"ground": {}, "carrier": {"P": (0.0, 0.0)}, "yoke": {"Y": (0.0, 0.0)}},
+        (
+            _pin("yP", "xP"),
+            _guide("guide", "yoke", "Y", ("xL", "yL"), "delta", "s"),
+            Joint("slot", "pin-slot", "carrier", "yoke", "P", (0.0, 0.0), "gamma", 0.0, "t"),
+        ),
+        slides="place",
+        angles={"delta": 0.3, "gamma": 1.4},
+    )
+
+
+# --- the functions --------------------------------------------------------------------------------------------------
+
+CONFIG = "mode_1"
+
+PARAMETERS = {
+    "X": Words("X", "X"),
+    "Y": Words("Y", "Y"),
+    "A": Words("A", "A"),
+    "B": Words("B", "B"),
+    "C": Words("C", "C"),
+    "Tol": Words("Tol", "Tol"),
+    "Area": Words("Area", "Alan"),
+    "U1": Words("U1", "U1"),
+    "U2": Words("U2", "U2"),
+    "U3": Words("U3", "U3"),
+    "crank": Words("Crank", "Krank"),
+    "coupler": Words("Coupler", "Biyel"),
+    "output": Words("Output", "Çıkış"),
+    "ground": Words("Ground", "Sabit"),
+    "eccentricity": Words("Eccentricity", "Eksantriklik"),
+    "theta12": Words("Theta", "Theta"),
+    CONFIG: Words("Config", "Config"),
+}
+"""What a parameter is called, where that is not its symbol."""
+
+MEANINGS = {
+    "X": ("x part", "x bileşeni", "length"),
+    "Y": ("y part", "y bileşeni", "length"),
+    "A": ("first side", "birinci kenar", "length"),
+    "B": ("second side", "ikinci kenar", "length"),
+    "C": ("third side", "üçüncü kenar", "length"),
+    "Tol": ("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır", "length"),
+    "Area": ("area of the triangle", "üçgenin alanı", "area"),
+    "U1": ("a side at the angle", "açının bir kenarı", "length"),
+    "U2": ("the other side at the angle", "açının öbür kenarı", "length"),
+    "U3": ("the side opposite the angle", "açının karşısındaki kenar", "length"),
+    "crank": ("crank", "krank", "length"),
+    "coupler": ("coupler", "biyel", "length"),
+    "output": ("output link", "çıkış uzvu", "length"),
+    "ground": ("distance of the fixed pivots, along +x", "sabit mafsallar arasındaki uzaklık, +x boyunca", "length"),
+    "eccentricity": ("eccentricity of the slide", "kızağın eksantrikliği", "length"),
+    "theta12": ("crank angle", "krank açısı", "angle"),
+    CONFIG: ("configuration, +1 or -1", "konfigürasyon, +1 ya da -1", "mode"),
+    "xP": ("pin P, x", "P mafsalı, x", "length"),
+    "yP": ("pin P, y", "P mafsalı, y", "length"),
+    "xQ": ("pin Q, x", "Q mafsalı, x", "length"),
+    "yQ": ("pin Q, y", "Q mafsalı, y", "length"),
+    "xL": ("a point L of the guide, x", "kızağın bir L noktası, x", "length"),
+    "yL": ("a point L of the guide, y", "kızağın bir L noktası, y", "length"),
+    "a": ("link P-R", "P-R uzvu", "length"),
+    "b": ("link Q-R", "Q-R uzvu", "length"),
+    "h": ("distance of the slot from P, to its left", "kanalın P'den uzaklığı, soluna doğru", "length"),
+    "delta": ("direction of the guide", "kızağın doğrultusu", "angle"),
+    "gamma": ("angle of the slot from the guide", "kanalın kızaktan açısı", "angle"),
+    "x1": ("a point of line 1, x", "1. doğrunun bir noktası, x", "length"),
+    "y1": ("a point of line 1, y", "1. doğrunun bir noktası, y", "length"),
+    "delta1": ("direction of line 1", "1. doğrunun doğrultusu", "angle"),
+    "x2": ("a point of line 2, x", "2. doğrunun bir noktası, x", "length"),
+    "y2": ("a point of line 2, y", "2. doğrunun bir noktası, y", "length"),
+    "delta2": ("direction of line 2", "2. doğrunun doğrultusu", "angle"),
+}
+"""Symbol of a parameter -> what it is (English, Turkish), unit."""
+
+
+def basics() -> tuple[Basic, ...]:
+    """Every basic function, each after those that it calls."""
+    return (*_elementary(), _law_of_cosines(), *_linkages())
+
+
+def _parameters(order: str) -> tuple[Parameter, ...]:
+    found = []
+    for symbol in order.split():
+        english, turkish, unit = MEANINGS[symbol]
+        found.append(Parameter(symbol, Words(english, turkish), unit))
+    return tuple(found)
+
+
+def _elementary() -> list[Basic]:
+    """Length, angle, triangle and leg, as the dyads' equations have them."""
+    rrr, rrp = _rrr().rules, _rrp().rules
+    rows = (
+        ("length", Words("Mag", "Boy"), rrr["s"], "X Y", {"s_x": "X", "s_y": "Y"}, "length",
+         Words("Length of the vector (X, Y)", "(X, Y) vektörünün boyu")),
+        ("angle", Words("Ang", "Açı"), rrr["phi_0"], "X Y", {"s_x": "X", "s_y": "Y"}, "angle",
+         Words("Direction of the vector (X, Y), x first, from -pi to pi",
+               "(X, Y) vektörünün doğrultusu, önce x, -pi ile pi arasında")),
+        ("triangle area", Words("TriangleArea", "ÜçgenAlanı"), rrr["Delta"], "A B C Tol",
+         {"a": "A", "b": "B", "s": "C", "tol": "Tol"}, "area",
+         Words("Area of a triangle from its sides (Heron)", "Kenarlarından bir üçgenin alanı (Heron)")),
+        ("triangle angle", Words("TriangleAngle", "ÜçgenAçısı"), rrr["psi"], "A B C Area",
+         {"b": "A", "s": "B", "a": "C", "Delta": "Area"}, "angle",
+         Words("Angle between the sides A and B of a triangle", "Bir üçgenin A ve B kenarları arasındaki açı")),
+        ("leg", Words("Leg", "DikKenar"), rrp["w"], "C A Tol", {"a": "C", "n": "A", "tol": "Tol"}, "length",
+         Words("A leg of the right triangle with hypotenuse C and the other leg A",
+               "Hipotenüsü C, bir dik kenarı A olan dik üçgenin öbür dik kenarı")),
+    )  # fmt: skip
+    found = []
+    for key, name, rule, order, renamed, unit, about in rows:
+        routine = Routine(key, about, _parameters(order), (), rule, unit)
+        found.append(Basic(name, with_names(routine, renamed)))
+    return found
+
+
+def _law_of_cosines() -> Basic:
+    """AçıCos: the angle between U1 and U2, from the area; what counts as zero is a part of the largest side."""
+    u1, u2, u3 = (Symbol(f"U{number}") for number in (1, 2, 3))
+    steps = (
+        Step("tol", al.mul(Number(CLOSING), al.largest((u1, u2, u3)))),
+        Step("Delta", Call("triangle area", (u3, u1, u2, Symbol("tol")))),
+    )
+    about = Words(
+        "Interior angle opposite the third side (law of cosines), from 0 to pi",
+        "Üçüncü kenarın karşısındaki iç açı (kosinüs teoremi), 0 ile pi arasında",
+    )
+    result = Call("triangle angle", (u1, u2, u3, Symbol("Delta")))
+    routine = Routine("law of cosines", about, _parameters("U1 U2 U3"), steps, result, "angle")
+    return Basic(Words("AngCos", "AçıCos"), routine)
+
+
+def _linkages() -> list[Basic]:
+    """The four-link mechanisms and the dyads."""
+    dyad = Words("Dyad", "Diyad")
+    four_bar, pins = "crank coupler output ground mode_1 theta12", "xP yP a xQ yQ b mode_1"
+    slider, slide = "crank coupler eccentricity mode_1 theta12", "xP yP a xL yL delta mode_1"
+    lever, slot = "crank ground eccentricity mode_1 theta12", "xP yP xQ yQ h mode_1"
+    lines, yoke = "x1 y1 delta1 x2 y2 delta2", "xP yP xL yL delta gamma"
+    rows = (
+        (Words("FourBar", "DörtÇubuk"), _four_bar(), "theta14", four_bar,
+         Words("Four-bar: angle of the output link", "Dört-çubuk: çıkış uzvunun açısı")),
+        (Words("FourBarCoupler", "DörtÇubukBiyel"), _four_bar(), "theta13", four_bar,
+         Words("Four-bar: angle of the coupler", "Dört-çubuk: biyelin açısı")),
+        (Words("SliderCrank", "KrankBiyel"), _slider_crank(), "s", slider,
+         Words("Slider-crank: displacement of the slider from the crank's pivot, along x",
+               "Krank-biyel: kızağın krank yatağından ötelenmesi, x boyunca")),
+        (Words("SliderCrankCoupler", "KrankBiyelAçısı"), _slider_crank(), "theta13", slider,
+         Words("Slider-crank: angle of the coupler, from crank pin to slider",
+               "Krank-biyel: biyelin açısı, krank mafsalından kızağa")),
+        (Words("InvertedSliderCrank", "KolKızakE"), _inverted("eccentricity"), "theta13", lever,
+         Words("Inverted slider-crank: direction of the slot, which passes the lever's pivot at a distance",
+               "Kol-kızak: kolun yatağından kaçık geçen kanalın doğrultusu")),
+        (Words("InvertedSliderCrankSlide", "KolKızakÖtelenmesi"), _inverted("eccentricity"), "s", lever,
+         Words("Inverted slider-crank: displacement of the crank pin along the slot",
+               "Kol-kızak: krank mafsalının kanal boyunca ötelenmesi")),
+        (Words(f"{dyad.en}RRR", f"{dyad.tr}RRR"), _rrr(), "theta14", pins,
+         Words("Dyad RRR: direction of Q-R; Config +1: R left of P-Q",
+               "RRR diyadı: Q-R doğrultusu; Config +1: R, P-Q'nun solunda")),
+        (Words(f"{dyad.en}RRRFirst", f"{dyad.tr}RRRBirinci"), _rrr(), "theta13", pins,
+         Words("Dyad RRR: direction of P-R", "RRR diyadı: P-R doğrultusu")),
+        (Words(f"{dyad.en}RRP", f"{dyad.tr}RRP"), _rrp(), "s", slide,
+         Words("Dyad RRP: displacement of R from L along the guide; Config +1: the larger of two",
+               "RRP diyadı: R'nin L'den kızak boyunca ötelenmesi; Config +1: ikisinden büyüğü")),
+        (Words(f"{dyad.en}RRPFirst", f"{dyad.tr}RRPBirinci"), _rrp(), "theta13", slide,
+         Words("Dyad RRP: direction of P-R", "RRP diyadı: P-R doğrultusu")),
+        (Words(f"{dyad.en}RPR", f"{dyad.tr}RPR"), _rpr(), "theta13", slot,
+         Words("Dyad RPR: direction of the slot of the link pinned at P, in which Q slides; Config +1: Q ahead of P",
+               "RPR diyadı: P'ye mafsallı uzvun Q'nun kaydığı kanalının doğrultusu; Config +1: Q, P'nin ilerisinde")),
+        (Words(f"{dyad.en}RPRSlide", f"{dyad.tr}RPRÖtelenme"), _rpr(), "s", slot,
+         Words("Dyad RPR: displacement of Q along the slot", "RPR diyadı: Q'nun kanal boyunca ötelenmesi")),
+        (Words(f"{dyad.en}PRP", f"{dyad.tr}PRP"), _prp(), "s1", lines,
+         Words("Dyad PRP: displacement along line 1 to where it meets line 2",
+               "PRP diyadı: 2. doğru ile kesiştiği noktaya kadar 1. doğru boyunca ötelenme")),
+        (Words(f"{dyad.en}PRPSecond", f"{dyad.tr}PRPİkinci"), _prp(), "s2", lines,
+         Words("Dyad PRP: displacement along line 2", "PRP diyadı: 2. doğru boyunca ötelenme")),
+        (Words(f"{dyad.en}RPP", f"{dyad.tr}RPP"), _rpp(), "s", yoke,
+         Words("Dyad RPP: displacement along the guide of a yoke in whose slot P slides",
+               "RPP diyadı: kanalında P'nin kaydığı uzvun kızak boyunca ötelenmesi")),
+        (Words(f"{dyad.en}RPPSlot", f"{dyad.tr}RPPKanal"), _rpp(), "t", yoke,
+         Words("Dyad RPP: displacement of P along the slot", "RPP diyadı: P'nin kanal boyunca ötelenmesi")),
+    )  # fmt: skip
+    found = [_linkage(name, source, symbol, order, about) for name, source, symbol, order, about in rows]
+    return [*found[:4], _whole_turn(), *found[4:]]
+
+
+def _linkage(name: Words, source: Source, symbol: str, order: str, about: Words) -> Basic:
+    routine = source.routine(name.en, symbol, about, order.split(), windowed=False)
+    return Basic(name, replace(routine, parameters=_parameters(order)))
+
+
+def _whole_turn() -> Basic:
+    """KolKızak as the text calls it: no eccentricity, no configuration, from 0 to a turn."""
+    about = Words(
+        "Crank and slotted lever: direction of the lever from its pivot to the crank pin, from 0 to 2 pi",
+        "Kol-kızak: kolun, yatağından krank mafsalına doğrultusu, 0 ile 2 pi arasında",
+    )
+    source = _inverted(0.0)
+    routine = source.routine("lever", "theta13", about, ("crank", "ground", "theta12", CONFIG), windowed=False)
+    routine = with_values(routine, {CONFIG: al.ONE})
+    result = Window(0, math.pi).taken(routine.result, Symbol("theta12"))
+    routine = replace(routine, parameters=_parameters("crank ground theta12"), result=result)
+    return Basic(Words("SlottedLever", "KolKızak"), routine)
