@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from importlib import import_module
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from mechsheet.diagnostics import Fault, OutputError, readable_name
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar
-from mechsheet.sheet.workbook import Workbook
+
+if TYPE_CHECKING:
+    from mechsheet.formula.book import Book
+    from mechsheet.formula.nodes import Scalar
+    from mechsheet.sheet.workbook import Workbook
 
 READERS = {
     ".xlsx": "xlsx_read:read_xlsx",
