@@ -12,6 +12,7 @@ from mechsheet.checking.audit import audit
 from mechsheet.checking.cells import Angles, angles_in, compare_cells
 from mechsheet.checking.expected import expected_for
 from mechsheet.checking.inputs import description_in
+from mechsheet.checking.mutate import Mutation, mutate
 from mechsheet.checking.perturb import Perturbation, perturb
 from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
 from mechsheet.checking.twins import with_twins
@@ -28,11 +29,13 @@ __all__ = [
     "TOLERANCE",
     "Comparison",
     "Edit",
+    "Mutation",
     "Perturbation",
     "Report",
     "Tally",
     "check",
     "difference",
+    "mutate",
     "perturb",
     "with_twins",
 ]

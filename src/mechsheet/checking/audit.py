@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from mechsheet.checking.expected import Expected
+from mechsheet.checking.expected import Expected, Inputs
 from mechsheet.checking.report import Edit, text_of
-from mechsheet.checking.trees import Formulas, alike, neutral, stretches
+from mechsheet.checking.trees import Formulas, alike, formula_of, neutral, stretches
 from mechsheet.formula.book import Book, BookSheet
 from mechsheet.formula.names import folded
 from mechsheet.formula.nodes import NameRef, Node, Number, Scalar, Unary, shifted, transform
@@ -34,6 +34,7 @@ def audit(book: Book, expected: Expected) -> Audit:
     """Compare a book with the one that its description would build; both have their sheets and cells in the same places."""
     edits = [*_sheets(book, expected), *_names(book, expected)]
     remarks: list[str] = []
+    inputs = expected.inputs()
     formulas = differing = 0
     for sheet in expected.book.sheets:
         other = book.sheet(sheet.title)
@@ -41,8 +42,8 @@ def audit(book: Book, expected: Expected) -> Audit:
             continue
         found = list(_merged(_changes(sheet, other)))
         edits += [_edit(change, sheet, other) for change in found]
-        edits += _numbers(sheet, other, expected)
-        remarks += _constants(sheet, other, expected)
+        edits += _numbers(sheet, other, inputs)
+        remarks += _constants(sheet, other, inputs, expected)
         remarks += _added(sheet, other)
         formulas += sum(block.rows * block.cols for block in sheet.blocks)
         differing += sum(change.rows * change.cols for change in found)
@@ -104,9 +105,12 @@ def _changes(sheet: BookSheet, other: BookSheet) -> Iterator[_Change]:
     """Column by column."""
     ours, theirs = Formulas(sheet), Formulas(other)
     for col, start, stop in stretches(ours, theirs):
-        was, now = ours.at(start, col), theirs.at(start, col)
-        if was is None:
+        one, two = ours.block(start, col), theirs.block(start, col)
+        if one is None:
             continue
+        if two is not None and (one.row, one.col) == (two.row, two.col) and one.formula == two.formula:
+            continue  # nearly always: the rest is the slow way
+        was, now = formula_of(one, start, col), None if two is None else formula_of(two, start, col)
         if now is None:
             for row in range(start, stop):
                 moved = shifted(was, row - start)
@@ -175,11 +179,11 @@ def _printed(node: Node) -> str:
 # --- constants -----------------------------------------------------------------------------------------------------
 
 
-def _numbers(sheet: BookSheet, other: BookSheet, expected: Expected) -> Iterator[Edit]:
+def _numbers(sheet: BookSheet, other: BookSheet, inputs: Inputs) -> Iterator[Edit]:
     """Numbers that are no inputs, and inputs in whose place something else stands."""
     theirs = Formulas(other)
     for row, col, value in sheet.constants.items():
-        is_input = (sheet.title, row, col) in expected.inputs
+        is_input = (sheet.title, row, col) in inputs
         formula = theirs.at(row, col)
         if formula is not None and (is_input or not isinstance(value, str)):
             yield Edit("formula", cell_address(sheet.title, row, col), text_of(value), _printed(formula))
@@ -198,9 +202,9 @@ def same(one: Scalar, other: Scalar) -> bool:
     return one == other
 
 
-def _constants(sheet: BookSheet, other: BookSheet, expected: Expected) -> Iterator[str]:
+def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Expected) -> Iterator[str]:
     """Inputs that were changed, and texts."""
-    inputs, position = expected.inputs, expected.plan.at.spots["#position"]
+    position = expected.plan.at.spots["#position"]
     texts: list[str] = []
     theirs = Formulas(other)
     for row, col, value in sheet.constants.items():

@@ -12,6 +12,9 @@ from mechsheet.sheet.layout import DESCRIPTION_SHEET, lay_out
 from mechsheet.sheet.plan import TOLERANCE, Plan
 from mechsheet.sheet.workbook import Workbook
 
+Inputs = dict[tuple[str, int, int], str]
+"""(sheet, row, column) of each input cell -> what it holds."""
+
 
 @dataclass(frozen=True, slots=True)
 class Expected:
@@ -26,8 +29,7 @@ class Expected:
         """Title of the hidden sheet that carries the description."""
         return self.plan.at.titles[DESCRIPTION_SHEET]
 
-    @property
-    def inputs(self) -> dict[tuple[str, int, int], str]:
+    def inputs(self) -> Inputs:
         """The cells that are there to be changed, and what each holds: dimensions, modes, the driver, tolerances …"""
         by_cell = {(spot.sheet, spot.row, spot.col): symbol for symbol, spot in self.plan.at.spots.items()}
         found = {}

@@ -93,7 +93,12 @@ class Formulas:
     def at(self, row: int, col: int) -> Node | None:
         """The formula of a cell, as seen from there; None where there is none."""
         block = self.block(row, col)
-        return None if block is None else shifted(block.formula, row - block.row, col - block.col)
+        return None if block is None else formula_of(block, row, col)
+
+
+def formula_of(block: Block, row: int, col: int) -> Node:
+    """A block's formula as one of its cells has it."""
+    return shifted(block.formula, row - block.row, col - block.col)
 
 
 def stretches(ours: Formulas, theirs: Formulas) -> Iterator[tuple[int, int, int]]:

@@ -13,10 +13,9 @@ import click
 from mechsheet.diagnostics import Fault, MechsheetError
 
 from .common import JSON, progress
-from .printing import print_perturbation, print_report
 
 if TYPE_CHECKING:
-    from mechsheet.checking import Perturbation, Report
+    from mechsheet.checking import Mutation, Perturbation, Report
 
 Found = TypeVar("Found")
 
@@ -25,9 +24,12 @@ Found = TypeVar("Found")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--with", "programs", default="", help="Other judges: formulas, ironcalc, libreoffice, gnumeric.")
 @click.option("--perturb", type=click.IntRange(min=1), metavar="N", help="Type N random sets of inputs and compare.")
-@click.option("--seed", default=0, show_default=True, help="Another seed, other random sets.")
+@click.option("--mutate", type=click.IntRange(min=1), metavar="N", help="Damage N formulas: would anybody notice?")
+@click.option("--seed", default=0, show_default=True, help="Another seed: other random sets, other damages.")
 @JSON
-def check(files: tuple[Path, ...], programs: str, perturb: int | None, seed: int, as_json: bool) -> None:
+def check(
+    files: tuple[Path, ...], programs: str, perturb: int | None, mutate: int | None, seed: int, as_json: bool
+) -> None:
     """Recalculate and compare: engine, stored values, numpy reference, other programs.
 
     \b
@@ -36,16 +38,24 @@ def check(files: tuple[Path, ...], programs: str, perturb: int | None, seed: int
     mechsheet check four-bar.toml --with libreoffice,ironcalc
     mechsheet check four-bar.xlsx four-bar.ods      also: are they the same, cell by cell?
     mechsheet check four-bar.xlsx --perturb 100 --with libreoffice
+    mechsheet check four-bar.xlsx --mutate 200
 
-    Exit code 0: all agree; 1: something differs, or was edited; 2: cannot be read.
+    Exit code 0: all agree; 1: something differs, or was edited, or a damage escapes; 2: cannot be read.
     """
+    from .printing import print_mutation, print_perturbation, print_report
+
     judges = [part.strip() for part in programs.split(",") if part.strip()]
+    if mutate is not None and (judges or perturb is not None):
+        raise MechsheetError(Fault("--mutate goes with --seed and --json only", key="--mutate"))
     faults: list[Fault] = []
-    reports: list[Report] | list[Perturbation]
+    reports: list[Report] | list[Perturbation] | list[Mutation]
     show: Callable[[Any], None] = print_report
     if perturb is not None:
         reports = _perturbed(files, perturb, seed, judges, faults)
         show = print_perturbation
+    elif mutate is not None:
+        reports = _mutated(files, mutate, seed, faults)
+        show = print_mutation
     else:
         reports = _checked(files, judges, faults)
     if as_json:
@@ -86,3 +96,9 @@ def _perturbed(
     from mechsheet.checking import perturb
 
     return _of_each(files, faults, lambda file, say: perturb(file, count, seed, judges, say))
+
+
+def _mutated(files: tuple[Path, ...], count: int, seed: int, faults: list[Fault]) -> list[Mutation]:
+    from mechsheet.checking import mutate
+
+    return _of_each(files, faults, lambda file, say: mutate(file, count, seed, say))

@@ -6,11 +6,16 @@ from typing import Any
 
 import click
 
+from mechsheet.checking.mutate import by_kind, by_sheet
+
 LONG = 100
 """Longer formulas are shown around the place in which they differ; with --json in full."""
 
 AROUND = 30
 """So many signs of them before and behind it."""
+
+SURVIVORS = 20
+"""So many damages that the sheet does not catch are listed; with --json all."""
 
 EDITS = 40
 """So many edits are listed; with --json all."""
@@ -93,3 +98,29 @@ def print_perturbation(found: Any) -> None:
             click.echo(f"  {'':<14} in {item.differing} of {found.sets} sets; here {worst.subject} {worst.ours}, ")
             click.echo(f"  {'':<14} {worst.judge} {worst.theirs or 'nothing'}")
         click.echo(f"  {'':<14} set {item.setting.number + 1}: {item.setting.text()}")
+
+
+def print_mutation(found: Any) -> None:
+    """Damages: how many are caught by whom, and those that the sheet's own checks do not catch."""
+    count = len(found.damages)
+    click.echo(f"{found.file}: {'check catches all damages' if found.agrees else 'A DAMAGE ESCAPES'}")
+    click.echo(
+        f"  {count} damages that change a value (seed {found.seed}); "
+        f"{found.harmless} more change none, {found.circular} cannot be computed"
+    )
+    if not found.clear:
+        click.echo("  note: the sheet's checks are not clear without any damage: what they catch means nothing")
+    names = {"check": "check", "reference": "  reference only", "sheet": "sheet's checks"}
+    for by, name in names.items():
+        click.echo(f"  {name:<18} {found.caught(by):>5} caught, {found.share(by):7.2%}")
+    for title, what in (("by sheet", by_sheet), ("by kind", by_kind)):
+        parts = (f"{key} {caught}/{number}" for key, (number, caught) in found.tally(what).items())
+        click.echo(f"  sheet's checks {title}: {', '.join(parts)}")
+    survivors = [damage for damage in found.damages if not (damage.sheet and damage.check)]
+    for damage in survivors[:SURVIVORS]:
+        was, now = focused(damage.was, damage.now)
+        click.echo(f"  {'not caught' if not damage.check else 'only check'}: {damage.where} ({damage.kind})")
+        click.echo(f"          was {was}")
+        click.echo(f"          is  {now}")
+    if len(survivors) > SURVIVORS:
+        click.echo(f"  {len(survivors) - SURVIVORS} more (all with --json)")

@@ -1,0 +1,256 @@
+"""`check --mutate`: one formula damaged at a time. Would the sheet's own checks notice? Would `check`?"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mechsheet.checking.against_reference import against_plan
+from mechsheet.checking.audit import audit
+from mechsheet.checking.cells import Angles, angles_in
+from mechsheet.checking.damage import Damage, damages
+from mechsheet.checking.expected import Expected, expected_for
+from mechsheet.checking.perturb import description_or_fault, workbook_of
+from mechsheet.checking.report import TOLERANCE
+from mechsheet.diagnostics import WorkbookError, readable_name
+from mechsheet.engine import compile_book
+from mechsheet.formats import read
+from mechsheet.formula.book import Block, Book, BookSheet
+from mechsheet.formula.nodes import Scalar, shifted
+from mechsheet.formula.printer import print_formula
+from mechsheet.formula.references import area_name
+
+TRIES = 60
+"""Damages that change no value are drawn again so often for each one wanted."""
+
+
+@dataclass(frozen=True, slots=True)
+class Damaged:
+    """One damage that changes some value, and who notices.
+
+    where   the cells whose formula is damaged;  was, now  the formula there before and after
+    sheet   the workbook's own checks notice;  reference  the reference does;  check  `check` does, by whatever it compares
+    """
+
+    kind: str
+    where: str
+    was: str
+    now: str
+    sheet: bool
+    reference: bool
+    check: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Mutation:
+    """What `mutate` found in one file.
+
+    harmless  damages drawn that change no value;  circular  those that no program computes. Neither is in `damages`.
+    clear     the sheet's checks are clear without any damage (else what they catch means nothing)
+    """
+
+    file: str
+    seed: int
+    damages: tuple[Damaged, ...]
+    harmless: int
+    circular: int
+    clear: bool
+
+    @property
+    def agrees(self) -> bool:
+        """True when `check` catches every damage."""
+        return all(damage.check for damage in self.damages)
+
+    def caught(self, by: str) -> int:
+        """How many damages are caught by "sheet", "reference" or "check"."""
+        return sum(1 for damage in self.damages if getattr(damage, by))
+
+    def share(self, by: str) -> float:
+        """The part that is caught, 1 when there are no damages."""
+        return self.caught(by) / len(self.damages) if self.damages else 1.0
+
+    def survivors(self, by: str) -> tuple[Damaged, ...]:
+        """Damages that are not caught."""
+        return tuple(damage for damage in self.damages if not getattr(damage, by))
+
+    def tally(self, what: Callable[[Damaged], str]) -> dict[str, tuple[int, int]]:
+        """By kind, by sheet …: (how many damages, how many of them the sheet's own checks catch)."""
+        found: dict[str, tuple[int, int]] = {}
+        for damage in self.damages:
+            count, caught = found.get(what(damage), (0, 0))
+            found[what(damage)] = (count + 1, caught + damage.sheet)
+        return found
+
+    def as_dict(self) -> dict[str, Any]:
+        """As JSON data."""
+        return {
+            "file": self.file,
+            "agrees": self.agrees,
+            "seed": self.seed,
+            "damages": len(self.damages),
+            "harmless": self.harmless,
+            "circular": self.circular,
+            "clear": self.clear,
+            "caught": {by: self.caught(by) for by in ("sheet", "reference", "check")},
+            "kinds": {key: {"damages": n, "sheet": caught} for key, (n, caught) in sorted(self.tally(by_kind).items())},
+            "sheets": {key: {"damages": n, "sheet": caught} for key, (n, caught) in self.tally(by_sheet).items()},
+            "survivors": [
+                {"kind": item.kind, "where": item.where, "was": item.was, "now": item.now, "check": item.check}
+                for item in self.damages
+                if not (item.sheet and item.check)
+            ],
+        }
+
+
+def mutate(path: str | Path, count: int, seed: int = 0, progress: Callable[[str], None] | None = None) -> Mutation:
+    """Damage `count` formulas of a workbook (or of what a description builds), one at a time, each so that a value changes.
+
+    Stored values are those that a spreadsheet program would store: they fit the damage, and give nothing away. A value is
+    changed when it differs by more than TOLERANCE (angles modulo a turn, as everywhere). The same seed gives the same
+    damages. Raises MechsheetError when the file cannot be read or carries no description.
+    """
+    path = Path(path)
+    say = progress or (lambda _: None)
+    with workbook_of(path) as built:
+        return _Run(built, readable_name(path), seed).over(count, say)
+
+
+class _Run:
+    """One file."""
+
+    def __init__(self, path: Path, shown: str, seed: int) -> None:
+        self.shown, self.seed = shown, seed
+        self.book = read(path)
+        self.expected: Expected = expected_for(description_or_fault(self.book, shown), shown)
+        self.values = compile_book(self.book).evaluate()
+        self.angles = angles_in(self.expected.plan)
+        self.names = sorted(name.name for name in self.book.names if name.sheet is None)
+        self.places = [(sheet, block) for sheet in self.book.sheets for block in sheet.blocks]
+        self.kinds: dict[int, dict[str, list[Damage]]] = {}
+        self.harmless = self.circular = 0
+
+    def over(self, count: int, say: Callable[[str], None]) -> Mutation:
+        """So many damages that change a value; fewer when the workbook has no more."""
+        draw = random.Random(self.seed)
+        seen: set[tuple[str, Block]] = set()
+        found: list[Damaged] = []
+        for _ in range(count * TRIES if self.places else 0):
+            if len(found) == count:
+                break
+            sheet, pieces, damaged, kind = self._drawn(draw)
+            if (sheet.title, damaged) in seen:
+                continue
+            seen.add((sheet.title, damaged))
+            judged = self._judged(sheet, pieces, damaged, kind)
+            if judged is not None:
+                found.append(judged)
+                say(f"damage {len(found)} of {count}")
+        clear = self._is_clear(self.values)
+        return Mutation(self.shown, self.seed, tuple(found), self.harmless, self.circular, clear)
+
+    def _drawn(self, draw: random.Random) -> tuple[BookSheet, list[Block], Block, str]:
+        """(sheet, what its block becomes, the damaged one among these, the kind of damage)."""
+        while True:
+            number = draw.randrange(len(self.places))
+            sheet, block = self.places[number]
+            by_kind = self._damages(number, block)
+            if not by_kind:
+                continue
+            kind = draw.choice(sorted(by_kind))
+            formula = draw.choice(by_kind[kind]).of(block.formula)
+            if block.rows * block.cols == 1 or draw.random() < 0.5:
+                damaged = replace(block, formula=formula)
+                return sheet, [damaged], damaged, kind
+            down, right = draw.randrange(block.rows), draw.randrange(block.cols)
+            pieces = list(_around(block, down, right))
+            damaged = Block(block.row + down, block.col + right, 1, 1, shifted(formula, down, right))
+            return sheet, [*pieces, damaged], damaged, kind
+
+    def _damages(self, number: int, block: Block) -> dict[str, list[Damage]]:
+        if number not in self.kinds:
+            by_kind: dict[str, list[Damage]] = {}
+            for damage in damages(block.formula, self.names):
+                by_kind.setdefault(damage.kind, []).append(damage)
+            self.kinds[number] = by_kind
+        return self.kinds[number]
+
+    def _judged(self, sheet: BookSheet, pieces: list[Block], damaged: Block, kind: str) -> Damaged | None:
+        old = sheet.formula_at(damaged.row, damaged.col)
+        assert old is not None
+        book = _with_blocks(self.book, sheet, old, pieces)
+        try:
+            values = compile_book(book).evaluate()
+        except WorkbookError:
+            self.circular += 1
+            return None
+        if not differ(self.book, self.values, values, self.angles):
+            self.harmless += 1
+            return None
+        reference = not against_plan(book, values, self.expected.plan, self.shown)[0].agrees
+        return Damaged(
+            kind,
+            f"{sheet.title}!{area_name(damaged.row, damaged.col, damaged.rows, damaged.cols)}",
+            "=" + print_formula(shifted(old.formula, damaged.row - old.row, damaged.col - old.col)),
+            "=" + print_formula(damaged.formula),
+            not self._is_clear(values),
+            reference,
+            reference or bool(audit(book, self.expected).edits),
+        )
+
+    def _is_clear(self, values: Any) -> bool:
+        spot = self.expected.plan.at.spots["#clear"]
+        found: Scalar = values.get(spot.sheet, spot.row, spot.col)
+        return found == self.expected.plan.text("checks.clear")
+
+
+def _around(block: Block, down: int, right: int) -> Iterator[Block]:
+    """The pieces of a block around one of its cells: above, left, right, below."""
+    for row, col, rows, cols in (
+        (0, 0, down, block.cols),
+        (down, 0, 1, right),
+        (down, right + 1, 1, block.cols - right - 1),
+        (down + 1, 0, block.rows - down - 1, block.cols),
+    ):
+        if rows and cols:
+            yield Block(block.row + row, block.col + col, rows, cols, shifted(block.formula, row, col))
+
+
+def _with_blocks(book: Book, sheet: BookSheet, old: Block, new: list[Block]) -> Book:
+    """The book with some blocks in the place of one."""
+    changed = replace(sheet, blocks=[block for block in sheet.blocks if block is not old] + new)
+    return replace(book, sheets=[changed if each is sheet else each for each in book.sheets])
+
+
+def differ(book: Book, ours: Any, theirs: Any, angles: Angles) -> bool:
+    """Whether any formula's value differs between two evaluations, as `compare_cells` measures it."""
+    return any(
+        _column_differs(sheet.title, col, block, ours, theirs, angles)
+        for sheet in book.sheets
+        for block in sheet.blocks
+        for col in range(block.col, block.col + block.cols)
+    )
+
+
+def _column_differs(title: str, col: int, block: Block, ours: Any, theirs: Any, angles: Angles) -> bool:
+    first, last = block.row, block.row + block.rows - 1
+    one, codes = ours.arrays(title, col, first, last)
+    other, others = theirs.arrays(title, col, first, last)
+    if not np.array_equal(codes, others):
+        return True
+    if np.isnan(one).any() and ours.column(title, col, first, last) != theirs.column(title, col, first, last):
+        texts = zip(ours.column(title, col, first, last), theirs.column(title, col, first, last), strict=True)
+        if any(isinstance(left, str) and left != right for left, right in texts):
+            return True
+    apart = one - other
+    period = angles.periods.get((title, col))
+    if period is not None:
+        apart = (np.remainder(apart + period / 2, period) - period / 2) / period
+    else:
+        scale = max(angles.size, float(np.max(np.abs(one), initial=0.0, where=np.isfinite(one))))
+        apart = apart / np.maximum(scale, np.maximum(np.abs(one), np.abs(other)))
+    return bool(np.nanmax(np.abs(apart), initial=0.0) > TOLERANCE)
