@@ -107,6 +107,16 @@ class Mutation:
         }
 
 
+def by_kind(damage: Damaged) -> str:
+    """The kind of a damage."""
+    return damage.kind
+
+
+def by_sheet(damage: Damaged) -> str:
+    """The sheet that it stands on."""
+    return damage.where.rpartition("!")[0]
+
+
 def mutate(path: str | Path, count: int, seed: int = 0, progress: Callable[[str], None] | None = None) -> Mutation:
     """Damage `count` formulas of a workbook (or of what a description builds), one at a time, each so that a value changes.
 
