@@ -11,7 +11,7 @@ from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue, Symbol, shifted
 from mechsheet.formula.parser import parse_formula
 
-NA, DIV0, VALUE, NUM = map(ErrorValue, ("#N/A", "#DIV/0!", "#VALUE!", "#NUM!"))
+NA, DIV0, VALUE, NUM, NAME = map(ErrorValue, ("#N/A", "#DIV/0!", "#VALUE!", "#NUM!", "#NAME?"))
 
 
 def book(columns, blocks, names=()):
@@ -144,9 +144,8 @@ def test_a_sheet_that_does_not_exist():
 def test_all_unknown_things_are_reported_with_their_cells():
     wrong = book({}, {"A1:A3": "FOO(1)+SIN(1,2)", "B1": "bar+1", "C1": "SINN(1)", "D1": "loop", "E1": "IF(1,2,3,4)"},
                  [("loop", "pool"), ("pool", "LOOP+1"), ("bart", "1")])  # fmt: skip
-    with pytest.raises(WorkbookError) as caught:
-        compile_book(wrong)
-    assert [(fault.key, fault.message, fault.hint) for fault in caught.value.faults] == [
+    plan = compile_book(wrong)
+    assert [(fault.key, fault.message, fault.hint) for fault in plan.remarks] == [
         ("S!A1:A3", "unknown function FOO", 'did you mean "FLOOR"?'),
         ("S!A1:A3", "SIN takes 1 argument, found 2", ""),
         ("S!B1", "unknown name bar", 'did you mean "bart"?'),
@@ -154,12 +153,16 @@ def test_all_unknown_things_are_reported_with_their_cells():
         ("S!D1", "the name loop stands for itself: loop -> pool -> loop", ""),
         ("S!E1", "IF takes 1 to 3 arguments, found 4", ""),
     ]
-    assert all(fault.file == "book.xlsx" for fault in caught.value.faults)
+    assert all(fault.file == "book.xlsx" for fault in plan.remarks)
+    values = plan.evaluate()
+    assert values.remarks == plan.remarks
+    assert [values.get("S", 0, col) for col in range(5)] == [NAME, NAME, NAME, NAME, VALUE]
 
 
 def test_what_a_kernel_cannot_do_is_said_with_the_cell():
-    with pytest.raises(WorkbookError, match=r'S!B2: TEXT with the format "yyyy" is not supported'):
-        evaluate(book({"A": [1.0]}, {"B2": 'TEXT(A1,"yyyy")'}))
+    values = evaluate(book({"A": [1.0]}, {"B2": 'CELL("color",A1)', "C2": "A1+1"}))
+    assert [str(fault) for fault in values.remarks] == ['book.xlsx: S!B2: CELL("color") is not supported']
+    assert [values.get("S", 1, col) for col in (1, 2)] == [VALUE, 2]
 
 
 def test_two_things_in_one_cell():

@@ -11,16 +11,19 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Fault, WorkbookError
+from ..formula.functions import FUNCTIONS
 from ..formula.nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
+    Apply,
     ArrayLiteral,
     Binary,
     Boolean,
     Call,
     CellRef,
     ErrorValue,
+    FunctionRef,
+    Local,
     Missing,
     Node,
     Number,
@@ -28,50 +31,86 @@ from ..formula.nodes import (
     Text,
     Unary,
 )
-from ..formula.references import cell_address
+from .closures import Bound, Scopes
 from .coerce import compared, each, numbers_of, to_text
-from .frames import Frame, Span, UnsupportedError, VaryingSizeError
+from .deep import deeply
+from .frames import ArrayArgumentError, Frame, Span, UnsupportedError, VaryingSizeError
+from .intersections import SINGLES
 from .kernels import KERNELS
 from .kernels_math import OPERATORS, snapped
 from .layout import Area, Layout
-from .values import BLANK, NULL, REF, VALUE, Cells, Codes, Numbers, Texts, codes_of, error, finished, first_error
+from .regions import gives_region, regions
+from .surroundings import Surroundings
+from .values import (
+    BLANK,
+    CALC,
+    REF,
+    VALUE,
+    Cells,
+    Codes,
+    Numbers,
+    Texts,
+    codes_of,
+    error,
+    finished,
+    first_error,
+    fitted,
+)
 
 _NOTHING = Cells(np.float64(0), np.uint8(BLANK))
+_REFERENCES = frozenset((",", " ", ":"))
 _COMPARISONS = frozenset(("=", "<>", "<", "<=", ">", ">="))
 
 
 class Evaluator:
     """Evaluates formulas over the flat array of one evaluation."""
 
-    def __init__(self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts) -> None:
+    def __init__(
+        self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, surroundings: Surroundings | None = None
+    ) -> None:
         self.layout = layout
         self.numbers = numbers
         self.codes = codes
         self.texts = texts
         self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self.around = surroundings or Surroundings()
+        self.scopes = Scopes(self.around.functions, self.around.reference)
 
     def result(self, formula: Node, frame: Frame) -> Cells:
-        """What the cells of a frame show: as `value`, with the last + or - snapped and a blank as 0."""
+        """What the cells of a frame show: of an array its first cell, with the last + or - snapped and a blank as 0."""
         try:
-            with np.errstate(all="ignore"):
-                found = self.value(formula, frame)
-                if isinstance(formula, Binary) and formula.op in "+-":
-                    found = self._snapped(formula, found, frame)
-        except (UnsupportedError, RecursionError) as problem:
-            place = cell_address(self.layout.titles[frame.sheet], frame.row, frame.col)
-            message = str(problem) if isinstance(problem, UnsupportedError) else "a formula nested too deeply"
-            raise WorkbookError(Fault(message, key=place)) from problem
+            found = self._safely(formula, frame, False)
+        except VaryingSizeError:
+            return self.cell_by_cell(lambda cell: self.result(formula, cell), frame)
         if np.ndim(found.numbers) > 2:
             found = Cells(found.numbers[0, 0], None if found.codes is None else codes_of_all(found)[0, 0])
-        if found.codes is not None:
-            blank = found.codes == BLANK
-            if np.any(blank):
-                found = Cells(found.numbers, np.where(blank, np.uint8(0), found.codes))
-        return found
+        return without_blanks(found)
 
-    def _snapped(self, formula: Binary, found: Cells, frame: Frame) -> Cells:
-        left, _ = numbers_of(self.value(formula.left, frame), self.texts)
-        return Cells(snapped(found.numbers, left), found.codes)
+    def array(self, formula: Node, frame: Frame) -> Cells:
+        """What an array formula gives, as cells of two axes (height, width)."""
+        found = self._safely(formula, frame, True)
+        shape = found.shape
+        if len(shape) > 2:
+            numbers, codes = np.broadcast_to(found.numbers, shape)[:, :, 0, 0], codes_of_all(found)[:, :, 0, 0]
+        else:
+            numbers, codes = np.reshape(found.numbers, (1, 1)), np.reshape(codes_of_all(found), (1, 1))
+        return without_blanks(Cells(numbers, codes))
+
+    def _safely(self, formula: Node, frame: Frame, spread: bool) -> Cells:
+        """The value, #VALUE! with a remark where it cannot be computed."""
+        try:
+            return deeply(lambda: self._unsafely(formula, frame, spread))
+        except UnsupportedError as problem:
+            self.around.remark(str(problem), frame.sheet, frame.row, frame.col)
+        except RecursionError:
+            self.around.remark("a formula nested too deeply", frame.sheet, frame.row, frame.col)
+        return error(VALUE)
+
+    def _unsafely(self, formula: Node, frame: Frame, spread: bool) -> Cells:
+        with np.errstate(all="ignore"):
+            if isinstance(formula, Binary) and formula.op not in _REFERENCES:
+                return self.chain(formula, frame, spread, snap=True)
+            return self.value(formula, frame, spread)
 
     def value(self, node: Node, frame: Frame, spread: bool = False) -> Cells:
         """The value of a tree over a frame. `spread`: a range is an array there; else the cell of it beside the formula."""
@@ -80,8 +119,8 @@ class Evaluator:
                 return Cells(np.float64(number))
             case CellRef():
                 return self.cell(node, frame)
-            case Binary():
-                return self.chain(node, frame, spread)
+            case Binary(op):
+                return self.region(node, frame, spread) if op in _REFERENCES else self.chain(node, frame, spread)
             case Unary(op, operand):
                 return self.signed(op, self.value(operand, frame, spread))
             case Call():
@@ -97,32 +136,39 @@ class Evaluator:
             case Missing():
                 return self.texts.constant(None)
             case ArrayLiteral():
-                return self.literal(node, frame) if spread else self.value(node.rows[0][0], frame)
+                return self.literal(node, frame)
+            case Local(name):
+                return self.scopes.local(self, name, frame, spread)
+            case Apply():
+                return self.scopes.call(self, node, frame, spread)
+            case FunctionRef():
+                return error(CALC)
             case _:
                 raise TypeError(f"{node} is not resolved")
 
-    def chain(self, node: Binary, frame: Frame, spread: bool) -> Cells:
+    def chain(self, node: Binary, frame: Frame, spread: bool, snap: bool = False) -> Cells:
         """A run of operators down the left side, in one loop: a sum may have thousands of terms."""
-        if node.op == " ":
-            return self.shared(node, frame)
         run: list[Binary] = []
         left: Node = node
-        while isinstance(left, Binary):
+        while isinstance(left, Binary) and left.op not in _REFERENCES:
             run.append(left)
             left = left.left
         total = self.value(left, frame, spread)
         for part in reversed(run):
+            before = total
             total = self.operate(part.op, total, self.value(part.right, frame, spread))
+        if snap and node.op in "+-":
+            before, total = fitted(before, total)
+            total = Cells(snapped(total.numbers, numbers_of(before, self.texts)[0]), total.codes)
         return total
 
     def operate(self, op: str, left: Cells, right: Cells) -> Cells:
         """An operator between two values."""
+        left, right = fitted(left, right)
         if op in _COMPARISONS:
             return compared(op, left, right, self.texts)
         if op == "&":
             return each(lambda a, b: to_text(a) + to_text(b), (left, right), self.texts)
-        if op not in OPERATORS:
-            raise UnsupportedError(f"the reference operator {op!r} is not supported here")
         return self.mapped(OPERATORS[op], (left, right))
 
     def signed(self, op: str, operand: Cells) -> Cells:
@@ -133,7 +179,7 @@ class Evaluator:
 
     def mapped(self, function: Callable[..., Any], args: tuple[Cells, ...]) -> Cells:
         """A function of numbers over values: errors of arguments first, from the left, then the function's own."""
-        pairs = [numbers_of(arg, self.texts) for arg in args]
+        pairs = [numbers_of(arg, self.texts) for arg in fitted(*args)]
         codes = first_error(*(pair[1] for pair in pairs))
         found = function(*(pair[0] for pair in pairs))
         if isinstance(found, tuple):
@@ -145,21 +191,57 @@ class Evaluator:
         """A function's value; cell by cell where a range changes its size over the frame."""
         try:
             return KERNELS[node.name](self, node.args, frame, spread)
+        except ArrayArgumentError:
+            return self.lifted(node, frame)
         except VaryingSizeError:
             if frame.rows == frame.cols == 1:
                 raise
+        return self.cell_by_cell(lambda cell: self.call(node, cell, spread), frame)
+
+    def cell_by_cell(self, compute: Callable[[Frame], Cells], frame: Frame) -> Cells:
+        """The values of a frame's cells, each computed by itself. Raises VaryingSizeError when one of them is an array."""
         numbers, codes = np.empty((frame.cols, frame.rows)), np.zeros((frame.cols, frame.rows), np.uint8)
         for right in range(frame.cols):
             for down in range(frame.rows):
-                found = self.call(node, frame.cell(down, right), spread)
+                found = compute(frame.cell(down, right))
+                if np.ndim(found.numbers):
+                    raise VaryingSizeError
                 numbers[right, down] = found.numbers
                 codes[right, down] = 0 if found.codes is None else found.codes
         return Cells(numbers.reshape(frame.shape), codes.reshape(frame.shape) if codes.any() else None)
 
+    def lifted(self, node: Call, frame: Frame) -> Cells:
+        """A function that was given an array where it wants a single value: its value for each cell of the array."""
+        if frame.rows > 1 or frame.cols > 1:
+            raise VaryingSizeError
+        kinds = FUNCTIONS[node.name].kinds_of(len(node.args))
+        singles = [place for place, kind in enumerate(kinds) if kind in SINGLES or kind == "q"]
+        values = fitted(*(self.value(node.args[place], frame, True) for place in singles))
+        height, width = np.broadcast_shapes(*((1, 1, *cells.shape)[-4:][:2] for cells in values))
+        numbers, codes = np.empty((height, width, 1, 1)), np.zeros((height, width, 1, 1), np.uint8)
+        args = list(node.args)
+        for down in range(height):
+            for right in range(width):
+                scope = dict(frame.names or {})
+                for place, cells in zip(singles, values, strict=True):
+                    scope[f"argument {place} of {node.name}"] = Bound(cells=part_of(cells, down, right))
+                    args[place] = Local(f"argument {place} of {node.name}")
+                found = self.call(Call(node.name, tuple(args)), frame.within(scope), True)
+                first = found if np.ndim(found.numbers) == 0 else part_of(found, 0, 0)
+                numbers[down, right], codes[down, right] = first.numbers, 0 if first.codes is None else first.codes
+        return Cells(numbers, codes if codes.any() else None)
+
     # references
 
     def span(self, node: Node, frame: Frame) -> Span | None:
-        """What a reference means over the frame, None where it leaves the sheet or names none."""
+        """The one rectangle that a reference means over the frame, None where it leaves the sheet or is no reference."""
+        if isinstance(node, CellRef | RangeRef):
+            return self.corners(node, frame)
+        found = regions(self, node, frame) if gives_region(node) else None
+        return found[0] if isinstance(found, list) and len(found) == 1 else None
+
+    def corners(self, node: CellRef | RangeRef, frame: Frame) -> Span | None:
+        """The rectangle of a reference as it stands, None where it leaves the sheet."""
         start, end = (node.start, node.end) if isinstance(node, RangeRef) else (node, node)
         if not isinstance(start, CellRef) or not isinstance(end, CellRef) or start.sheet is None:
             return None
@@ -177,19 +259,39 @@ class Evaluator:
         height, width = rows[1] - rows[0] + 1, cols[1] - cols[0] + 1
         return Span(self.sheets[start.sheet], rows[0], cols[0], height, width, down, right)
 
-    def shared(self, node: Binary, frame: Frame) -> Cells:
-        """The cells that two ranges have in common (the operator ` `): #NULL! when there are none."""
-        if frame.rows > 1 or frame.cols > 1:
+    def region(self, node: Node, frame: Frame, spread: bool) -> Cells:
+        """The cells that an expression means which gives a reference: as an array, or the one beside the formula."""
+        found = regions(self, node, frame)
+        if found is None:
+            return error(VALUE)
+        if isinstance(found, Cells):
+            return found
+        if len(found) > 1:
+            return self.joined(found, frame) if spread else error(VALUE)
+        return self.of_span(found[0], frame, spread)
+
+    def of_span(self, span: Span, frame: Frame, spread: bool) -> Cells:
+        """The cells of a rectangle that was only now found: as an array, or the one beside the formula."""
+        if not spread:
+            if span.moves_down or span.moves_right or frame.rows > 1 or frame.cols > 1:
+                raise VaryingSizeError
+            row = span.row if span.height == 1 else frame.row
+            col = span.col if span.width == 1 else frame.col
+            beside = (span.height == 1 or span.width == 1) and row - span.row < span.height and row >= span.row
+            if not beside or not 0 <= col - span.col < span.width:
+                return error(VALUE)
+            span = Span(span.sheet, row, col, 1, 1, False, False)
+        self.around.need(Area(span.sheet, span.row, span.col, span.height, span.width))
+        return self.spread_out(span, frame) if spread else self.at(span.sheet, span.row, span.col)
+
+    def joined(self, spans: list[Span], frame: Frame) -> Cells:
+        """The cells of several rectangles below one another, as one column."""
+        parts = [self.of_span(span, frame, True) for span in spans]
+        if any(cells.shape[2:] != (1, 1) for cells in parts):
             raise VaryingSizeError
-        first, second = self.span(node.left, frame), self.span(node.right, frame)
-        if first is None or second is None or first.sheet != second.sheet:
-            return error(REF if first is None or second is None else VALUE)
-        row, col = max(first.row, second.row), max(first.col, second.col)
-        height = min(first.row + first.height, second.row + second.height) - row
-        width = min(first.col + first.width, second.col + second.width) - col
-        if height < 1 or width < 1:
-            return error(NULL)
-        return self.spread_out(Span(first.sheet, row, col, height, width, False, False), frame)
+        numbers = np.concatenate([np.reshape(cells.numbers, (-1, 1, 1, 1)) for cells in parts])
+        codes = np.concatenate([np.reshape(codes_of_all(cells), (-1, 1, 1, 1)) for cells in parts])
+        return Cells(numbers, codes if codes.any() else None)
 
     def cell(self, node: CellRef, frame: Frame) -> Cells:
         """A single cell's value over the frame."""
@@ -259,9 +361,27 @@ class Evaluator:
         return Cells(numbers.reshape(shape), codes.reshape(shape) if codes.any() else None)
 
 
+def without_blanks(cells: Cells) -> Cells:
+    """The cells with 0 for blanks, as a formula shows them."""
+    if cells.codes is None:
+        return cells
+    blank = cells.codes == BLANK
+    return Cells(cells.numbers, np.where(blank, np.uint8(0), cells.codes)) if np.any(blank) else cells
+
+
 def codes_of_all(cells: Cells) -> Any:
     """The codes in the shape of the numbers."""
     return np.broadcast_to(codes_of(cells), np.shape(cells.numbers))
+
+
+def part_of(cells: Cells, down: int, right: int) -> Cells:
+    """One cell of an array value; a single value is the same everywhere."""
+    shape = cells.shape
+    if len(shape) <= 2:
+        return cells
+    place = down if shape[0] > 1 else 0, right if shape[1] > 1 else 0, 0, 0
+    code = np.broadcast_to(codes_of(cells), shape)[place]
+    return Cells(np.broadcast_to(cells.numbers, shape)[place], code if code else None)
 
 
 def _fixed(block: Any, cols: int, rows: int) -> Any:

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from .closures import Bound
 
 
 class Frame(NamedTuple):
-    """The cells being computed: their first cell, how many, and how far that is from the block's first cell."""
+    """The cells being computed: their first cell, how many, and how far that is from the block's first cell.
+
+    names  what the names of LET and LAMBDA stand for there
+    """
 
     sheet: int
     row: int
@@ -15,6 +22,7 @@ class Frame(NamedTuple):
     cols: int
     down: int = 0
     right: int = 0
+    names: Mapping[str, Bound] | None = None
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -25,7 +33,12 @@ class Frame(NamedTuple):
 
     def cell(self, down: int, right: int) -> Frame:
         """One cell of the frame."""
-        return Frame(self.sheet, self.row + down, self.col + right, 1, 1, self.down + down, self.right + right)
+        down_there, right_there = self.down + down, self.right + right
+        return Frame(self.sheet, self.row + down, self.col + right, 1, 1, down_there, right_there, self.names)
+
+    def within(self, names: Mapping[str, Bound] | None) -> Frame:
+        """The same cells with other names."""
+        return self if names is self.names else self._replace(names=names)
 
 
 class Span(NamedTuple):
@@ -42,6 +55,18 @@ class Span(NamedTuple):
 
 class VaryingSizeError(Exception):
     """A range whose size differs from cell to cell (`A$1:A5` filled down): to be evaluated cell by cell."""
+
+
+class ArrayArgumentError(Exception):
+    """An array where a function wants a single value: to be evaluated for each of its cells."""
+
+
+class NotReadyError(Exception):
+    """A cell that is needed has not been computed yet; what fills it (`Layout.producers`)."""
+
+    def __init__(self, producer: int) -> None:
+        super().__init__()
+        self.producer = producer
 
 
 class UnsupportedError(Exception):

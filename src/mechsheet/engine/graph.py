@@ -2,22 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..formula.book import Block
-from ..formula.nodes import CellRef, Node, RangeRef, children
+from ..formula.nodes import Binary, Call, CellRef, FunctionRef, Node, RangeRef, children, walk
 from .layout import Area, Layout
 
+Functions = Mapping[FunctionRef, Node]
+_NONE: Functions = {}
 
-def references(node: Node) -> Iterator[CellRef | RangeRef]:
-    """Every reference of a tree, a range as one, in reading order."""
+_UNREAD = frozenset(
+    ("ROW", "COLUMN", "ROWS", "COLUMNS", "AREAS", "ISREF", "ISFORMULA", "FORMULATEXT", "SHEET", "SHEETS", "OFFSET")
+)
+"""Functions that take a reference in their first argument without looking at its values."""
+_ANYWHERE = frozenset(("OFFSET", "INDIRECT"))
+"""Functions whose reference is known only when they are computed."""
+
+
+def references(node: Node, functions: Functions = _NONE) -> Iterator[CellRef | RangeRef]:
+    """Every reference whose values a tree reads, a range as one, in reading order; with those of the functions it calls."""
     stack = [node]
+    seen: set[FunctionRef] = set()
     while stack:
         part = stack.pop()
         if isinstance(part, CellRef | RangeRef):
             yield part
+        elif isinstance(part, FunctionRef):
+            if part in functions and part not in seen:
+                seen.add(part)
+                stack.append(functions[part])
         else:
-            stack.extend(reversed(children(part)))
+            below = children(part)
+            if isinstance(part, Call) and part.name in _UNREAD and below and isinstance(below[0], CellRef | RangeRef):
+                below = below[1:]
+            stack.extend(reversed(below))
+
+
+def reads_anywhere(node: Node, functions: Functions = _NONE) -> bool:
+    """Whether what a tree reads is known only when it is computed: OFFSET, INDIRECT, `A1:INDEX(...)`."""
+    waiting, seen = [node], set[FunctionRef]()
+    while waiting:
+        for part in walk(waiting.pop()):
+            if isinstance(part, Call) and part.name in _ANYWHERE:
+                return True
+            if isinstance(part, Binary) and part.op == ":":
+                return True
+            if isinstance(part, FunctionRef) and part in functions and part not in seen:
+                seen.add(part)
+                waiting.append(functions[part])
+    return False
+
+
+def seen_from(block: Block) -> Block:
+    """The cells that a block's references are seen from: of an array formula only the first one."""
+    return block if block.kind == "fill" else Block(block.row, block.col, 1, 1, block.formula, block.kind)
 
 
 def area_read(reference: CellRef | RangeRef, block: Block, sheets: dict[str, int]) -> Area | None:
@@ -36,17 +74,34 @@ def area_read(reference: CellRef | RangeRef, block: Block, sheets: dict[str, int
     return Area(sheets[first.sheet], min(rows), min(cols), max(rows) - min(rows) + 1, max(cols) - min(cols) + 1)
 
 
-def dependencies(layout: Layout, formulas: Sequence[Node]) -> list[set[int]]:
+def dependencies(layout: Layout, formulas: Sequence[Node], functions: Functions = _NONE) -> list[set[int]]:
     """For every block the producers that it reads (`Layout.producers`), itself among them when it reads its own cells."""
     sheets = {title: index for index, title in enumerate(layout.titles)}
     found: list[set[int]] = []
-    for block, formula in zip(layout.blocks, formulas, strict=True):
+    for filled, formula in zip(layout.blocks, formulas, strict=True):
         reads: set[int] = set()
-        for reference in references(formula):
+        block = seen_from(filled)
+        for reference in references(formula, functions):
             area = area_read(reference, block, sheets)
             if area is not None:
                 reads |= layout.producers(area)
         found.append(reads)
+    return found
+
+
+def dependents(blocks: Iterable[int], reads: Sequence[set[int]]) -> set[int]:
+    """The blocks themselves, and all that depend on them, at any remove."""
+    readers: dict[int, list[int]] = {}
+    for number, read in enumerate(reads):
+        for producer in read:
+            readers.setdefault(producer, []).append(number)
+    found: set[int] = set()
+    waiting = list(blocks)
+    while waiting:
+        number = waiting.pop()
+        if number not in found:
+            found.add(number)
+            waiting += readers.get(number, ())
     return found
 
 

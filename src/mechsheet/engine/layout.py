@@ -130,6 +130,15 @@ class Layout:
         block = self.blocks[number]
         return Area(self.block_sheets[number], block.row, block.col, block.rows, block.cols)
 
+    def spill_at(self, sheet: int, row: int, col: int) -> Area | None:
+        """The cells of the dynamic array whose formula stands in a cell, None when there is none."""
+        for producer in self.producers(Area(sheet, row, col, 1, 1)):
+            if producer < len(self.blocks):
+                block = self.blocks[producer]
+                if block.kind == "spill" and (block.row, block.col) == (row, col):
+                    return self.block_area(producer)
+        return None
+
     def clipped(self, area: Area) -> Area:
         """The area without the rows below and the columns right of everything in its sheet; at least one cell."""
         sheet, row, col, rows, cols = area

@@ -7,16 +7,21 @@ from copy import copy
 
 import numpy as np
 
-from ..formula.book import Block, Book, BookSheet
+from ..formula.book import Block, Book, BookSheet, CellStore
 from ..formula.nodes import Scalar, shifted
 from .careful import Evaluator
-from .graph import dependencies
+from .driving import Sizes, settled, sizes_of, with_sizes
+from .graph import dependencies, dependents, reads_anywhere
 from .layout import Area, make_layout
-from .marks import marks_of_constants
-from .resolve import resolve
+from .marks import Marks, marks_of_constants
+from .resolve import Resolver
 from .results import Values
-from .schedule import schedule
+from .schedule import Special, schedule
+from .surroundings import Surroundings
 from .values import Texts
+
+_MOST_RESIZED = 16
+"""Plans with other sizes of dynamic arrays that are kept."""
 
 Overrides = Mapping[tuple[str, int, int], Scalar]
 """(sheet's title, row, column) -> what to put there instead."""
@@ -33,19 +38,45 @@ def evaluate(book: Book, overrides: Overrides | None = None) -> Values:
 
 
 class Plan:
-    """A book with its cells laid out, its formulas resolved and their order found."""
+    """A book with its cells laid out, its formulas resolved and their order found.
 
-    def __init__(self, book: Book, once: bool = False) -> None:
+    remarks  what is not as it is meant, with its cells: unknown functions and names, references to other workbooks, volatile
+             functions
+    settles  whether order or sizes depend on values (OFFSET, INDIRECT, dynamic arrays): then each evaluation finds them
+    """
+
+    def __init__(self, book: Book, once: bool = False, blocked: frozenset[int] = frozenset()) -> None:
         self.book = book
         self.once = once
         self.layout = make_layout(book)
-        self.resolved = resolve(book)
+        self.resolver = Resolver(book)
+        self.resolved = self.resolver.run()
         self.remarks = tuple(self.resolved.remarks)
         self.formulas = self.resolved.formulas
         self.reads = dependencies(self.layout, self.formulas, self.resolved.functions)
-        self.steps = schedule(self.layout, self.formulas, self.reads, once)
+        for number in self.resolved.kept:
+            self.reads[number] = set()
+        self.sizes = sizes_of(self.layout, blocked)
+        moving = {
+            number
+            for number, formula in enumerate(self.formulas)
+            if reads_anywhere(formula, self.resolved.functions) and number not in self.resolved.kept
+        }
+        self.settles = bool(moving or self.sizes)
+        self._special = Special(
+            self.resolved.functions,
+            {number: self._cached(number) for number in self.resolved.kept},
+            blocked,
+            frozenset(dependents(moving, self.reads)),
+            once,
+        )
+        self.steps = schedule(self.layout, self.formulas, self.reads, self._special)
         self.marks = marks_of_constants(self.layout)
         self._replaced: dict[frozenset[tuple[int, int, int]], Plan] = {}
+        self._resized: dict[Sizes, Plan] = {}
+
+    def _cached(self, number: int) -> CellStore:
+        return self.book.sheets[self.layout.block_sheets[number]].cached
 
     def evaluate(self, overrides: Overrides | None = None) -> Values:
         """All values, with some cells' contents replaced by constants (`None` empties a cell).
@@ -57,19 +88,58 @@ class Plan:
         structural = [cell for cell, (_, producer) in places.items() if producer < count]
         if structural:
             return self.with_constants_in(frozenset(structural)).evaluate(overrides)
-        layout = self.layout
-        numbers, codes = layout.filled()
-        texts = Texts(layout.texts)
-        marks = self.marks.copy()
-        for cell, value in (overrides or {}).items():
-            place, producer = places[self._cell(cell)]
-            numbers[place], codes[place] = texts.encode(value)
-            marks.note(producer, codes[place : place + 1])
-        ev = Evaluator(layout, numbers, codes, texts)
+        if self.settles:
+            return settled(self, overrides or {})
+        ev, marks = self.begin(overrides or {})
         with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
             for step in self.steps:
                 step.run(ev, marks)
-        return Values(layout, numbers, codes, texts)
+        return self.values_of(ev)
+
+    def begin(self, overrides: Overrides) -> tuple[Evaluator, Marks]:
+        """An evaluator with all constants in their places and nothing computed yet."""
+        numbers, codes = self.layout.filled()
+        texts = Texts(self.layout.texts)
+        marks = self.marks.copy()
+        places = self._places(overrides)
+        for cell, value in overrides.items():
+            place, producer = places[self._cell(cell)]
+            numbers[place], codes[place] = texts.encode(value)
+            marks.note(producer, codes[place : place + 1])
+        return Evaluator(self.layout, numbers, codes, texts, self.surroundings()), marks
+
+    def surroundings(self) -> Surroundings:
+        """What an evaluation knows of the book."""
+        return Surroundings(self.book, self.formulas, self.resolved.functions, self.resolver.reference)
+
+    def values_of(self, ev: Evaluator) -> Values:
+        """The values that an evaluator has computed, with what it remarked."""
+        return Values(self.layout, ev.numbers, ev.codes, ev.texts, (*self.remarks, *ev.around.remarks))
+
+    def is_constant(self, cell: tuple[str, int, int]) -> bool:
+        """Whether a constant stands in a cell."""
+        place, producer = self._places({cell: None})[self._cell(cell)]
+        return place >= 0 and producer >= len(self.layout.blocks)
+
+    def learn(self, reads: Sequence[tuple[int, int]]) -> None:
+        """Take note of (reader, what it reads) that turned up while computing, and find the order again."""
+        for reader, producer in reads:
+            self.reads[reader].add(producer)
+        self.steps = schedule(self.layout, self.formulas, self.reads, self._special)
+
+    def resized(self, sizes: Sizes) -> Plan:
+        """The plan of this book with dynamic arrays of other sizes."""
+        if sizes == self.sizes:
+            return self
+        if sizes not in self._resized:
+            if len(self._resized) >= _MOST_RESIZED:
+                self._resized.clear()
+            book = copy(self.book)
+            book.sheets = with_sizes(self.book.sheets, sizes)
+            self._resized[sizes] = Plan(
+                book, self.once, frozenset(number for number, _, _, blocked in sizes if blocked)
+            )
+        return self._resized[sizes]
 
     def _cell(self, cell: tuple[str, int, int]) -> tuple[int, int, int]:
         title, row, col = cell
@@ -120,6 +190,10 @@ def _around(block: Block, row: int, col: int) -> list[Block]:
     down, right = row - block.row, col - block.col
     if not (0 <= down < block.rows and 0 <= right < block.cols):
         return [block]
+    if block.kind != "fill":
+        # The first cell takes the whole array with it; a constant elsewhere stands in the way of a dynamic array.
+        spill = block.kind == "spill" and (down or right)
+        return [Block(block.row, block.col, 1, 1, block.formula, "spill")] if spill else []
     parts = (
         (0, 0, down, block.cols),
         (down, 0, 1, right),

@@ -14,11 +14,11 @@ from typing import Any, Literal
 import numpy as np
 
 from ..formula.book import Block
-from ..formula.nodes import Binary, Call, CellRef, Node
+from ..formula.nodes import Binary, Call, CellRef, FunctionRef, Node, walk
 from .careful import Evaluator
 from .coerce import numbers_of, truths_of
 from .frames import Frame
-from .graph import area_read, references
+from .graph import area_read, reads_anywhere, references
 from .kernels_math import NEAR
 from .layout import Layout
 from .values import BLANK, NUM, Cells, choose, codes_of
@@ -47,7 +47,9 @@ class Held:
 def recognise(layout: Layout, number: int, formula: Node) -> RunningSum | Held | None:
     """What kind of recurrence a block is, None when it must be computed row by row."""
     block = layout.blocks[number]
-    if block.cols > 1:
+    if block.cols > 1 or block.kind != "fill" or reads_anywhere(formula):
+        return None
+    if any(isinstance(part, FunctionRef) for part in walk(formula)):
         return None
     title = layout.titles[layout.block_sheets[number]]
 

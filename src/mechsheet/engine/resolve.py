@@ -1,98 +1,247 @@
 """Formulas made ready for evaluation: names replaced by what they stand for, every reference with its sheet.
 
-Unknown functions and names are found here, all at once.
+What is not known is remarked with its cells and becomes the error that spreadsheet programs show: nothing stops the rest.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
-from ..diagnostics import Fault, WorkbookError, near_miss
+from ..diagnostics import Fault, FormulaError, near_miss
 from ..formula.book import Block, Book, DefinedName
 from ..formula.dialects import MAX_NESTING
 from ..formula.functions import FUNCTIONS, MANY
-from ..formula.nodes import Call, CellRef, ErrorValue, NameRef, Node, Previous, Symbol, shifted, transform, walk
-from ..formula.references import area_name
+from ..formula.nodes import (
+    Apply,
+    Binary,
+    Call,
+    CellRef,
+    ErrorValue,
+    Foreign,
+    FunctionRef,
+    NameRef,
+    Node,
+    Previous,
+    RangeRef,
+    SheetsRef,
+    Symbol,
+    TableRef,
+    shifted,
+    transform,
+    walk,
+)
+from ..formula.parser import parse_formula
+from ..formula.references import area_name, parse_r1c1
+from ..formula.tables import cells_of_table
+from .intersections import intersected
 from .kernels import KERNELS
+from .scopes import is_function, with_locals
+
+_MOST_SHEETS = 1024
+_MOST_READ = 20_000
+"""Texts of INDIRECT whose meaning is remembered."""
+_STEADY = frozenset(("OFFSET", "INDIRECT", "CELL", "INFO"))
+"""Volatile functions that give the same value as long as the workbook stays as it is."""
 
 
-def resolve(book: Book) -> list[Node]:
-    """The formula of every block, sheet by sheet, ready for evaluation.
+@dataclass(slots=True)
+class Resolved:
+    """The formulas of a book.
 
-    Raises WorkbookError with one fault for every unknown function, name or wrong number of arguments, naming the cells.
-    A reference to a sheet that does not exist is #REF!.
+    formulas   of every block, sheet by sheet
+    functions  what the names that stand for functions mean
+    remarks    what is not as it is meant, with its cells
+    kept       blocks that keep the values stored in the file
     """
-    resolver = _Resolver(book)
-    formulas = [resolver.formula(block, sheet.title) for sheet in book.sheets for block in sheet.blocks]
-    if resolver.faults:
-        raise WorkbookError(resolver.faults)
-    return formulas
+
+    formulas: list[Node] = field(default_factory=list)
+    functions: dict[FunctionRef, Node] = field(default_factory=dict)
+    remarks: list[Fault] = field(default_factory=list)
+    kept: set[int] = field(default_factory=set)
 
 
-class _Resolver:
+def _anchored(part: Node) -> Node:
+    """Where it is used, a reference that was read from a text means these cells and no others."""
+    return replace(part, row_abs=True, col_abs=True) if isinstance(part, CellRef) else part
+
+
+def _on_sheet(area: Node, title: str) -> Node:
+    return transform(area, lambda ref: replace(ref, sheet=title) if isinstance(ref, CellRef) else ref)
+
+
+class Resolver:
+    """Resolves the formulas of one book.
+
+    Unknown functions and names are #NAME?, a wrong number of arguments #VALUE!, a sheet that does not exist #REF!; a block
+    that reads another workbook keeps its stored values. All of these but #REF! are remarked, volatile functions too.
+    """
+
     def __init__(self, book: Book) -> None:
         self.book = book
         self.titles = {sheet.title.casefold(): sheet.title for sheet in book.sheets}
         self.names = {(d.name.casefold(), d.sheet and d.sheet.casefold()): d for d in reversed(book.names)}
-        self.faults: list[Fault] = []
+        self.found = Resolved()
+        self._read: dict[tuple[str, bool, str, int, int], Node | None] = {}
+
+    def run(self) -> Resolved:
+        """All formulas of the book, ready for evaluation."""
+        for sheet in self.book.sheets:
+            for block in sheet.blocks:
+                number = len(self.found.formulas)
+                formula = self.formula(block, sheet.title)
+                self.found.formulas.append(formula)
+                if self.is_foreign(formula):
+                    self.found.kept.add(number)
+        return self.found
+
+    def reference(self, text: str, in_a1: bool, sheet: str, row: int, col: int) -> Node | None:
+        """The reference that a text says in (row, col) of `sheet`, None when it says none; not in A1 form, it is in R1C1."""
+        key = text, in_a1, sheet, row, col
+        if key not in self._read:
+            if len(self._read) >= _MOST_READ:
+                self._read.clear()
+            self._read[key] = self._reference(*key)
+        return self._read[key]
+
+    def _reference(self, text: str, in_a1: bool, sheet: str, row: int, col: int) -> Node | None:
+        try:
+            node = parse_formula(text) if in_a1 else parse_r1c1(text, row, col)
+        except FormulaError:
+            return None
+        before = len(self.found.remarks)
+        block = Block(row, col, 1, 1, node or ErrorValue("#REF!"))
+        found = self.named(block.formula, block, sheet, "", ())
+        del self.found.remarks[before:]  # #REF! says enough
+        return transform(found, _anchored)
 
     def formula(self, block: Block, sheet: str) -> Node:
-        """The block's formula. Faults are collected with its cells."""
+        """The block's formula. Remarks are made with its cells."""
         place = f"{sheet}!{area_name(block.row, block.col, block.rows, block.cols)}"
-        node = self.named(block.formula, block, sheet, place, ())
-        self.examine(node, place)
-        return node
+        before = len(self.found.remarks)
+        node = self.named(with_locals(block.formula), block, sheet, place, ())
+        for name in dict.fromkeys(part.name for part in walk(node) if isinstance(part, Call)):
+            if FUNCTIONS[name].volatile and name not in _STEADY:
+                self.remark(place, f"{name} gives another value at every recalculation")
+        said = self.found.remarks[before:]
+        self.found.remarks[before:] = dict.fromkeys(said)
+        return intersected(node) if block.kind == "fill" else node
 
     def named(self, node: Node, block: Block, sheet: str, place: str, inside: tuple[str, ...]) -> Node:
         """The tree with its names replaced and its references given their sheet."""
 
         def change(part: Node) -> Node:
-            if isinstance(part, CellRef):
-                title = self.titles.get((part.sheet or sheet).casefold())
-                return replace(part, sheet=title) if title is not None else ErrorValue("#REF!")
-            if not isinstance(part, NameRef):
-                return part
-            defined = self.find(part, sheet)
-            if defined is None:
-                return self.unknown_name(part, place)
-            if defined.name in inside:
-                self.fault(place, f"the name {defined.name} stands for itself: {' -> '.join((*inside, defined.name))}")
-                return ErrorValue("#NAME?")
-            if len(inside) >= MAX_NESTING:
-                self.fault(place, f"names that stand for one another, more than {MAX_NESTING} deep")
-                return ErrorValue("#NAME?")
-            home = defined.sheet or sheet
-            moved = shifted(defined.formula, block.row, block.col, wrap=True)
-            return self.named(moved, block, home, place, (*inside, defined.name))
+            match part:
+                case CellRef():
+                    title = self.titles.get((part.sheet or sheet).casefold())
+                    return replace(part, sheet=title) if title is not None else ErrorValue("#REF!")
+                case NameRef():
+                    return self.name(part, block, sheet, place, inside)
+                case Call():
+                    return self.call(part, block, sheet, place)
+                case TableRef():
+                    found = cells_of_table(part, self.book.tables, sheet, block.row, block.col)
+                    return transform(found, change) if isinstance(found, CellRef | RangeRef) else found
+                case SheetsRef(first, last, area):
+                    return self.through_sheets(first, last, area)
+                case FunctionRef(name, "") if name not in FUNCTIONS:
+                    return self.unknown(place, f"unknown function {name}", near_miss(name, FUNCTIONS))
+                case Foreign(text):
+                    self.remark(place, f"a reference to another workbook, {text}: stored values are kept")
+                    return part
+                case Symbol() | Previous():
+                    raise TypeError(f"{place}: {part} is not bound to a cell")
+                case _:
+                    return part
 
         return transform(node, change)
+
+    # names
+
+    def name(self, part: NameRef, block: Block, sheet: str, place: str, inside: tuple[str, ...]) -> Node:
+        """What a name stands for."""
+        defined = self.find(part, sheet)
+        if defined is None:
+            known = [each.name for each in self.book.names]
+            return self.unknown(place, f"unknown name {part.name}", near_miss(part.name, known))
+        formula = with_locals(defined.formula)
+        if is_function(formula):
+            return self.function_name(defined, formula, block, sheet, place)
+        if defined.name in inside:
+            circle = " -> ".join((*inside, defined.name))
+            return self.unknown(place, f"the name {defined.name} stands for itself: {circle}")
+        if len(inside) >= MAX_NESTING:
+            return self.unknown(place, f"names that stand for one another, more than {MAX_NESTING} deep")
+        home = defined.sheet or sheet
+        moved = shifted(formula, block.row, block.col, wrap=True)
+        return self.named(moved, block, home, place, (*inside, defined.name))
 
     def find(self, reference: NameRef, sheet: str) -> DefinedName | None:
         """The sheet's own name before the book's."""
         name = reference.name.casefold()
         return self.names.get((name, (reference.sheet or sheet).casefold())) or self.names.get((name, None))
 
-    def unknown_name(self, reference: NameRef, place: str) -> Node:
-        known = [defined.name for defined in self.book.names]
-        self.fault(place, f"unknown name {reference.name}", near_miss(reference.name, known))
+    def function_name(self, defined: DefinedName, formula: Node, block: Block, sheet: str, place: str) -> FunctionRef:
+        """A name that stands for a function; what it says is resolved once, so that it may call itself."""
+        refs = [part for part in walk(formula) if isinstance(part, CellRef)]
+        moves = any(not (ref.row_abs and ref.col_abs) for ref in refs)
+        key = FunctionRef(defined.name, defined.sheet or sheet, *((block.row, block.col) if moves else (0, 0)))
+        if key not in self.found.functions:
+            self.found.functions[key] = formula
+            moved = shifted(formula, block.row, block.col, wrap=True) if moves else formula
+            self.found.functions[key] = self.named(moved, block, key.sheet, place, ())
+        return key
+
+    # functions and references
+
+    def call(self, part: Call, block: Block, sheet: str, place: str) -> Node:
+        """A function's call, if there is such a function and it takes as many arguments."""
+        row = FUNCTIONS.get(part.name)
+        if row is None or part.name not in KERNELS:
+            defined = self.find(NameRef(part.name), sheet)
+            if defined is not None:
+                function = self.function_name(defined, with_locals(defined.formula), block, sheet, place)
+                return Apply(function, part.args)
+            return self.unknown(place, f"unknown function {part.name}", near_miss(part.name, FUNCTIONS))
+        if row.least <= len(part.args) <= row.most:
+            return part
+        at_least = "at least " if row.most == MANY else ""
+        many = f"{row.least}" if row.most in (row.least, MANY) else f"{row.least} to {row.most}"
+        takes = f"{part.name} takes {at_least}{many} argument{'s' * (many != '1')}, found {len(part.args)}"
+        self.remark(place, takes)
+        return ErrorValue("#VALUE!")
+
+    def through_sheets(self, first: str, last: str, area: Node) -> Node:
+        """The same cells of several sheets, as a union."""
+        titles = list(self.titles)
+        if first.casefold() not in titles or last.casefold() not in titles:
+            return ErrorValue("#REF!")
+        start, end = sorted((titles.index(first.casefold()), titles.index(last.casefold())))
+        union: Node | None = None
+        for title in [sheet.title for sheet in self.book.sheets][start : end + 1][:_MOST_SHEETS]:
+            there = _on_sheet(area, title)
+            union = there if union is None else Binary(",", union, there)
+        return union or ErrorValue("#REF!")
+
+    def is_foreign(self, formula: Node) -> bool:
+        """Whether a formula reads another workbook, itself or by a function's name."""
+        seen: set[FunctionRef] = set()
+        waiting = [formula]
+        while waiting:
+            for part in walk(waiting.pop()):
+                if isinstance(part, Foreign):
+                    return True
+                if isinstance(part, FunctionRef) and part not in seen and part in self.found.functions:
+                    seen.add(part)
+                    waiting.append(self.found.functions[part])
+        return False
+
+    # remarks
+
+    def unknown(self, place: str, message: str, hint: str = "") -> ErrorValue:
+        """Remark something that is not known."""
+        self.remark(place, message, hint)
         return ErrorValue("#NAME?")
 
-    def examine(self, node: Node, place: str) -> None:
-        for part in walk(node):
-            if isinstance(part, Call):
-                self.function(part, place)
-            elif isinstance(part, Symbol | Previous):
-                raise TypeError(f"{place}: {part} is not bound to a cell")
-
-    def function(self, call: Call, place: str) -> None:
-        row = FUNCTIONS.get(call.name)
-        if row is None or call.name not in KERNELS:
-            self.fault(place, f"unknown function {call.name}", near_miss(call.name, KERNELS))
-        elif not row.least <= len(call.args) <= row.most:
-            at_least = "at least " if row.most == MANY else ""
-            many = f"{row.least}" if row.most in (row.least, MANY) else f"{row.least} to {row.most}"
-            message = f"{call.name} takes {at_least}{many} argument{'s' * (many != '1')}, found {len(call.args)}"
-            self.fault(place, message)
-
-    def fault(self, place: str, message: str, hint: str = "") -> None:
-        self.faults.append(Fault(message, file=self.book.source, key=place, hint=hint))
+    def remark(self, place: str, message: str, hint: str = "") -> None:
+        """Note what is not as it is meant in the cells of `place`."""
+        self.found.remarks.append(Fault(message, file=self.book.source, key=place, hint=hint))

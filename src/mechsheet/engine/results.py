@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from ..diagnostics import Fault
 from ..formula.nodes import Scalar
 from .layout import Area, Layout
 from .values import BOOLEAN, NUMBER, Codes, Numbers, Texts
 
 
 class Values:
-    """What every cell shows: constants and results alike."""
+    """What every cell shows: constants and results alike.
 
-    def __init__(self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts) -> None:
+    remarks  what is not as it is meant, with its cells: unknown functions, references to other workbooks, volatile functions
+    """
+
+    def __init__(
+        self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, remarks: Sequence[Fault] = ()
+    ) -> None:
+        self.remarks = tuple(remarks)
         self._layout = layout
         self._numbers = numbers
         self._codes = codes

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from ..diagnostics import Fault, WorkbookError
 from ..formula.nodes import CellRef, Node, RangeRef
 from ..formula.references import cell_address
+from .arrays import fill_array
 from .careful import Evaluator
 from .frames import Frame
-from .graph import references
-from .layout import Layout
+from .graph import Functions, references
+from .layout import Area, Layout
 from .marks import Marks
 
 Cell = tuple[int, int, int]
@@ -19,12 +20,29 @@ Cell = tuple[int, int, int]
 _SHOWN = 12
 
 
+class _PendingError(Exception):
+    """A cell of the set is needed that has not been computed yet."""
+
+    def __init__(self, cell: Cell) -> None:
+        super().__init__()
+        self.cell = cell
+
+
 class Together:
     """A set of blocks that read each other, and how to compute them."""
 
-    def __init__(self, layout: Layout, formulas: Sequence[Node], members: Sequence[int]) -> None:
+    def __init__(
+        self,
+        layout: Layout,
+        formulas: Sequence[Node],
+        members: Sequence[int],
+        functions: Functions | None = None,
+        blocked: Collection[int] = (),
+    ) -> None:
         self.layout = layout
         self.formulas = formulas
+        self.functions = functions or {}
+        self.blocked = blocked
         self.producers = members
         self.sheets = {title: index for index, title in enumerate(layout.titles)}
         self.reads = {number: self._inner(number) for number in members}
@@ -32,7 +50,7 @@ class Together:
     def _inner(self, number: int) -> list[tuple[CellRef, CellRef]]:
         """The references of a block that can mean cells of the set, as corners."""
         inner = []
-        for ref in references(self.formulas[number]):
+        for ref in references(self.formulas[number], self.functions):
             start, end = (ref.start, ref.end) if isinstance(ref, RangeRef) else (ref, ref)
             if isinstance(start, CellRef) and isinstance(end, CellRef) and start.sheet is not None:
                 sheet = self.sheets[start.sheet]
@@ -48,28 +66,56 @@ class Together:
             rows = sorted(ref.row if ref.row_abs else ref.row + down for ref in (start, end))
             cols = sorted(ref.col if ref.col_abs else ref.col + right for ref in (start, end))
             for member in self.producers:
-                if self.layout.block_sheets[member] != sheet:
-                    continue
-                block = self.layout.blocks[member]
-                top, bottom = max(rows[0], block.row), min(rows[1], block.row + block.rows - 1)
-                left, last = max(cols[0], block.col), min(cols[1], block.col + block.cols - 1)
-                for row in range(top, bottom + 1):
-                    for col in range(left, last + 1):
-                        yield member, row - block.row, col - block.col
+                if self.layout.block_sheets[member] == sheet:
+                    area = Area(sheet, rows[0], cols[0], rows[1] - rows[0] + 1, cols[1] - cols[0] + 1)
+                    yield from self._cells(member, area)
+
+    def _cells(self, member: int, area: Area) -> Iterator[Cell]:
+        """The cells of a block that lie in an area; an array is one."""
+        block = self.layout.blocks[member]
+        top, bottom = max(area.row, block.row), min(area.row + area.rows, block.row + block.rows)
+        left, last = max(area.col, block.col), min(area.col + area.cols, block.col + block.cols)
+        if block.kind != "fill":
+            if top < bottom and left < last:
+                yield member, 0, 0
+            return
+        for row in range(top, bottom):
+            for col in range(left, last):
+                yield member, row - block.row, col - block.col
 
     def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells. Raises WorkbookError naming the cells of a circle."""
         done: set[Cell] = set()
+        outside = ev.around.check
+
+        def check(area: Area, but: Collection[int]) -> None:
+            """Cells of the set count one by one, all others as `outside` says."""
+            for member in self.producers:
+                if self.layout.block_sheets[member] == area.sheet and member not in but:
+                    for cell in self._cells(member, area):
+                        if cell not in done:
+                            raise _PendingError(cell)
+            outside(area, {*but, *self.producers})
+
+        ev.around.check = check
+        try:
+            self._run_all(done, ev)
+        finally:
+            ev.around.check = outside
+        for member in self.producers:
+            block, start = self.layout.blocks[member], self.layout.block_offsets[member]
+            marks.note(member, ev.codes[start : start + block.rows * block.cols])
+
+    def _run_all(self, done: set[Cell], ev: Evaluator) -> None:
         longest = max(self.layout.blocks[member].rows for member in self.producers)
         for down in range(longest):
             for member in self.producers:
                 block = self.layout.blocks[member]
-                if down < block.rows:
+                if block.kind != "fill":
+                    self._compute((member, 0, 0), done, ev)
+                elif down < block.rows:
                     for right in range(block.cols):
                         self._compute((member, down, right), done, ev)
-        for member in self.producers:
-            block, start = self.layout.blocks[member], self.layout.block_offsets[member]
-            marks.note(member, ev.codes[start : start + block.rows * block.cols])
 
     def _compute(self, root: Cell, done: set[Cell], ev: Evaluator) -> None:
         if root in done:
@@ -80,21 +126,29 @@ class Together:
         while path:
             below = next((cell for cell in work[-1] if cell not in done), None)
             if below is None:
-                cell = path.pop()
-                work.pop()
-                waiting.discard(cell)
-                done.add(cell)
-                self._evaluate(cell, ev)
-            elif below in waiting:
+                cell = path[-1]
+                try:
+                    self._evaluate(cell, ev)
+                except _PendingError as pending:
+                    below = pending.cell
+                else:
+                    path.pop()
+                    work.pop()
+                    waiting.discard(cell)
+                    done.add(cell)
+                    continue
+            if below in waiting:
                 raise self._circle([*path[path.index(below) :], below])
-            else:
-                path.append(below)
-                waiting.add(below)
-                work.append(self.precedents(below))
+            path.append(below)
+            waiting.add(below)
+            work.append(self.precedents(below))
 
     def _evaluate(self, cell: Cell, ev: Evaluator) -> None:
         number, down, right = cell
         block = self.layout.blocks[number]
+        if block.kind != "fill":
+            fill_array(self.layout, number, self.formulas[number], number in self.blocked, ev)
+            return
         frame = Frame(self.layout.block_sheets[number], block.row, block.col, block.rows, block.cols)
         found = ev.result(self.formulas[number], frame.cell(down, right))
         place = self.layout.block_offsets[number] + right * block.rows + down

@@ -157,6 +157,8 @@ def first_error(*codes: Any) -> Any:
 
 def choose(mask: Any, then: Cells, otherwise: Cells) -> Cells:
     """`then` where the mask holds, else `otherwise`."""
+    if np.ndim(then.numbers) > 2 and np.ndim(otherwise.numbers) > 2:
+        then, otherwise = fitted(then, otherwise)
     numbers = np.where(mask, then.numbers, otherwise.numbers)
     if then.codes is None and otherwise.codes is None:
         return Cells(numbers)
@@ -169,6 +171,31 @@ def choose(mask: Any, then: Cells, otherwise: Cells) -> Cells:
             zero if otherwise.codes is None else otherwise.codes,
         ),
     )
+
+
+def fitted(*cells: Cells) -> tuple[Cells, ...]:
+    """Array values made the same size where they differ: #N/A beyond the edge of the smaller one."""
+    sizes = {cell.shape[:2] for cell in cells if len(cell.shape) > 2}
+    if len(sizes) < 2:
+        return cells
+    height, width = (max(size[axis] for size in sizes) for axis in (0, 1))
+    if all(size[0] in (1, height) and size[1] in (1, width) for size in sizes):
+        return cells
+    return tuple(_padded(cell, height, width) for cell in cells)
+
+
+def _padded(cells: Cells, height: int, width: int) -> Cells:
+    shape = cells.shape
+    if len(shape) <= 2:
+        return cells
+    down = 0 if shape[0] == 1 else height - shape[0]
+    right = 0 if shape[1] == 1 else width - shape[1]
+    if not (down or right):
+        return cells
+    around = ((0, down), (0, right), *((0, 0),) * (len(shape) - 2))
+    numbers = np.pad(np.broadcast_to(cells.numbers, shape), around, constant_values=np.nan)
+    codes = np.pad(np.broadcast_to(codes_of(cells), shape), around, constant_values=NA)
+    return Cells(numbers, codes)
 
 
 def codes_of(cells: Cells) -> Any:

@@ -164,9 +164,10 @@ class Foreign:
 
 @dataclass(frozen=True, slots=True)
 class Local:
-    """A name that LET or LAMBDA gives, in small letters."""
+    """A name that LET or LAMBDA gives, in small letters; `optional` where LAMBDA lets a call leave it out."""
 
     name: str
+    optional: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -262,12 +263,12 @@ def transform(node: Node, change: Callable[[Node], Node]) -> Node:
             changed = tuple(done[-len(below) :])
             del done[-len(below) :]
             if any(new is not old for new, old in zip(changed, below, strict=True)):
-                current = _rebuilt(current, changed)
+                current = rebuilt(current, changed)
         done.append(change(current))
     return done[0]
 
 
-def _rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
+def rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
     """The node with other operands, given in the order of `children`."""
     match node:
         case Unary(op, _):

@@ -247,9 +247,10 @@ class _Printer:
                 return code
             case Missing():
                 return ""
-            case Local(local) | FunctionRef(local):
-                mark = "_xlpm." if isinstance(node, Local) else "" if node.sheet else "_xleta."
-                return mark + local if name == "excel" else local
+            case Local(local, optional):
+                return ("_xlop." if optional else "_xlpm.") + local if name == "excel" else local
+            case FunctionRef(function, sheet):
+                return function if sheet or name != "excel" else f"_xleta.{function}"
             case TableRef():
                 return table_text(node)
             case Foreign(text):

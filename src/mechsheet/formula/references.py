@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from .nodes import MAX_COLUMNS, MAX_ROWS, CellRef
+from .nodes import MAX_COLUMNS, MAX_ROWS, CellRef, RangeRef
 
 CELL = re.compile(r"(\$?)([A-Za-z]{1,3})(\$?)([1-9][0-9]{0,6})")
 COLUMN = re.compile(r"(\$?)([A-Za-z]{1,3})")
@@ -68,6 +68,47 @@ def parse_reference(text: str, sheet: str | None = None) -> CellRef | None:
     if row >= MAX_ROWS or col >= MAX_COLUMNS:
         return None
     return CellRef(row, col, bool(row_abs), bool(col_abs), sheet)
+
+
+def parse_r1c1(text: str, row: int, col: int) -> CellRef | RangeRef | None:
+    """`R2C3`, `RC[-1]`, `R1C1:R9C2`, `R3` or `C2`, as seen from (row, col), with or without a sheet, else None."""
+    before, mark, area = text.strip().rpartition("!")
+    sheet = None
+    if mark:
+        quoted = len(before) > 1 and before.startswith("'") and before.endswith("'")
+        sheet = before[1:-1].replace("''", "'") if quoted else before
+    first, colon, last = area.partition(":")
+    corners = [_corner(part.strip(), row, col) for part in ((first, last) if colon else (first,))]
+    rows = [place for corner in corners if corner is not None for place in corner[0]]
+    cols = [place for corner in corners if corner is not None for place in corner[1]]
+    if None in corners or min(rows) < 0 or min(cols) < 0 or max(rows) >= MAX_ROWS or max(cols) >= MAX_COLUMNS:
+        return None
+    start = CellRef(min(rows), min(cols), True, True, sheet)
+    end = CellRef(max(rows), max(cols), True, True, sheet)
+    return start if start == end else RangeRef(start, end)
+
+
+def _corner(text: str, row: int, col: int) -> tuple[tuple[int, int], tuple[int, int]] | None:
+    """The first and last row, the first and last column of one side of a reference in R1C1 form."""
+    match = _R1C1.fullmatch(text)
+    if match is None or not text:
+        return None
+
+    def place(letter: str, here: int, most: int) -> tuple[int, int]:
+        if match[letter] is None:
+            return 0, most - 1
+        relative, absolute = match[f"{letter}_by"], match[f"{letter}_at"]
+        found = here + int(relative) if relative else int(absolute) - 1 if absolute else here
+        return found, found
+
+    return place("r", row, MAX_ROWS), place("c", col, MAX_COLUMNS)
+
+
+_R1C1 = re.compile(
+    r"(?P<r>R(?:\[(?P<r_by>[+-]?[0-9]{1,7})\]|(?P<r_at>[1-9][0-9]{0,6}))?)?"
+    r"(?P<c>C(?:\[(?P<c_by>[+-]?[0-9]{1,7})\]|(?P<c_at>[1-9][0-9]{0,6}))?)?",
+    re.IGNORECASE,
+)
 
 
 def reference_text(ref: CellRef) -> str:

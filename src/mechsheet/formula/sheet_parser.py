@@ -33,6 +33,8 @@ from .tables import parse_table
 
 _LOCAL = "_xlpm."
 """Before the names that LET and LAMBDA give, in an .xlsx."""
+_OPTIONAL = "_xlop."
+"""Before the names of LAMBDA that a call may leave out."""
 _FUNCTION = "_xleta."
 """Before the name of a function that is an argument itself."""
 
@@ -239,6 +241,8 @@ class SheetParser(Parser):
             return Boolean(word == "true")
         if sheet is None and word.startswith(_LOCAL):
             return Local(_folded(token.text))
+        if sheet is None and word.startswith(_OPTIONAL):
+            return Local(word[len(_OPTIONAL) :].casefold(), True)
         if sheet is None and word.startswith(_FUNCTION):
             return FunctionRef(canonical_name(token.text[len(_FUNCTION) :], self.dialect.name), "")
         return NameRef(token.text, sheet)
