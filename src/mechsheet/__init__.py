@@ -16,8 +16,8 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     from mechsheet.building import build, compile_workbook
     from mechsheet.checking import Comparison, Report, check
-    from mechsheet.description import load, loads
     from mechsheet.diagnostics import MechsheetError
+    from mechsheet.linkage import Linkage, Motion, load, loads
     from mechsheet.model import Mechanism
     from mechsheet.plotting import plot
     from mechsheet.recalculation import Result, recalc
@@ -29,8 +29,10 @@ _HOMES = {
     "check": "checking",
     "Comparison": "checking",
     "Report": "checking",
-    "load": "description",
-    "loads": "description",
+    "load": "linkage",
+    "loads": "linkage",
+    "Linkage": "linkage",
+    "Motion": "linkage",
     "MechsheetError": "diagnostics",
     "Mechanism": "model",
     "plot": "plotting",
@@ -43,8 +45,10 @@ _HOMES = {
 
 __all__ = [
     "Comparison",
+    "Linkage",
     "Mechanism",
     "MechsheetError",
+    "Motion",
     "Report",
     "Result",
     "Session",

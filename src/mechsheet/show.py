@@ -16,6 +16,7 @@ from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
+from mechsheet.sheet.mechanism import shown_unit
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Rich, Workbook
 
@@ -139,10 +140,16 @@ def json_value(value: Scalar) -> object:
 
 def variables_of(mechanism: Mechanism) -> dict[str, list[float | None]]:
     """Driver, variables, points and outputs, row by row, as people read them (degrees); None where there is no position."""
+    return variables_and_units(mechanism)[0]
+
+
+def variables_and_units(mechanism: Mechanism) -> tuple[dict[str, list[float | None]], dict[str, str]]:
+    """The columns of `variables_of`, and the unit of each: "°", "mm", "" for a plain number."""
     workbook, plan = compile_workbook(mechanism)
     wanted = [mechanism.driver.symbol]
     wanted += [eq.symbol for eq in plan.equations.columns if eq.kind in ("variable", "point", "output")]
-    return {symbol: _shown_column(workbook, plan, symbol) for symbol in dict.fromkeys(wanted)}
+    columns = {symbol: _shown_column(workbook, plan, symbol) for symbol in dict.fromkeys(wanted)}
+    return columns, {symbol: shown_unit(plan, symbol) for symbol in columns}
 
 
 def _shown_column(workbook: Workbook, plan: Plan, symbol: str) -> list[float | None]:

@@ -43,11 +43,14 @@ def plot(
         raise MechsheetError(Fault("the ending of the name says how to draw", readable_name(path), hint=hint))
     from mechsheet.formats.archive import replace_file
 
-    replace_file(path, _drawn(mechanism, kind, at, language))
+    replace_file(path, drawn(mechanism, kind, at, language))
     return path
 
 
-def _drawn(mechanism: Mechanism, kind: str, at: float | None, language: Literal["en", "tr"] | None) -> bytes:
+def drawn(
+    mechanism: Mechanism, kind: str, at: float | None = None, language: Literal["en", "tr"] | None = None
+) -> bytes:
+    """The bytes of the file that `plot` writes; `kind` is one of KINDS. Raises as `plot` does."""
     from mechsheet.plotting import pictures
     from mechsheet.plotting.page import page
     from mechsheet.plotting.sampling import sample

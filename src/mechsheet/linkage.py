@@ -1,0 +1,145 @@
+"""What `mechsheet.load` returns: a mechanism with the library's functions as methods, for notebooks and scripts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.diagnostics import Fault, MissingProgramError
+from mechsheet.model import Mechanism
+
+
+class Motion(Mapping[str, NDArray[np.float64]]):
+    """The columns of a sweep by name, the driver first: `motion["theta13"]`, `motion["C.x"]`.
+
+    Each is an array of one value per row, as in the workbook: degrees for angles, the length unit for lengths, NaN in rows
+    that do not exist. Angles are continuous from row to row. `units` maps each name to "°", "mm", ... or "".
+    """
+
+    def __init__(self, columns: Mapping[str, Iterable[float | None]], units: Mapping[str, str]) -> None:
+        self._columns = {
+            name: np.array([np.nan if value is None else value for value in values], float)
+            for name, values in columns.items()
+        }
+        self.units = dict(units)
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        return self._columns[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    @property
+    def exists(self) -> NDArray[np.bool_]:
+        """True in the rows where the linkage can be assembled."""
+        return np.asarray(~np.isnan(np.array(list(self._columns.values()))).any(axis=0))
+
+    def frame(self) -> Any:
+        """The columns as a pandas DataFrame, indexed by the driver. Raises MissingProgramError without pandas."""
+        try:
+            import pandas
+        except ImportError as problem:
+            raise _missing("pandas") from problem
+        driver = next(iter(self._columns))
+        return pandas.DataFrame(self._columns).set_index(driver)
+
+    def __repr__(self) -> str:
+        rows = len(next(iter(self._columns.values())))
+        return f"<Motion: {rows} rows of {', '.join(self._columns)}>"
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A drawing at one position that a notebook shows as it stands."""
+
+    linkage: Linkage
+    at: float | None = None
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        from mechsheet.plotting import drawn
+
+        return {"image/svg+xml": drawn(self.linkage, "svg", self.at).decode(), "text/plain": repr(self)}
+
+    def __repr__(self) -> str:
+        return f"<Drawing of {self.linkage.name}{'' if self.at is None else f' at {self.at:g}'}>"
+
+
+class Linkage(Mechanism):
+    """A mechanism (see `Mechanism`: links, joints, driver as data) with what can be done with it."""
+
+    __slots__ = ()
+
+    def solve(self) -> Motion:
+        """The whole sweep: driver, variables, points and outputs by name; computed from the workbook's own formulas.
+
+        Raises MechanismError when the linkage cannot be solved.
+        """
+        from mechsheet.show import variables_and_units
+
+        return Motion(*variables_and_units(self))
+
+    def build(self, folder: str | Path = ".", formats: Iterable[str] = ("xlsx",)) -> list[Path]:
+        """Write the workbooks; see `mechsheet.build`."""
+        from mechsheet.building import build
+
+        return build(self, folder, list(formats))
+
+    def drawing(self, at: float | None = None) -> Drawing:
+        """The drawing at a driver value (in its unit; the first position without it), shown by a notebook."""
+        return Drawing(self, at)
+
+    def plot(self, path: str | Path, at: float | None = None, language: Literal["en", "tr"] | None = None) -> Path:
+        """Draw into a file: .svg, .png, .gif or .html; see `mechsheet.plot`."""
+        from mechsheet.plotting import plot
+
+        return plot(self, path, at, language)
+
+    def __repr__(self) -> str:
+        return f"<Linkage {self.name}: {len(self.links)} links, driven by {self.driver.symbol}>"
+
+
+def _missing(package: str) -> MissingProgramError:
+    return MissingProgramError(
+        Fault(f"{package} is not installed", hint="pip install 'mechsheet[notebook]'", key=package)
+    )
+
+
+def _linkage(mechanism: Mechanism) -> Linkage:
+    return Linkage(**{field.name: getattr(mechanism, field.name) for field in fields(Mechanism)})
+
+
+def load(path: str | Path, overrides: Mapping[str, str | float] | None = None, language: str | None = None) -> Linkage:
+    """The linkage that a description file describes.
+
+    overrides  dimension -> value in its own unit, in place of the file's: {"a1": 65}
+    language   "en" or "tr", in place of the file's
+
+    Raises DescriptionError with every fault, each with file, line and key.
+    """
+    from mechsheet import description
+
+    return _linkage(description.load(path, _texts(overrides), language))
+
+
+def loads(
+    text: str,
+    file: str = "<text>",
+    overrides: Mapping[str, str | float] | None = None,
+    language: str | None = None,
+) -> Linkage:
+    """The same from a text; `file` is what messages call it."""
+    from mechsheet import description
+
+    return _linkage(description.loads(text, file, _texts(overrides), language))
+
+
+def _texts(overrides: Mapping[str, str | float] | None) -> dict[str, str]:
+    return {name: value if isinstance(value, str) else repr(value) for name, value in (overrides or {}).items()}
