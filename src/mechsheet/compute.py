@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from mechsheet.diagnostics import WorkbookError
 from mechsheet.formula.book import Book, BookBuilder
 from mechsheet.formula.nodes import CellRef, Scalar
 from mechsheet.sheet.workbook import Rich, Workbook, with_values
@@ -30,6 +31,8 @@ def computed(workbook: Workbook) -> Workbook:
     from mechsheet.engine import evaluate
 
     values = evaluate(book_of(workbook))
+    if values.remarks:
+        raise WorkbookError(values.remarks)
 
     def columns() -> Iterator[Sequence[Scalar]]:
         for sheet in workbook.sheets:

@@ -115,7 +115,7 @@ def recalc(path: str | Path, settings: Mapping[str, str | float] | None = None) 
         raise WorkbookError([replace(fault, file=readable_name(path)) for fault in faults])
     plan = compile_book(book)
     values = plan.evaluate(changes)
-    return Result(book, values, path, changes, (*book.remarks, *getattr(plan, "remarks", ())))
+    return Result(book, values, path, changes, (*book.remarks, *values.remarks))
 
 
 def _value(value: str | float) -> Scalar:

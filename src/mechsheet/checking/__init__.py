@@ -18,7 +18,7 @@ from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally
 from mechsheet.checking.twins import with_twins
 from mechsheet.description import load
 from mechsheet.description.locate import located
-from mechsheet.diagnostics import MechanismError, readable_name
+from mechsheet.diagnostics import MechanismError, WorkbookError, readable_name
 from mechsheet.engine import evaluate
 from mechsheet.formats import read
 from mechsheet.formula.book import Book
@@ -76,6 +76,8 @@ def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say
 
     say("recalculating")
     values = evaluate(book)
+    if book.remarks or values.remarks:  # what is not computed as it is meant cannot be judged
+        raise WorkbookError((*book.remarks, *values.remarks))
     stored = {sheet.title: sheet.cached for sheet in book.sheets}
     comparisons = [compare_cells("stored values", book, values, lambda title, row, col: stored[title].get(row, col))]
     remarks: list[str] = []

@@ -54,7 +54,8 @@ class Live:
         self.texts = Texts(layout.texts)
         self._marks = self.plan.marks.copy()
         self._set_codes: dict[int, dict[Cell, int]] = {}
-        self._evaluator = Evaluator(layout, self.numbers, self.codes, self.texts)
+        self._evaluator = Evaluator(layout, self.numbers, self.codes, self.texts, self.plan.surroundings())
+        self._settled: Values | None = None
         self._most_texts = len(self.texts) + MOST_TEXTS
         self._stale = (1 << len(self.plan.steps)) - 1
         for cell, value in self.inputs.items():
@@ -102,7 +103,9 @@ class Live:
         marks, book = self._marks, self.plan.marks
         _mark(marks.dirty, producer, producer in book.dirty or any(codes))
         _mark(marks.texts, producer, producer in book.texts and all(kind == TEXT for kind in codes))
-        if changed:
+        if changed and self.plan.settles:
+            self._stale, self._settled = 1, None
+        elif changed:
             self._stale |= self._steps_after(producer)
 
     def _steps_after(self, producer: int) -> int:
@@ -124,11 +127,30 @@ class Live:
 
     def values(self) -> Values:
         """All values, brought up to date. They are these arrays, not a copy: they change with the next change."""
+        if self.plan.settles:
+            return self._settle()
         self._run(self._stale)
-        return Values(self.plan.layout, self.numbers, self.codes, self.texts)
+        return Values(
+            self.plan.layout,
+            self.numbers,
+            self.codes,
+            self.texts,
+            (*self.plan.remarks, *self._evaluator.around.remarks),
+        )
+
+    def _settle(self) -> Values:
+        """All values of a book in which order or sizes depend on values: computed as a whole."""
+        if self._settled is None:
+            titles = self.plan.layout.titles
+            inputs = {(titles[sheet], row, col): value for (sheet, row, col), value in self.inputs.items()}
+            self._settled = self.plan.evaluate(inputs)
+            self.texts = self._settled.texts
+        return self._settled
 
     def read(self, area: Area) -> Cells:
         """The cells of an area, shape (cols, rows), after computing what they need; a view where they lie side by side."""
+        if self.plan.settles:
+            return self._settle().read(area)
         if self._stale:
             needed = self._needed.get(area)
             if needed is None:

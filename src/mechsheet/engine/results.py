@@ -9,7 +9,7 @@ import numpy as np
 from ..diagnostics import Fault
 from ..formula.nodes import Scalar
 from .layout import Area, Layout
-from .values import BOOLEAN, NUMBER, Codes, Numbers, Texts
+from .values import BOOLEAN, NUMBER, Cells, Codes, Numbers, Texts
 
 
 class Values:
@@ -25,20 +25,20 @@ class Values:
         self._layout = layout
         self._numbers = numbers
         self._codes = codes
-        self._texts = texts
+        self.texts = texts
         self._sheets = {title.casefold(): index for index, title in enumerate(layout.titles)}
 
     def get(self, sheet: str, row: int, col: int) -> Scalar:
         """A cell's value, None when it is empty. Raises KeyError for a sheet that does not exist."""
         place = self._layout.place(self._sheet(sheet), row, col)
-        return None if place < 0 else self._texts.decode(float(self._numbers[place]), int(self._codes[place]))
+        return None if place < 0 else self.texts.decode(float(self._numbers[place]), int(self._codes[place]))
 
     def column(self, sheet: str, col: int, first_row: int, last_row: int) -> list[Scalar]:
         """The values of a column's rows first_row..last_row, both included."""
         numbers, codes = self._read(sheet, col, first_row, last_row)
         if not codes.any():
             return list(numbers.tolist())
-        return [self._texts.decode(n, c) for n, c in zip(numbers.tolist(), codes.tolist(), strict=True)]
+        return [self.texts.decode(n, c) for n, c in zip(numbers.tolist(), codes.tolist(), strict=True)]
 
     def arrays(self, sheet: str, col: int, first_row: int, last_row: int) -> tuple[Numbers, Codes]:
         """The same rows as (float64 array, uint8 codes): NaN wherever the cell holds no number or truth value.
@@ -56,7 +56,11 @@ class Values:
                 place = slice(band.offset, band.offset + band.rows)
                 pairs = zip(self._numbers[place].tolist(), self._codes[place].tolist(), strict=True)
                 for down, (number, code) in enumerate(pairs):
-                    yield band.row + down, col, self._texts.decode(number, code)
+                    yield band.row + down, col, self.texts.decode(number, code)
+
+    def read(self, area: Area) -> Cells:
+        """The cells of an area, shape (cols, rows)."""
+        return self._layout.read(area, self._numbers, self._codes)
 
     def _sheet(self, title: str) -> int:
         found = self._sheets.get(title.casefold())
