@@ -128,6 +128,12 @@ def scalars_of(table: Cells, texts: Texts) -> list[Scalar]:
     return [texts.decode(number, code) for number, code in pairs]
 
 
+def grid_of(table: Cells, texts: Texts) -> list[list[Scalar]]:
+    """The values of an array as rows."""
+    values, width = scalars_of(table, texts), table.numbers.shape[1]
+    return [values[start : start + width] for start in range(0, len(values), width)]
+
+
 def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame) -> Any:
     """An argument that is no single value, or the problem with it."""
     try:
@@ -136,6 +142,8 @@ def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame) -> Any:
         if isinstance(node, Missing):
             return None
         table = table_of(ev, node, frame)
+        if kind == "g":
+            return grid_of(table, ev.texts)
         if kind == "l":
             return scalars_of(table, ev.texts)
         return matrix_of(table) if kind == "m" else table

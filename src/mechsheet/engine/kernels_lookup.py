@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..formula.nodes import ErrorValue, Missing, Node, RangeRef
+from .calling import table_of
 from .coerce import compare_numbers, numbers_of, text_to_number, truths_of
 from .frames import Frame, VaryingSizeError
 from .kernels_fold import greatest, least, total
@@ -33,25 +34,12 @@ from .values import (
     finished,
     first_error,
 )
+from .wildcards import pattern_of
 
 if TYPE_CHECKING:
     from .careful import Evaluator
 
 Args = tuple[Node, ...]
-
-
-def _table(ev: Evaluator, node: Node, frame: Frame) -> Cells:
-    """An array value that is the same all over the frame: shape (height, width)."""
-    cells = ev.value(node, frame, spread=True)
-    shape = cells.shape
-    if len(shape) <= 2:
-        if shape != ():
-            raise VaryingSizeError
-        shape = (1, 1, 1, 1)
-    if shape[2:] != (1, 1):
-        raise VaryingSizeError
-    numbers = np.broadcast_to(cells.numbers, shape)[:, :, 0, 0]
-    return Cells(numbers, np.broadcast_to(codes_of(cells), shape)[:, :, 0, 0])
 
 
 def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -62,7 +50,7 @@ def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         single = _indexed(ev, args, frame, float(row), float(col))
         if single is not None:
             return single
-    table = _table(ev, args[0], frame)
+    table = table_of(ev, args[0], frame)
     height, width = table.numbers.shape
     if isinstance(args[0], RangeRef):
         span = ev.span(args[0], frame)
@@ -116,7 +104,7 @@ def match(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     kind, kind_errors = _argument(ev, args, 2, frame, spread)
     if np.ndim(kind):
         kind = kind.flat[0]
-    table = _table(ev, args[1], frame)
+    table = table_of(ev, args[1], frame)
     if 1 not in table.numbers.shape:
         return error(NA)
     line = Cells(table.numbers.ravel(), table.codes.ravel())
@@ -170,17 +158,8 @@ def _position(ev: Evaluator, key: tuple[float, int], line: Cells, kind: float, p
 
 
 def wildcard(pattern: str) -> Callable[[str], bool]:
-    """Whether a text fits a pattern: `*` any characters, `?` one, `~` before them themselves; without regard to case."""
-    parts, place = [], 0
-    while place < len(pattern):
-        character = pattern[place]
-        if character == "~" and pattern[place + 1 : place + 2] in ("*", "?", "~"):
-            place += 1
-            parts.append(re.escape(pattern[place]))
-        else:
-            parts.append({"*": ".*", "?": "."}.get(character) or re.escape(character))
-        place += 1
-    compiled = re.compile("".join(parts), re.IGNORECASE | re.DOTALL)
+    """Whether a text fits a pattern with wildcards."""
+    compiled = pattern_of(pattern)
     return lambda text: compiled.fullmatch(text) is not None
 
 
@@ -207,7 +186,7 @@ def _line(cells: Cells, by_rows: bool, place: int) -> Cells:
 
 def _table_lookup(by_rows: bool) -> Any:
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-        table = _table(ev, args[1], frame)
+        table = table_of(ev, args[1], frame)
         wanted = ev.value(args[0], frame, spread)
         place, place_errors = numbers_of(ev.value(args[2], frame, spread), ev.texts)
         near: Any = np.True_
@@ -228,10 +207,10 @@ def _table_lookup(by_rows: bool) -> Any:
 
 def lookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """LOOKUP(value, ascending line, line of results); with one table, its first and last row or column."""
-    table = _table(ev, args[1], frame)
+    table = table_of(ev, args[1], frame)
     by_rows = table.numbers.shape[0] >= table.numbers.shape[1]
     found = positions(ev, ev.value(args[0], frame, spread), _line(table, by_rows, 0), 1.0)
-    results = _table(ev, args[2], frame) if len(args) > 2 else table
+    results = table_of(ev, args[2], frame) if len(args) > 2 else table
     line = Cells(results.numbers.ravel(), results.codes.ravel()) if len(args) > 2 else _line(table, by_rows, -1)
     along = found.numbers.astype(np.intp)
     if np.any(along >= len(line.numbers)):
@@ -299,7 +278,7 @@ def _selected(ev: Evaluator, pairs: Args, frame: Frame) -> Any:
     """Which cells fit all criteria: (mask over the common shape of the ranges), None when their sizes differ."""
     result: Any = None
     for place in range(0, len(pairs), 2):
-        table = _table(ev, pairs[place], frame)
+        table = table_of(ev, pairs[place], frame)
         wanted = ev.value(pairs[place + 1], frame)
         number, code = np.float64(wanted.numbers), 0 if wanted.codes is None else int(wanted.codes)
         mask = criterion(ev.texts.decode(float(number), code), ev)(table)
@@ -331,7 +310,7 @@ def _conditional(result: Callable[[Any, Any, Any], Cells], values_first: bool) -
         if len(pairs) % 2:
             return error(VALUE)
         mask = _selected(ev, pairs, frame)
-        table = _table(ev, values, frame)
+        table = table_of(ev, values, frame)
         if mask is None or (values_first and mask.shape != table.numbers.shape):
             return error(VALUE)
         height, width = min(mask.shape[0], len(table.numbers)), min(mask.shape[1], table.numbers.shape[1])

@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from decimal import ROUND_HALF_UP, Decimal
-from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..formula.nodes import ErrorValue, Missing, Node, Scalar
-from .coerce import each, number_to_text, text_to_number, to_text
-from .frames import Frame, UnsupportedError
+from .calling import EPOCHS
+from .coerce import each, text_to_number, to_text
+from .frames import Frame
+from .number_formats import formatted
 from .values import Cells, codes_of
 
 if TYPE_CHECKING:
@@ -31,98 +32,20 @@ def _number(value: Scalar) -> float | None:
     return float(value) if isinstance(value, bool | float | int) else None
 
 
-class Format(NamedTuple):
-    """A number format: what stands around the number, and how the number is written."""
-
-    before: str
-    after: str
-    decimals: int
-    optional: int
-    whole: int
-    point: bool
-    thousands: bool
-    percent: bool
-    exponent: int
-
-
-_PATTERN = re.compile(
-    r"""(?P<before>(?:"[^"]*"|\\.|[-+ ()$:/])*)
-        (?P<whole>(?:\#,\#\#)?[\#]*0*)(?:\.(?P<decimals>0*)(?P<optional>\#*))?
-        (?:[eE]\+(?P<exponent>0+))?(?P<percent>%?)
-        (?P<after>(?:"[^"]*"|\\.|[-+ ()$:/])*)""",
-    re.VERBOSE,
-)
-
-
-def _literal(part: str) -> str:
-    """The characters that quotation marks and backslashes protect."""
-    return re.sub(r'"([^"]*)"|\\(.)', lambda m: m[1] if m[1] is not None else m[2], part)
-
-
-@cache
-def number_format(text: str) -> Format | None:
-    """The format that a text says (`0`, `0.00`, `#,##0.0`, `0.0E+00`, `0%`), None when it is not known here."""
-    match = _PATTERN.fullmatch(text)
-    if match is None or not (match["whole"] or match["decimals"] or match["optional"]):
-        return None
-    return Format(
-        before=_literal(match["before"]),
-        after=_literal(match["after"]),
-        decimals=len(match["decimals"] or ""),
-        optional=len(match["optional"] or ""),
-        whole=match["whole"].count("0"),
-        point=match["decimals"] is not None,
-        thousands="," in match["whole"],
-        percent=bool(match["percent"]),
-        exponent=len(match["exponent"] or ""),
-    )
-
-
-def formatted(value: float, pattern: str) -> str | None:
-    """TEXT of a number; None when the format is not known here."""
-    if pattern.strip().upper() in ("GENERAL", "@"):
-        return number_to_text(value)
-    if pattern == "":
-        return ""
-    sections = pattern.split(";")
-    if len(sections) > 1 and '"' not in pattern:
-        chosen = 1 if value < 0 else 2 if value == 0 and len(sections) > 2 else 0
-        return formatted(abs(value) if chosen == 1 else value, sections[chosen])
-    shape = number_format(pattern)
-    return None if shape is None else _written(value, shape)
-
-
-def _written(value: float, shape: Format) -> str:
-    exponent = ""
-    if shape.percent:
-        value *= 100
-    if shape.exponent:
-        power = 0 if value == 0 else int(f"{value:.{shape.decimals + shape.optional}e}".partition("e")[2])
-        value /= 10.0**power
-        exponent = f"E{'-' if power < 0 else '+'}{abs(power):0{shape.exponent}d}"
-    # Excel rounds the decimal number of 15 digits that a person sees, halves away from zero.
-    number = Decimal(f"{value:.15g}").quantize(Decimal(1).scaleb(-shape.decimals - shape.optional), ROUND_HALF_UP)
-    sign = "-" if value < 0 else ""  # also before what is rounded to 0, as Excel shows it
-    whole, _, fraction = f"{abs(number):f}".partition(".")
-    kept = fraction[: shape.decimals] + fraction[shape.decimals :].rstrip("0")
-    if shape.whole == 0 and whole == "0":
-        whole = ""
-    whole = whole.rjust(shape.whole, "0")
-    if shape.thousands:
-        whole = re.sub(r"(?<=\d)(?=(?:\d{3})+$)", ",", whole)
-    body = whole + ("." + kept if shape.point else "") + exponent
-    return f"{sign}{shape.before}{body}{'%' if shape.percent else ''}{shape.after}"
-
-
-def text(value: Scalar, pattern: Scalar) -> Scalar:
-    """TEXT(value, format). The format's decimal sign is the point."""
+def text(value: Scalar, pattern: Scalar, epochs: float = 0.0) -> Scalar:
+    """TEXT(value, format). The format's decimal sign is the point; #VALUE! for what is no format."""
     number = _number(value)
-    if number is None or isinstance(value, bool):
-        return to_text(value)
-    shown = formatted(number, to_text(pattern))
-    if shown is None:
-        raise UnsupportedError(f'TEXT with the format "{to_text(pattern)}" is not supported')
-    return shown
+    shown = to_text(value) if number is None or isinstance(value, bool) else number
+    if pattern is None or pattern == "":
+        return "" if isinstance(shown, float) else shown
+    found = formatted(shown, to_text(pattern), epochs)
+    return VALUE if found is None else found
+
+
+def _text(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    epochs = EPOCHS if ev.layout.date1904 else 0.0
+    kernel: Callable[..., Cells] = _each(lambda value, pattern: text(value, pattern, epochs))
+    return kernel(ev, args, frame, spread)
 
 
 def fixed(value: Scalar, decimals: Scalar = 2.0, plain: Scalar = False) -> Scalar:
@@ -135,6 +58,8 @@ def fixed(value: Scalar, decimals: Scalar = 2.0, plain: Scalar = False) -> Scala
         scale = Decimal(10) ** -whole_places
         number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP) * scale)
     comma = "0" if _number(plain) else "#,##0"
+    if whole_places > 127:
+        return VALUE
     return formatted(number, comma + ("." + "0" * whole_places if whole_places > 0 else ""))
 
 
@@ -204,7 +129,7 @@ def concat(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
 
 
 KERNELS: dict[str, Any] = {
-    "TEXT": _each(text), "FIXED": _each(fixed), "VALUE": _each(value_), "CONCAT": concat,
+    "TEXT": _text, "FIXED": _each(fixed), "VALUE": _each(value_), "CONCAT": concat,
     "CONCATENATE": _each(lambda *values: "".join(map(to_text, values))),
     "LEN": _each(lambda value: float(len(to_text(value)))), "LEFT": _each(left), "RIGHT": _each(right),
     "MID": _each(mid), "REPT": _each(rept), "UPPER": _each(lambda value: to_text(value).upper()),

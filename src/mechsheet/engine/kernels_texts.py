@@ -1,0 +1,277 @@
+"""More functions of texts: characters, searching and replacing, joining and splitting, numbers as texts."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from decimal import ROUND_HALF_UP, Decimal
+from typing import Any
+from urllib.parse import quote
+
+from ..formula.nodes import ErrorValue, Scalar
+from .calling import Problem, to_number
+from .coerce import to_text
+from .number_formats import formatted
+from .wildcards import pattern_of
+
+MOST_CHARACTERS = 32767
+"""As many characters as a cell can hold."""
+
+
+def character(number: float) -> str:
+    """CHAR: of the code page 1252, as Excel for Windows has it."""
+    code = math.trunc(number)
+    if not 1 <= code <= 255:
+        raise Problem("#VALUE!")
+    return bytes([code]).decode("cp1252", errors="replace").replace("\ufffd", chr(code))
+
+
+def code(text: str) -> float:
+    """CODE of the first character; 63 (?) for those outside the code page."""
+    if not text:
+        raise Problem("#VALUE!")
+    if 0x80 <= ord(text[0]) < 0xA0:
+        return float(ord(text[0]))
+    return float(text[0].encode("cp1252", errors="replace")[0])
+
+
+def unicode_character(number: float) -> str:
+    """UNICHAR."""
+    point = math.trunc(number)
+    if not 1 <= point <= 0x10FFFF:
+        raise Problem("#VALUE!")
+    if 0xD800 <= point <= 0xDFFF or point in (0xFFFE, 0xFFFF):
+        raise Problem("#N/A")
+    return chr(point)
+
+
+def code_point(text: str) -> float:
+    """UNICODE."""
+    if not text:
+        raise Problem("#VALUE!")
+    return float(ord(text[0]))
+
+
+def proper(text: str) -> str:
+    """PROPER: capitals after everything that is no letter."""
+    out, after_letter = "", False
+    for letter in text:
+        out += letter.lower() if after_letter else letter.upper()
+        after_letter = letter.isalpha()
+    return out
+
+
+# --- searching -------------------------------------------------------------------------------------------------------
+
+
+def _start(within: str, start: float) -> int:
+    place = math.trunc(start) - 1
+    if not 0 <= place <= len(within):
+        raise Problem("#VALUE!")
+    return place
+
+
+def find(wanted: str, within: str, start: float = 1.0) -> float:
+    """FIND: case counts."""
+    place = within.find(wanted, _start(within, start))
+    if place < 0:
+        raise Problem("#VALUE!")
+    return place + 1.0
+
+
+def search(wanted: str, within: str, start: float = 1.0) -> float:
+    """SEARCH: without regard to case, with wildcards."""
+    found = pattern_of(wanted, lazy=True).search(within, _start(within, start))
+    if found is None:
+        raise Problem("#VALUE!")
+    return found.start() + 1.0
+
+
+def substitute(text: str, old: str, new: str, instance: float | None = None) -> str:
+    """SUBSTITUTE: every occurrence, or one of them."""
+    if not old:
+        return text
+    if instance is None:
+        return _fits(text.replace(old, new))
+    which = math.trunc(instance)
+    if which < 1:
+        raise Problem("#VALUE!")
+    place = -1
+    begin = 0
+    for _ in range(which):
+        place = text.find(old, begin)
+        if place < 0:
+            return text
+        begin = place + len(old)
+    return _fits(text[:place] + new + text[place + len(old) :])
+
+
+def replace(text: str, start: float, many: float, new: str) -> str:
+    """REPLACE: so many characters from a place on."""
+    first, count = math.trunc(start), math.trunc(many)
+    if first < 1 or count < 0:
+        raise Problem("#VALUE!")
+    return _fits(text[: first - 1] + new + text[first - 1 + count :])
+
+
+def _fits(text: str) -> str:
+    if len(text) > MOST_CHARACTERS:
+        raise Problem("#VALUE!")
+    return text
+
+
+# --- joining and splitting -------------------------------------------------------------------------------------------
+
+
+def _texts(values: list[Scalar] | None) -> list[str]:
+    found = []
+    for value in values or [None]:
+        if isinstance(value, ErrorValue):
+            raise Problem(value.code)
+        found.append(to_text(value))
+    return found
+
+
+def text_join(delimiters: list[Scalar] | None, skip_empty: Any, *lists: list[Scalar]) -> str:
+    """TEXTJOIN: with one delimiter, or several in turn."""
+    between = _texts(delimiters)
+    parts = [part for values in lists for part in _texts(values) if part or not skip_empty]
+    out = ""
+    for place, part in enumerate(parts):
+        out += (between[(place - 1) % len(between)] if place else "") + part
+    if len(out) > MOST_CHARACTERS:
+        raise Problem("#CALC!")
+    return out
+
+
+def _any_of(delimiters: list[Scalar] | None, ignore_case: Any) -> re.Pattern[str]:
+    words = sorted(_texts(delimiters), key=len, reverse=True)
+    return re.compile("|".join(map(re.escape, words)), re.IGNORECASE if ignore_case else 0)
+
+
+def _divided(before: bool) -> Callable[..., Scalar]:
+    """TEXTBEFORE and TEXTAFTER."""
+
+    def of(
+        text: str,
+        delimiters: list[Scalar] | None,
+        instance: float = 1.0,
+        mode: float = 0.0,
+        end: float = 0.0,
+        otherwise: Scalar = ErrorValue("#N/A"),  # noqa: B008 - an immutable value
+    ) -> Scalar:
+        which = math.trunc(instance)
+        if which == 0 or abs(which) > len(text) > 0:
+            raise Problem("#VALUE!")
+        pattern = _any_of(delimiters, mode)
+        if pattern.fullmatch("") and "" in _texts(delimiters):
+            return "" if before == (which > 0) else text
+        places = [match.span() for match in pattern.finditer(text)]
+        if end:
+            places = [*places, (len(text), len(text))] if which > 0 else [(0, 0), *places]
+        index = which - 1 if which > 0 else len(places) + which
+        if not 0 <= index < len(places):
+            return otherwise
+        return text[: places[index][0]] if before else text[places[index][1] :]
+
+    return of
+
+
+def text_split(
+    text: str,
+    columns: list[Scalar] | None = None,
+    rows: list[Scalar] | None = None,
+    skip_empty: bool = False,
+    mode: float = 0.0,
+    pad: Scalar = ErrorValue("#N/A"),  # noqa: B008 - an immutable value
+) -> list[list[Scalar]]:
+    """TEXTSPLIT: into columns, and into rows; rows that are too short are padded."""
+    if columns is None and rows is None:
+        raise Problem("#VALUE!")
+    lines = [text] if rows is None else _any_of(rows, mode).split(text)
+    table: list[list[Scalar]] = []
+    for line in lines:
+        if skip_empty and not line:
+            continue
+        parts = [line] if columns is None else _any_of(columns, mode).split(line)
+        table.append([part for part in parts if part or not skip_empty])
+    width = max((len(row) for row in table), default=0)
+    if not width:
+        raise Problem("#CALC!")
+    return [row + [pad] * (width - len(row)) for row in table]
+
+
+def _shown(value: Scalar, strict: bool) -> str:
+    if isinstance(value, str) and strict:
+        return '"' + value.replace('"', '""') + '"'
+    return value.code if isinstance(value, ErrorValue) else to_text(value)
+
+
+def _style(style: float) -> bool:
+    if math.trunc(style) not in (0, 1):
+        raise Problem("#VALUE!")
+    return math.trunc(style) == 1
+
+
+def array_to_text(rows: list[list[Scalar]], style: float = 0.0) -> str:
+    """ARRAYTOTEXT: concise (0) or as an array is written (1)."""
+    strict = _style(style)
+    if not strict:
+        return ", ".join(_shown(value, False) for row in rows for value in row)
+    return "{" + ";".join(",".join(_shown(value, True) for value in row) for row in rows) + "}"
+
+
+# --- numbers ---------------------------------------------------------------------------------------------------------
+
+
+def number_value(text: str, decimal: str = ".", group: str = ",") -> float:
+    """NUMBERVALUE: with the signs for decimals and groups given."""
+    if not decimal or not group:
+        raise Problem("#VALUE!")
+    point, comma = decimal[0], group[0]
+    body = re.sub(r"\s", "", text)
+    percents = len(body) - len(body.rstrip("%"))
+    body = body.rstrip("%")
+    whole, sign, rest = body.partition(point)
+    if point in rest or comma in rest:
+        raise Problem("#VALUE!")
+    plain = whole.replace(comma, "") + ("." + rest if sign else "")
+    if not plain:
+        return 0.0
+    return to_number(plain) / 100.0**percents
+
+
+def dollar(number: float, decimals: float = 2.0) -> str:
+    """DOLLAR."""
+    places = math.trunc(decimals)
+    if places > 127:
+        raise Problem("#VALUE!")
+    if places < 0:
+        scale = Decimal(10) ** -places
+        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP) * scale)
+    body = "$#,##0" + ("." + "0" * places if places > 0 else "")
+    return formatted(number, f"{body};({body})") or ""
+
+
+PLAIN: dict[str, Callable[..., Any]] = {
+    "CHAR": character,
+    "CODE": code,
+    "UNICHAR": unicode_character,
+    "UNICODE": code_point,
+    "CLEAN": lambda text: "".join(letter for letter in text if ord(letter) > 31),
+    "PROPER": proper,
+    "FIND": find,
+    "SEARCH": search,
+    "SUBSTITUTE": substitute,
+    "REPLACE": replace,
+    "TEXTJOIN": text_join,
+    "TEXTBEFORE": _divided(True),
+    "TEXTAFTER": _divided(False),
+    "TEXTSPLIT": text_split,
+    "VALUETOTEXT": lambda value, style=0.0: _shown(value, _style(style)),
+    "ARRAYTOTEXT": array_to_text,
+    "NUMBERVALUE": number_value,
+    "DOLLAR": dollar,
+    "ENCODEURL": lambda text: quote(text, safe="-_.~"),
+}
