@@ -5,8 +5,13 @@ import shutil
 
 import pytest
 
-PROGRAMS = {"libreoffice": ("soffice", "libreoffice"), "gnumeric": ("ssconvert",), "jing": ("jing",)}
-OPTIONAL = {"chromium": ("chromium", "chromium-browser", "google-chrome")}
+PROGRAMS = {
+    "libreoffice": ("soffice", "libreoffice"),
+    "gnumeric": ("ssconvert",),
+    "jing": ("jing",),
+    "octave": ("octave-cli", "octave"),
+}
+OPTIONAL = {"chromium": ("chromium", "chromium-browser", "google-chrome"), "latex": ("pdflatex",)}
 """Large, and what they judge is a side of the product: nowhere a must."""
 
 IN_CI = bool(os.environ.get("MECHSHEET_CI"))

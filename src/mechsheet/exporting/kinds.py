@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from mechsheet.exporting import python, table
+from mechsheet.exporting import octave, python, table
 from mechsheet.exporting.job import Kind
 
 _ROWS = (
+    Kind("octave", ".m", "a function file for GNU Octave and MATLAB, with the animated drawing", octave.write, identifier=True),
     Kind("python", ".py", "a numpy module that needs nothing else", python.write, identifier=True),
     Kind("csv", ".csv", "the variables over the sweep, with units", table.write),
 )

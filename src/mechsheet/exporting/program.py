@@ -165,8 +165,7 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
     for equation in equations.columns:
         line = _column(mechanism, equation, moving)
         found.append(line)
-        if line.way != "still":
-            moving.add(line.symbol)
+        moving.add(line.symbol)
     return tuple(found)
 
 

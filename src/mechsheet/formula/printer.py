@@ -40,7 +40,7 @@ from .nodes import (
 from .parser import DESCRIPTION_FUNCTIONS
 from .references import column_letters, parse_cell, reference_text
 from .tables import table_text
-from .written import WRITTEN, pairwise, real_powers, signs_apart
+from .written import WRITTEN, pairwise, plain_degrees, real_powers, signs_apart
 
 _ATOM = 1000
 _UNION = _ATOM + 1  # a union in its own parentheses, which a union around it takes off
@@ -292,7 +292,7 @@ def _with_hypot(node: Node) -> Node:
 _REWRITES = {
     "text": _with_squares,
     "description": _with_hypot,
-    "octave": real_powers,
+    "octave": plain_degrees,
     "python": real_powers,
     "latex": pairwise,
     "numbers": pairwise,

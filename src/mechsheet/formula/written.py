@@ -31,7 +31,6 @@ OCTAVE = Dialect(
         "ATAN": "atan({0})",
         "ATAN2": "direction({0}, {1})",
         "COS": "cos({0})",
-        "DEGREES": "({0} .* (180 ./ pi))",
         "EXP": "exp({0})",
         "IF": "choose({0}, {1}, {2})",
         "ISNUMBER": "isfinite({0})",
@@ -43,7 +42,6 @@ OCTAVE = Dialect(
         "OR": "or({0}, {1})",
         "PI": "pi",
         "POWER": "raised({0}, {1})",
-        "RADIANS": "({0} .* (pi ./ 180))",
         "ROUND": "rounded({0}, {1})",
         "SIGN": "sign({0})",
         "SIN": "sin({0})",
@@ -200,9 +198,29 @@ def real_powers(node: Node) -> Node:
     return pairwise(node)
 
 
+def plain_degrees(node: Node) -> Node:
+    """As `real_powers`; degrees as x pi / 180, where a language has no function for them."""
+    match node:
+        case Call("RADIANS", (x,)):
+            return Binary("/", Binary("*", x, Call("PI")), Number(180.0))
+        case Call("DEGREES", (x,)):
+            return Binary("/", Binary("*", x, Number(180.0)), Call("PI"))
+    return real_powers(node)
+
+
 def signs_apart(node: Node) -> Node:
     """As `pairwise`; a power of something with a sign is a function."""
     match node:
         case Binary("^", Unary("-") as base, exponent):
             return Call("POWER", (base, exponent))
     return pairwise(node)
+
+
+def plain_degrees(node: Node) -> Node:
+    """As `real_powers`; degrees as x pi / 180, where a language has no function for them."""
+    match node:
+        case Call("RADIANS", (x,)):
+            return Binary("/", Binary("*", x, Call("PI")), Number(180.0))
+        case Call("DEGREES", (x,)):
+            return Binary("/", Binary("*", x, Number(180.0)), Call("PI"))
+    return real_powers(node)

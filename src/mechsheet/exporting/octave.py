@@ -1,0 +1,309 @@
+"""octave: a function file for GNU Octave and MATLAB: arrays over the sweep, the animated drawing, the curves.
+
+A function file, because only in one do helper functions mean the same in both programs. What is drawn is what the workbook
+draws: the same outlines, guides, blocks, paths and curves.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from importlib.resources import files
+
+from mechsheet.exporting.job import Job
+from mechsheet.exporting.program import ColumnLine, Line, Program, one_line, program_of
+from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.solve import dimension_values
+from mechsheet.model import ChartRequest, Joint, Mechanism
+from mechsheet.sheet.charts import chart_requests, traced_points
+from mechsheet.sheet.outlines import block_has_line, corners, direction_of, line_end, through_of
+from mechsheet.sheet.plan import plan_of, unit_text
+from mechsheet.sheet.points import moving_points, pins_of
+from mechsheet.sheet.shapes import link_color
+
+WIDTH = 110
+_TAKEN = """
+    break case catch continue do else elseif end endfunction endif endwhile for function global if methods otherwise
+    persistent properties return switch try until unwind_protect while
+    ans result varargin nargout rows n exists start stop step xs ys h middle shapes paths pins
+    NaN abs acos and any asin atan cos cumsum error exp find floor isfinite max min not numel or ones pi repmat sign sin
+    struct tan true
+"""
+"""Keywords, and what the function itself calls."""
+
+
+def write(job: Job) -> list[bytes]:
+    """The file in UTF-8."""
+    helpers = files("mechsheet.exporting").joinpath("octave_helpers.m").read_text(encoding="utf-8")
+    reserved = {*re.findall(r"^function (?:\w+ = )?(\w+)", helpers, re.MULTILINE), *_TAKEN.split(), job.name}
+    program = program_of(job.mechanism, reserved)
+    lines = [*_opening(program, job.name), *_given(program), *_driver(program), *_columns(program), *_result(program)]
+    lines += [
+        "",
+        "  if nargout == 0",
+        *(f"    {line}" for line in _picture(program, job.name)),
+        "    clear result",
+        "  end",
+    ]
+    return [("\n".join(lines) + "\nend\n" + helpers).encode()]
+
+
+def _text(program: Program, node: Node, row: str = "") -> str:
+    if row:
+        return program.print(node, "octave", lambda name: f"{name}({row} - 1)", lambda name: f"{name}({row})")
+    return program.print(node, "octave", lambda name: f"above({name})")
+
+
+def _string(text: str) -> str:
+    return "'" + one_line(text).replace("'", "''") + "'"
+
+
+def _commented(code: str, words: str) -> list[str]:
+    """The code with its comment behind it, or over it where there is no room."""
+    if not words:
+        return [f"  {code}"]
+    if len(code) + len(words) + 6 <= WIDTH:
+        return [f"  {code}  % {words}"]
+    return [f"  % {words}", f"  {code}"]
+
+
+# --- the equations -----------------------------------------------------------------------------------------------
+
+
+def _opening(program: Program, name: str) -> list[str]:
+    mechanism = program.mechanism
+    title, source = (one_line(words.of(mechanism.language)) for words in (mechanism.title, mechanism.source))
+    first = program.names[program.given[0].symbol] if program.given else program.names[mechanism.driver.symbol]
+    unit = one_line(mechanism.length_unit)
+    return [
+        f"function result = {name}(varargin)",
+        f"% {name.upper()}  {title}",
+        "%",
+        *([f"% Source: {source}", "%"] if source else []),
+        f"%   {name}              the moving mechanism and its curves; pictures in files where there is no display",
+        f"%   r = {name};         arrays over the sweep: r.{program.names[program.shown[1]]} ...",
+        f"%   r = {name}('{first}', 40)   with another value; all names stand below",
+        "%",
+        f"% Lengths are in {unit}, angles in radians. NaN where the links cannot be joined. Angles are continuous from",
+        "% row to row. Runs in GNU Octave and in MATLAB.",
+        "",
+    ]
+
+
+def _given(program: Program) -> list[str]:
+    names = program.names
+    changeable = [names[line.symbol] for line in (*program.given, *program.modes)]
+    changeable.append(names[program.mechanism.driver.symbol])
+    lines = [f"  check_names(varargin, {{{', '.join(_string(name) for name in changeable)}}});", "", "  % dimensions"]
+    for line in program.given:
+        lines += _argument(program, line)
+    if program.modes:
+        lines += ["", "  % assembly modes"]
+    for line in program.modes:
+        lines += _argument(program, line)
+    lines += ["", "  % what follows from them"]
+    for line in program.derived:
+        lines += _commented(f"{names[line.symbol]} = {_text(program, line.node)};", _words(line))
+    return lines
+
+
+def _words(line: Line) -> str:
+    return ", ".join(part for part in (one_line(line.unit), line.words) if part)
+
+
+def _argument(program: Program, line: Line) -> list[str]:
+    name = program.names[line.symbol]
+    return _commented(f"{name} = given(varargin, '{name}', {_text(program, line.node)});", _words(line))
+
+
+def _driver(program: Program) -> list[str]:
+    name = program.names[program.mechanism.driver.symbol]
+    if program.sweep:
+        start, stop, step = (_text(program, part) for part in program.sweep)
+        lines = [f"  start = {start};", f"  stop = {stop};", f"  step = {step};"]
+        values = "start + step .* (0:floor((stop - start) ./ step + 1e-9))"
+    else:
+        lines, values = [], f"[{', '.join(_text(program, value) for value in program.values)}]"
+    lines += [f"  {name} = given(varargin, '{name}', {values});", f"  {name} = {name}(:);", f"  rows = numel({name});"]
+    return ["", "  % driver", *lines]
+
+
+def _columns(program: Program) -> list[str]:
+    lines: list[str] = []
+    group = 0
+    for column in program.columns:
+        if column.group != group:
+            group = column.group
+            lines += ["", f"  % {_heading(program, group)}"]
+        lines += _column(program, column)
+    return lines
+
+
+def _heading(program: Program, number: int) -> str:
+    if number < 0:
+        return "outputs"
+    group = program.equations.groups[number - 1]
+    return f"group {number} ({group.kind}): {one_line(group.label.of(program.mechanism.language))}"
+
+
+def _column(program: Program, column: ColumnLine) -> list[str]:
+    name = program.names[column.symbol]
+    by_rows = column.way == "rows"
+    text = _text(program, column.node, "n" if by_rows else "")
+    if column.way == "still":
+        return _commented(f"{name} = repmat({text}, rows, 1);", column.words)
+    if column.way == "whole":
+        return _commented(f"{name} = {text};", column.words)
+    first = _text(program, column.first, "1" if by_rows else "") if column.first is not None else "0"
+    lines = _commented(f"{name} = NaN(rows, 1);" if by_rows else f"{name} = {text};", column.words)
+    lines.append(f"  {name}(1) = {first};")
+    if by_rows:
+        return [*lines, "  for n = 2:rows", f"    {name}(n) = {text};", "  end"]
+    return [*lines, f"  {name} = cumsum({name});"]
+
+
+def _result(program: Program) -> list[str]:
+    driver = program.names[program.shown[0]]
+    lines = ["", f"  exists = {_text(program, program.exists)} & true(rows, 1);", "  result = struct();"]
+    lines.append(f"  result.{driver} = {driver};")
+    return lines + [
+        f"  result.{name} = kept({name}, exists);" for name in (program.names[symbol] for symbol in program.shown[1:])
+    ]
+
+
+# --- the picture -------------------------------------------------------------------------------------------------
+
+
+def _picture(program: Program, name: str) -> list[str]:
+    mechanism = program.mechanism
+    plan = plan_of(mechanism, program.equations)
+    requests = chart_requests(plan)
+    fixed = tuple(point for point in mechanism.ground.points if point in pins_of(mechanism))
+    points = (*moving_points(mechanism), *fixed)
+    traced = traced_points(plan, requests)
+    title = _string(mechanism.title.of(mechanism.language))
+    lines = [
+        f"xs = track(rows, {', '.join(_place(program, point, 'x') for point in points)});",
+        f"ys = track(rows, {', '.join(_place(program, point, 'y') for point in points)});",
+        "h = half_window(xs, ys);",
+        "middle = [(min(xs(:)) + max(xs(:))) / 2, (min(ys(:)) + max(ys(:))) / 2];",
+        "shapes = {};",
+        *(f"shapes{{end + 1}} = {shape};" for shape in _shapes(program, fixed)),
+        *_tracks(program, "paths", traced),
+        *_tracks(program, "pins", pins_of(mechanism)),
+        f"animate(shapes, paths, pins, find(exists), middle, h, {title}, '{name}');",
+    ]
+    for number, request in enumerate(requests, 1):
+        lines.append(_curves(program, request, number, name))
+    return ["if ~any(exists)", "  error('no position of the sweep exists');", "end", *lines]
+
+
+def _place(program: Program, point: str, axis: str) -> str:
+    name = program.names[f"{point}.{axis}"]
+    return name if f"{point}.{axis}" not in program.shown else f"result.{name}"
+
+
+def _tracks(program: Program, name: str, points: tuple[str, ...]) -> list[str]:
+    x, y = (", ".join(["rows", *(_place(program, point, axis) for point in points)]) for axis in "xy")
+    return [f"{name} = struct('x', track({x}), 'y', track({y}));"]
+
+
+def _color(color: str) -> str:
+    return "[" + " ".join(f"{int(color[at : at + 2], 16) / 255:.3g}" for at in (0, 2, 4)) + "]"
+
+
+def _shapes(program: Program, fixed: tuple[str, ...]) -> list[str]:
+    """From back to front: rails and supports, slots, links, blocks, as the workbook's drawing has them."""
+    mechanism = program.mechanism
+    dimensions = dimension_values(mechanism)
+    links = {link.name: link for link in mechanism.links}
+    ground = mechanism.ground.name
+    driven = mechanism.driver.link or next(j.link for j in mechanism.joints if j.name == mechanism.driver.joint)
+    found = []
+    for joint in mechanism.joints:
+        if joint.on == ground:
+            below = math.cos(evaluate(direction_of(mechanism, joint), dimensions)) >= -1e-9
+            low, high = _reach(program, joint)
+            found.append(f"rail({_line(program, joint)}, {low}, {high}, h, {int(below)}, {_string(joint.symbol)})")
+    for point in fixed:
+        found.append(f"support({_place(program, point, 'x')}, {_place(program, point, 'y')}, h)")
+    for joint in mechanism.joints:
+        if joint.on != ground:
+            owner = links[joint.link if block_has_line(mechanism, joint) else joint.on]
+            base = joint.point if block_has_line(mechanism, joint) else line_end(joint, mechanism)
+            low, high = _reach(program, joint)
+            x, y = (_text(program, node) for node in through_of(mechanism, joint))
+            if base:  # a link whose line passes none of its points is drawn from the line itself
+                x, y = (_place(program, base, axis) for axis in "xy")
+            at = f"{x}, {y}, {_line(program, joint)}, {low}, {high}"
+            found.append(f"slot({at}, h, {_color(link_color(owner, driven))}, {_string(joint.symbol)})")
+    for link in mechanism.links[1:]:
+        order = corners(link, dimensions)
+        if len(order) > 1:
+            x, y = (", ".join(["rows", *(_place(program, point, axis) for point in order)]) for axis in "xy")
+            found.append(f"bar(track({x}), track({y}), {_color(link_color(link, driven))}, {_string(link.name)})")
+    return found + [_block(program, joint, driven) for joint in mechanism.joints]
+
+
+def _line(program: Program, joint: Joint) -> str:
+    """A point of the joint's line, and its direction."""
+    mechanism = program.mechanism
+    nodes = (*through_of(mechanism, joint), direction_of(mechanism, joint))
+    return ", ".join(_text(program, node) for node in nodes)
+
+
+def _reach(program: Program, joint: Joint) -> tuple[str, str]:
+    """From where to where the line is drawn: over the whole stroke."""
+    s = f"result.{program.names[joint.symbol]}"
+    if block_has_line(program.mechanism, joint):
+        return f"{s} - max({s})", f"{s} - min({s})"
+    return f"min({s})", f"max({s})"
+
+
+def _block(program: Program, joint: Joint, driven: str) -> str:
+    mechanism = program.mechanism
+    links = {link.name: link for link in mechanism.links}
+    angle = _text(program, direction_of(mechanism, joint))
+    if block_has_line(mechanism, joint):
+        x, y = (_text(program, node) for node in through_of(mechanism, joint))
+        color = link_color(links[joint.on], driven)
+    else:
+        x, y = (_text(program, Symbol(f"{joint.point}.{axis}")) for axis in "xy")
+        color = link_color(links[joint.link], driven) if joint.kind == "prismatic" else "404040"
+    size = 1.0 if joint.kind == "prismatic" else 0.7
+    return f"block({x}, {y}, {angle}, h, {size:g}, {_color(color)}, {_string(joint.symbol)})"
+
+
+def _curves(program: Program, request: ChartRequest, number: int, name: str) -> str:
+    """A chart of the workbook: curves against the driver, or paths of points."""
+    mechanism = program.mechanism
+    unit = one_line(mechanism.length_unit)
+    if request.paths:
+        x, y = (", ".join(["rows", *(_place(program, point, axis) for point in request.paths)]) for axis in "xy")
+        legend = ", ".join(_string(point) for point in request.paths)
+        return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
+    x = _shown(program, request.x)
+    y = ", ".join(["rows", *(_shown(program, symbol) for symbol in request.y)])
+    legend = ", ".join(_string(program.names[symbol]) for symbol in request.y)
+    x_title = f"{program.names[request.x]} [{unit_shown(mechanism, program, request.x)}]"
+    y_title = f"[{unit_shown(mechanism, program, request.y[0])}]"
+    return f"curves({number}, {x}, track({y}), {{{legend}}}, {_string(x_title)}, {_string(y_title)}, '{name}');"
+
+
+def _shown(program: Program, symbol: str) -> str:
+    """A variable as people read it."""
+    text = f"result.{program.names[symbol]}" if symbol in program.shown else program.names[symbol]
+    in_degrees = unit_shown(program.mechanism, program, symbol) == "°"
+    return f"{text} * 180 / pi" if in_degrees else text
+
+
+def unit_shown(mechanism: Mechanism, program: Program, symbol: str) -> str:
+    """The unit in which people read a variable."""
+    if symbol == mechanism.driver.symbol:
+        return unit_text(mechanism.driver.unit)
+    output = next((output for output in mechanism.outputs if output.symbol == symbol), None)
+    if output is not None:
+        return one_line(unit_text(output.unit))
+    unit = program.unit_of(symbol)
+    return "°" if unit == "rad" and mechanism.angle_unit == "deg" else one_line(unit)

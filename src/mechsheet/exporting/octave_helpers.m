@@ -1,0 +1,249 @@
+
+% ---- what the equations use --------------------------------------------------------------------------------
+% Each behaves as the spreadsheet's function does: no complex numbers, and NaN stays NaN.
+
+function y = direction(x, y0)
+% Angle of the vector (x, y0), x first as in a spreadsheet; NaN where it has no length.
+  y = atan2(y0, x);
+  y((x == 0) & (y0 == 0)) = NaN;
+end
+
+function y = root(x)
+  y = sqrt(abs(x));
+  y(~(x >= 0)) = NaN;
+end
+
+function y = arc(inverse, x)
+  y = real(inverse(x));
+  y(~(abs(x) <= 1)) = NaN;
+end
+
+function y = logarithm(x)
+  y = log(abs(x));
+  y(~(x > 0)) = NaN;
+end
+
+function y = raised(base, exponent)
+  y = real(base .^ exponent);
+  y((base < 0) & (exponent ~= round(exponent))) = NaN;
+end
+
+function y = rounded(x, digits)
+% Half away from zero.
+  y = round(x .* 10 .^ digits) ./ 10 .^ digits;
+end
+
+function y = larger(a, b)
+  y = max(a, b);
+  y(isnan(a) | isnan(b)) = NaN;
+end
+
+function y = smaller(a, b)
+  y = min(a, b);
+  y(isnan(a) | isnan(b)) = NaN;
+end
+
+function y = choose(condition, a, b)
+% a where the condition holds, b elsewhere; each may be one value for all rows.
+  shape = ones(size(condition)) .* ones(size(a)) .* ones(size(b));
+  a = a .* shape;
+  y = b .* shape;
+  condition = logical(condition .* shape);
+  y(condition) = a(condition);
+end
+
+function y = above(x)
+% The value of the row above; nothing stands above the first.
+  y = [NaN; x(1:end-1)];
+end
+
+function y = kept(x, exists)
+% Finite values in rows that exist, NaN elsewhere.
+  y = x .* ones(size(exists));
+  y(~(exists & isfinite(y))) = NaN;
+end
+
+% ---- arguments ---------------------------------------------------------------------------------------------
+
+function value = given(arguments, name, value)
+% The value that follows the name among the arguments, or the one of the description.
+  for k = 1:2:numel(arguments) - 1
+    if strcmp(arguments{k}, name)
+      value = arguments{k + 1};
+    end
+  end
+end
+
+function check_names(arguments, allowed)
+  if mod(numel(arguments), 2) ~= 0
+    error('arguments come in pairs: a name and its value');
+  end
+  for k = 1:2:numel(arguments)
+    if ~any(strcmp(arguments{k}, allowed))
+      error('nothing is called "%s": %s', num2str(arguments{k}), strjoin(allowed, ', '));
+    end
+  end
+end
+
+% ---- drawing -----------------------------------------------------------------------------------------------
+
+function m = track(rows, varargin)
+% One column for each corner, one row for each position.
+  m = zeros(rows, numel(varargin));
+  for k = 1:numel(varargin)
+    m(:, k) = varargin{k};
+  end
+end
+
+function s = shape(kind, x, y, color, width, name)
+  s = struct('kind', kind, 'x', x, 'y', y, 'color', color, 'width', width, 'name', name);
+end
+
+function h = half_window(points_x, points_y)
+% Half the side of a square around all points, with room for supports and guides.
+  h = 0.65 * max(max(points_x(:)) - min(points_x(:)), max(points_y(:)) - min(points_y(:)));
+  if isempty(h) || ~(h > 0)
+    h = 1;
+  end
+end
+
+function s = support(x, y, h)
+% A triangle on a hatched line under a fixed pin.
+  a = h * [0 -0.05 0.05 0 -0.05];
+  b = h * [0 -0.075 -0.075 0 -0.075];
+  for at = h * (-0.065 + 0.13 * (0:4) / 4)
+    a = [a, at, at - 0.025 * h, at];
+    b = [b, -0.075 * h, -0.1 * h, -0.075 * h];
+  end
+  s = shape('line', x + a, y + b, [0.25 0.25 0.25], 1, '');
+end
+
+function s = bar(x, y, color, name)
+% A link: a bar between two points, a closed polygon round more.
+  if size(x, 2) > 2
+    x = [x, x(:, 1)];
+    y = [y, y(:, 1)];
+  end
+  s = shape('line', x, y, color, 3, name);
+end
+
+function s = block(x, y, angle, h, size_, color, name)
+% A rectangle that turns with its guide.
+  a = h * size_ * 0.075 * [-1 1 1 -1 -1];
+  b = h * size_ * 0.045 * [-1 -1 1 1 -1];
+  s = turned(x, y, angle, a, b, color, 2, name);
+end
+
+function s = rail(x, y, angle, low, high, h, below, name)
+% A guide on the ground: a hatched line under the block, as long as the stroke and a little more.
+  low = min(low(:)) - 0.13 * h;
+  high = max(high(:)) + 0.13 * h;
+  side = 2 * below - 1;
+  a = [];
+  b = [];
+  for at = low + (high - low) * (0:10) / 10
+    a = [a, at, at, at];
+    b = [b, side * h * [-0.045 -0.075 -0.045]];
+  end
+  s = turned(x, y, angle, a, b, [0.25 0.25 0.25], 1, name);
+end
+
+function s = slot(base_x, base_y, x, y, angle, low, high, h, color, name)
+% A guide on a moving link: from a point of the link to the line, and along it.
+  low = low - 0.13 * h;
+  high = high + 0.13 * h;
+  xs = track(numel(angle), base_x, x, x + low .* cos(angle), x + high .* cos(angle));
+  ys = track(numel(angle), base_y, y, y + low .* sin(angle), y + high .* sin(angle));
+  s = shape('line', xs, ys, color, 2, name);
+end
+
+function s = turned(x, y, angle, a, b, color, width, name)
+% Local corners (a, b) turned by the angle and moved to (x, y): one row for each position.
+  s = shape('line', x + cos(angle) * a - sin(angle) * b, y + sin(angle) * a + cos(angle) * b, color, width, name);
+end
+
+function animate(shapes, paths, pins, rows, middle, h, title_text, file)
+% All positions that exist, one after the other; without a display, the first of them goes into a file.
+  screen = has_display();
+  f = figure('visible', word_if(screen, 'on', 'off'), 'color', 'w');
+  hold on;
+  for k = 1:size(paths.x, 2)
+    plot(paths.x(:, k), paths.y(:, k), 'color', [0.56 0.69 0.8], 'linewidth', 1);
+  end
+  lines = zeros(1, numel(shapes));
+  handles = cell(1, numel(shapes));
+  for k = 1:numel(shapes)
+    s = shapes{k};
+    r = min(rows(1), size(s.x, 1));
+    handles{k} = plot(s.x(r, :), s.y(r, :), 'color', s.color, 'linewidth', s.width);
+    lines(k) = size(s.x, 1) > 1;
+  end
+  dots = plot(pins.x(rows(1), :), pins.y(rows(1), :), 'o', 'color', [0.25 0.25 0.25], 'markerfacecolor', 'w', ...
+              'markersize', 5, 'linestyle', 'none');
+  axis equal;
+  axis([middle(1) - h, middle(1) + h, middle(2) - h, middle(2) + h]);
+  title(title_text, 'interpreter', 'none');
+  if ~screen
+    save_picture(f, file);
+    return
+  end
+  for r = rows(:)'
+    if ~ishandle(f)
+      return
+    end
+    for k = find(lines)
+      set(handles{k}, 'xdata', shapes{k}.x(r, :), 'ydata', shapes{k}.y(r, :));
+    end
+    set(dots, 'xdata', pins.x(r, :), 'ydata', pins.y(r, :));
+    drawnow;
+    pause(0.04);
+  end
+end
+
+function curves(number, x, ys, names, x_title, y_title, file)
+% Curves over the sweep, or paths of points when there is an x for each y.
+  screen = has_display();
+  f = figure('visible', word_if(screen, 'on', 'off'), 'color', 'w');
+  if size(x, 2) == size(ys, 2) && size(x, 2) > 0 && strcmp(x_title, 'x')
+    plot(x, ys, 'linewidth', 1.5);
+    axis equal;
+  else
+    plot(x(:, 1), ys, 'linewidth', 1.5);
+  end
+  grid on;
+  xlabel(x_title, 'interpreter', 'none');
+  ylabel(y_title, 'interpreter', 'none');
+  legend(names{:});
+  if ~screen
+    save_picture(f, sprintf('%s-%d', file, number));
+  end
+end
+
+function answer = has_display()
+  if exist('OCTAVE_VERSION', 'builtin')
+    answer = have_window_system();
+  else
+    answer = usejava('desktop') || ispc() || ismac();
+  end
+end
+
+function word = word_if(condition, yes, no)
+  if condition
+    word = yes;
+  else
+    word = no;
+  end
+end
+
+function save_picture(f, file)
+% As .png, or .svg where that is all that can be written.
+  for ending = {'png', 'svg'}
+    try
+      print(f, [file '.' ending{1}], ['-d' ending{1}]);
+      fprintf('%s.%s\n', file, ending{1});
+      return
+    catch problem
+    end
+  end
+  warning('no picture could be written: %s', problem.message);
+end
