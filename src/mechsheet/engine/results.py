@@ -33,6 +33,11 @@ class Values:
         place = self._layout.place(self._sheet(sheet), row, col)
         return None if place < 0 else self.texts.decode(float(self._numbers[place]), int(self._codes[place]))
 
+    def spilled(self, sheet: str, row: int, col: int) -> tuple[int, int]:
+        """How many rows and columns the dynamic array has whose formula stands in a cell."""
+        area = self._layout.spill_at(self._sheet(sheet), row, col)
+        return (1, 1) if area is None else (area.rows, area.cols)
+
     def column(self, sheet: str, col: int, first_row: int, last_row: int) -> list[Scalar]:
         """The values of a column's rows first_row..last_row, both included."""
         numbers, codes = self._read(sheet, col, first_row, last_row)
@@ -47,6 +52,11 @@ class Values:
         """
         numbers, codes = self._read(sheet, col, first_row, last_row)
         return np.where((codes == NUMBER) | (codes == BOOLEAN), numbers, np.nan), codes
+
+    def spill(self, sheet: str, row: int, col: int) -> tuple[int, int] | None:
+        """Rows and columns of the dynamic array whose formula stands in a cell, None when there is none."""
+        area = self._layout.spill_at(self._sheet(sheet), row, col)
+        return None if area is None else (area.rows, area.cols)
 
     def items(self, sheet: str) -> Iterator[tuple[int, int, Scalar]]:
         """(row, col, value) of every cell of a sheet that is not empty, column by column."""

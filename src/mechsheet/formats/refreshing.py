@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import Protocol
 
 from mechsheet.diagnostics import Fault, OutputError, readable_name
-from mechsheet.formula.book import Book, BookSheet
+from mechsheet.formula.book import Block, Book, BookSheet
 from mechsheet.formula.nodes import Scalar
+from mechsheet.formula.references import area_name
 
 from .archive import new_archive
 from .package import Package, part_key
@@ -25,18 +26,77 @@ class CellValues(Protocol):
         """The value of a cell."""
         ...
 
+    def spilled(self, sheet: str, row: int, col: int) -> tuple[int, int]:
+        """How many rows and columns the dynamic array has whose formula stands in a cell."""
+        ...
+
+    def spill(self, sheet: str, row: int, col: int) -> tuple[int, int] | None:
+        """Rows and columns of the dynamic array whose formula stands in a cell, None when there is none."""
+        ...
+
 
 class NewValues:
     """What the cells of one sheet shall hold.
 
-    changes  the input cells that were set, by (row, col)
+    changes  by (row, col): the input cells that were set, and the cells of arrays without their formula
+    areas    by (row, col): rows and columns of dynamic arrays that have another size now
     """
 
     def __init__(self, sheet: BookSheet, values: CellValues, changes: Mapping[Place, Scalar]) -> None:
         self._sheet = sheet
         self._values = values
         title = sheet.title.casefold()
+        self.areas: dict[tuple[int, int], tuple[int, int]] = {}
+        self._in_arrays = self._arrays()
         self.changes = {(row, col): value for (name, row, col), value in changes.items() if name.casefold() == title}
+        self.refs: dict[tuple[int, int], str] = {}
+        for block in sheet.blocks:
+            if block.kind != "fill":
+                self._array(block)
+
+    def _array(self, block: Block) -> None:
+        """Note what an array shows that is not what the file holds: cells without a formula of their own."""
+        rows, cols = block.rows, block.cols
+        if block.kind == "spill":
+            rows, cols = self._values.spilled(self._sheet.title, block.row, block.col)
+            if (rows, cols) != (block.rows, block.cols):
+                self.refs[block.row, block.col] = area_name(block.row, block.col, rows, cols)
+        for col in range(block.col, block.col + max(cols, block.cols)):
+            for row in range(block.row, block.row + max(rows, block.rows)):
+                inside = row < block.row + rows and col < block.col + cols
+                stored = row < block.row + block.rows and col < block.col + block.cols
+                if (row, col) != (block.row, block.col) and (row, col) not in self.changes and (inside or stored):
+                    value = self.result(row, col) if inside else self._sheet.constants.get(row, col)
+                    if not self.is_stored(row, col, value, True):
+                        self.changes[row, col] = value
+        self.changes.update({place: value for place, value in self._in_arrays.items() if place not in self.changes})
+
+    def _arrays(self) -> dict[tuple[int, int], Scalar]:
+        """The values of cells that hold a part of an array; what a dynamic array has left behind is empty."""
+        cells: dict[tuple[int, int], Scalar] = {}
+        for block in self._sheet.blocks:
+            if block.kind == "fill":
+                continue
+            size = old = block.rows, block.cols
+            if block.kind == "spill":
+                size = self._values.spill(self._sheet.title, block.row, block.col) or size
+            if size != old:
+                self.areas[block.row, block.col] = size
+                cells.update(dict.fromkeys(_cells(block.row, block.col, *old), None))
+            for row, col in _cells(block.row, block.col, *size):
+                cells[row, col] = self.result(row, col)
+        formulas = {(block.row, block.col) for block in self._sheet.blocks if block.kind != "fill"}
+        stored = self._sheet.cached
+        return {
+            place: value
+            for place, value in cells.items()
+            if place not in formulas and (value is not None or stored.get(*place) is not None)
+        }
+
+    @property
+    def is_still(self) -> bool:
+        """Whether the sheet has neither formulas nor changes."""
+        return not (self._sheet.blocks or self.changes)
 
     def result(self, row: int, col: int) -> Scalar:
         """The value of a formula's cell."""
@@ -44,8 +104,13 @@ class NewValues:
 
     def is_stored(self, row: int, col: int, value: Scalar, formula: bool) -> bool:
         """Whether the file holds that value already: then the cell's bytes stay."""
-        old = (self._sheet.cached if formula else self._sheet.constants).get(row, col)
+        computed = formula or (row, col) in self._in_arrays
+        old = (self._sheet.cached if computed else self._sheet.constants).get(row, col)
         return type(old) is type(value) and old == value
+
+
+def _cells(row: int, col: int, rows: int, cols: int) -> Iterator[tuple[int, int]]:
+    return ((row + down, col + right) for down in range(rows) for right in range(cols))
 
 
 def new_values(book: Book, values: CellValues, changes: Mapping[Place, Scalar]) -> dict[str, NewValues]:

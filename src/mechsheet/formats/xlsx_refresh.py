@@ -8,7 +8,7 @@ from xml.parsers import expat
 
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import ErrorValue, Scalar
-from mechsheet.formula.references import cell_name, column_index
+from mechsheet.formula.references import area_name, cell_name, column_index
 
 from .package import Package, local_name, open_package
 from .raw_xml import Edit, RawXml, Span, attributes_named, end_tag, opened, with_attributes
@@ -17,6 +17,8 @@ from .xlsx_read import sheet_parts
 from .xml_text import number, ooxml_escaped
 
 _TYPE = attributes_named("t")
+_REF = attributes_named("ref")
+_AREA = attributes_named("ref")
 
 
 def refresh_xlsx(source: Path, output: Path, book: Book, values: CellValues, changes: Mapping[Place, Scalar]) -> None:
@@ -29,7 +31,9 @@ def refresh_xlsx(source: Path, output: Path, book: Book, values: CellValues, cha
     new = new_values(book, values, changes)
     with open_package(source) as package:
         parts: dict[str, Rewrite] = {
-            part: _Refresh(package, part, new[title]).pieces for title, part in sheet_parts(package) if title in new
+            part: _Refresh(package, part, new[title]).pieces
+            for title, part in sheet_parts(package)
+            if title in new and not new[title].is_still
         }
         write_package(package, output, parts)
 
@@ -77,10 +81,13 @@ class _Refresh:
         if not (was_set or formula):
             return
         value = self.new.result(row, col) if formula and not was_set else self.new.changes[row, col]
-        if not self.new.is_stored(row, col, value, formula):
-            self._replace(Span(cell.start, last), cell.parts, value)
+        size = self.new.areas.get((row, col)) if formula else None
+        if size is not None or not self.new.is_stored(row, col, value, formula):
+            area = "" if size is None else f' ref="{area_name(row, col, *size)}"'
+            self._replace(Span(cell.start, last), cell.parts, value, area)
 
-    def _replace(self, span: Span, parts: Iterable[tuple[str, Span]], value: Scalar) -> None:
+    def _replace(self, span: Span, parts: Iterable[tuple[str, Span]], value: Scalar, area: str) -> None:
+        """Give a cell another value; `area` is the attribute that its array formula gets, "" to leave it."""
         raw = self.raw
         stop, head_stop = raw.end(span), raw.end_of_tag(span.start)
         element = self._element(value)
@@ -94,6 +101,9 @@ class _Refresh:
         for name, part in parts:
             if name == "f":
                 behind = raw.end(part)
+                if area:
+                    stop = raw.end_of_tag(part.start)
+                    raw.replace(Edit(part.start, stop, with_attributes(raw.cut(part.start, stop), _AREA, area)))
             elif name in ("v", "is"):
                 old.append(part)
         if not old:
