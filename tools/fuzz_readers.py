@@ -159,6 +159,9 @@ def workbook_case(sources: list[tuple[str, Parts]], rng: random.Random, folder: 
                 value = stored[sheet.casefold()].get(row, col)
                 return value if rng.random() < 0.9 else 17.25
 
+            def spill(self, sheet: str, row: int, col: int) -> tuple[int, int] | None:
+                return rng.choice((None, (1, 1), (4, 2)))
+
         refresh(path, folder / f"out{suffix}", book, Values(), changes)
         read(folder / f"out{suffix}")
 
@@ -168,7 +171,7 @@ def workbook_case(sources: list[tuple[str, Parts]], rng: random.Random, folder: 
 DIALECTS = ("excel", "openformula")
 OPERANDS = [
     "A1", "$A$1", "A:A", "1:1", "Sheet1!A1", "'It''s'!B2:C3", "[1]S!A1", "S1:S3!A1", "T[c]", "T[[#This Row],[c]]", "A1#",
-    "rate", "{1,2;3,4}", "1", "1e308", ".5", "1.", "TRUE", '"a""b"', "#N/A", "#REF!", "XFD1048576", "Sheet1!#REF!", "A1:B2 B1:C9",
+    "A1:B2 B1:C9", "rate", "{1,2;3,4}", "1", "1e308", ".5", "1.", "TRUE", '"a""b"', "#N/A", "#REF!", "XFD1048576",
 ]  # fmt: skip
 OPERATORS = ["+", "-", "*", "/", "^", "&", "=", "<>", "<=", ":", " ", ","]
 FUNCTIONS = [

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import openpyxl
 import pytest
+import xlsxwriter
 from ods_files import cell, content, number, row, table, text, write_ods
 from openpyxl.comments import Comment
 from openpyxl.worksheet.datavalidation import DataValidation
@@ -317,3 +318,63 @@ class TestOds:
         with pytest.raises(WorkbookError, match="can be read, but not written"):
             refreshed(write_ods(tmp_path / "a.ods", xml), tmp_path / "b.ods")
         assert not (tmp_path / "b.ods").exists()
+
+
+class TestArrays:
+    """Cells that show a part of an array have no formula of their own."""
+
+    @staticmethod
+    def book(path, formula, area, value, dynamic):
+        with xlsxwriter.Workbook(path) as workbook:
+            sheet = workbook.add_worksheet("S")
+            sheet.write_column("A1", [3, 1, 2])
+            sheet.write_number("B1", 2)
+            write = sheet.write_dynamic_array_formula if dynamic else sheet.write_array_formula
+            write(area, formula, None, value)
+            sheet.write_string("E9", "stays")
+        return path
+
+    def test_an_array_formula(self, tmp_path):
+        source = self.book(tmp_path / "a.xlsx", "{=A1:A3*B1}", "C1:C3", 0, False)
+        book = refreshed(source, tmp_path / "b.xlsx", {"S!B1": 10})
+        assert [book.sheets[0].cached.get(row, 2) for row in range(3)] == [30.0, 10.0, 20.0]
+        again = refreshed(tmp_path / "b.xlsx", tmp_path / "c.xlsx", {"S!B1": 2})
+        assert [again.sheets[0].cached.get(row, 2) for row in range(3)] == [6.0, 2.0, 4.0]
+        sheet = openpyxl.load_workbook(tmp_path / "c.xlsx", data_only=True)["S"]
+        assert [[cell.value for cell in row] for row in sheet["A1:C3"]] == [[3, 2, 6], [1, None, 2], [2, None, 4]]
+
+    def test_a_dynamic_array_grows_and_shrinks(self, tmp_path):
+        source = self.book(tmp_path / "a.xlsx", "=SEQUENCE(B1,2)", "C2:D3", 0, True)
+        grown = refreshed(source, tmp_path / "b.xlsx", {"S!B1": 4})
+        (block,) = grown.sheets[0].blocks
+        assert (block.rows, block.cols, block.kind) == (4, 2, "spill")
+        assert [grown.sheets[0].cached.get(row, 3) for row in range(1, 6)] == [2.0, 4.0, 6.0, 8.0, None]
+        shrunk = refreshed(tmp_path / "b.xlsx", tmp_path / "c.xlsx", {"S!B1": 1})
+        (block,) = shrunk.sheets[0].blocks
+        assert (block.rows, block.cols) == (1, 2)
+        sheet = openpyxl.load_workbook(tmp_path / "c.xlsx", data_only=True)["S"]
+        shown = [[cell.value for cell in row] for row in sheet["C1:D5"]]
+        assert shown == [[None, None], [1, 2], [None, None], [None, None], [None, None]]
+        assert sheet["E9"].value == "stays"
+
+    def test_an_array_of_an_ods(self, tmp_path):
+        spanned = 'table:number-matrix-columns-spanned="2" table:number-matrix-rows-spanned="1"'
+        array = cell(f'table:formula="of:=[.A1]*{{1;2}}" {spanned} office:value-type="float" office:value="3"')
+        source = write_ods(tmp_path / "a.ods", content(table(row(number(3), array, number(6)))))
+        book = refreshed(source, tmp_path / "b.ods", {"S!A1": 5})
+        assert [book.sheets[0].cached.get(0, col) for col in (1, 2)] == [5.0, 10.0]
+        assert list(book.sheets[0].constants.items()) == [(0, 0, 5.0)]
+
+
+def test_cells_out_of_order_are_read_but_not_set(tmp_path):
+    xml = '<worksheet><sheetData><row r="2"><c r="A2"><f>A1*2</f><v>0</v></c></row><row r="1"><c r="A1"><v>4</v></c></row>'
+    source = tmp_path / "a.xlsx"
+    with xlsxwriter.Workbook(tmp_path / "plain.xlsx") as workbook:
+        workbook.add_worksheet("S")
+    with zipfile.ZipFile(tmp_path / "plain.xlsx") as old, zipfile.ZipFile(source, "w") as new:
+        for name in old.namelist():
+            new.writestr(name, f"{xml}</sheetData></worksheet>" if name.endswith("sheet1.xml") else old.read(name))
+    assert refreshed(source, tmp_path / "b.xlsx").sheets[0].cached.get(1, 0) == 8.0
+    with pytest.raises(WorkbookError, match="out of order"):
+        refreshed(source, tmp_path / "c.xlsx", {"S!A1": 5})
+    assert not (tmp_path / "c.xlsx").exists()

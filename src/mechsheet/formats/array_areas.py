@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from mechsheet.formula.references import parse_cell
 from .cell_faults import CellFaults
 
 _MOST = 1 << 24
-"""Cells of an array formula: more of them are a mistake, or meant to fill the memory."""
+"""Cells of all array formulas of a sheet: more of them are a mistake, or meant to fill the memory."""
 
 
 class ArrayText(NamedTuple):
@@ -41,7 +42,12 @@ def array_text(row: int, col: int, ref: str, text: str, dynamic: bool) -> ArrayT
 def give_arrays(sheet: BookSheet, arrays: Iterable[ArrayText], faults: CellFaults) -> None:
     """Put array formulas into a sheet that has been read. The values in their areas are results, not constants."""
     taken: list[Block] = []
+    cells = 0
     for array in arrays:
+        cells += array.rows * array.cols
+        if cells > _MOST:
+            faults.note(f"array formulas over more than {_MOST} cells: this is no workbook", array.row, array.col)
+            break
         area = array.row, array.col, array.rows, array.cols
         formula = faults.formula(array.text, area)
         if formula is None:
@@ -61,11 +67,14 @@ def give_arrays(sheet: BookSheet, arrays: Iterable[ArrayText], faults: CellFault
 def _move_values(sheet: BookSheet, blocks: list[Block]) -> None:
     """What stands as a constant inside the areas is a stored result."""
     areas: dict[int, list[tuple[int, int]]] = {}
-    for block in blocks:
+    for block in sorted(blocks, key=lambda block: block.row):
         for col in range(block.col, block.col + block.cols):
             areas.setdefault(col, []).append((block.row, block.row + block.rows))
     constants = CellStore()
     for row, col, value in sheet.constants.items():
-        inside = any(first <= row < end for first, end in areas.get(col, ()))
+        here = areas.get(col, ())
+        # Areas that overlap are refused later; the last that begins above is the one to look at in all others.
+        index = bisect_right(here, (row, MAX_ROWS + 1)) - 1
+        inside = index >= 0 and row < here[index][1]
         (sheet.cached if inside else constants).put(row, col, value)
     sheet.constants = constants

@@ -46,6 +46,7 @@ class _Refresh:
         self.raw = RawXml()
         self.prefix = ""
         self.waiting = sorted(new.changes)
+        self.last = (-1, -1)
 
     def pieces(self) -> Iterator[bytes]:
         """The part with its new values."""
@@ -60,6 +61,13 @@ class _Refresh:
         del version, standalone
         if encoding is not None and encoding.lower() not in ("utf-8", "us-ascii"):
             raise self.package.fault(f"the part is written in {encoding}, not in UTF-8", self.part)
+
+    def passes(self, place: tuple[int, int]) -> None:
+        """A cell or row begins. New cells are put between others by their places, which must be in order for that."""
+        if self.new.changes and place <= self.last:
+            message = "rows or cells out of order: the sheet can be read, but no other cells can be set in it"
+            raise self.package.fault(message, self.part)
+        self.last = place
 
     def before(self, place: tuple[int, int]) -> list[tuple[int, int]]:
         """Cells that were set, come before `place`, and have no element of their own in the file."""
@@ -95,7 +103,7 @@ class _Refresh:
         if raw.is_empty(span):
             raw.replace(Edit(span.start, stop, opened(head) + element + end_tag(head) if element else head))
             return
-        raw.replace(Edit(span.start, head_stop, head))
+        edits = [Edit(span.start, head_stop, head)]
         behind = head_stop
         old: list[Span] = []
         for name, part in parts:
@@ -103,13 +111,14 @@ class _Refresh:
                 behind = raw.end(part)
                 if area:
                     stop = raw.end_of_tag(part.start)
-                    raw.replace(Edit(part.start, stop, with_attributes(raw.cut(part.start, stop), _AREA, area)))
+                    edits.append(Edit(part.start, stop, with_attributes(raw.cut(part.start, stop), _AREA, area)))
             elif name in ("v", "is"):
                 old.append(part)
         if not old:
-            raw.replace(Edit(behind, behind, element))
-        for index, part in enumerate(old):
-            raw.replace(Edit(part.start, raw.end(part), b"" if index else element))
+            edits.append(Edit(behind, behind, element))
+        edits += [Edit(part.start, raw.end(part), b"" if index else element) for index, part in enumerate(old)]
+        for edit in sorted(edits):
+            raw.replace(edit)
 
     def cells(self, places: Iterable[tuple[int, int]]) -> bytes:
         """New cells."""
@@ -187,11 +196,13 @@ def _handlers(refresh: _Refresh, parser: expat.XMLParserType) -> _Cell:
                     col = columns[letters] = column_index(letters)
             else:
                 col += 1
+            refresh.passes((row, col))
             if refresh.waiting and (places := refresh.before((row, col))):
                 refresh.raw.replace(Edit(cell.start, cell.start, refresh.cells(places)))
         elif name == "row":
             row = int(attributes["r"]) - 1 if "r" in attributes else row + 1
             col = -1
+            refresh.passes((row, -1))
             around[name] = parser.CurrentByteIndex
             if refresh.waiting and (places := refresh.before((row, 0))):
                 refresh.raw.replace(Edit(around[name], around[name], refresh.rows(places)))
