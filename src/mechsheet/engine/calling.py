@@ -16,7 +16,7 @@ from ..formula.functions import Function
 from ..formula.nodes import ErrorValue, Missing, Node, Scalar
 from .coerce import numbers_of, text_to_number, to_text
 from .frames import Frame, VaryingSizeError
-from .values import BLANK, ERROR, ERROR_NAMES, NUMBER, Cells, Numbers, Texts, codes_of, error_code
+from .values import BLANK, ERROR, ERROR_NAMES, NUMBER, Cells, Numbers, Texts, codes_of, error_code, fitted
 
 if TYPE_CHECKING:
     from .careful import Evaluator
@@ -240,6 +240,7 @@ def spread_cells(table: Cells) -> Cells:
 
 def _each_key(call: _Call, lifted: list[Cells]) -> Cells:
     """The function's results over the common shape of its single values."""
+    lifted = list(fitted(*lifted))
     shape = np.broadcast_shapes(*(cells.shape for cells in lifted)) if lifted else ()
     if shape == ():
         found = call(tuple((float(cells.numbers), 0 if cells.codes is None else int(cells.codes)) for cells in lifted))

@@ -24,7 +24,7 @@ def intersected(node: Node) -> Node:
         case Call(name, args):
             kinds = _kinds(name, len(args))
             changed = [
-                _singled(arg) if kind in _LISTS and _computes(arg) else arg if kind in "rmqf" else intersected(arg)
+                _singled(arg) if kind in _LISTS and _computes(arg) else arg if kind in "rmqfgl" else intersected(arg)
                 for arg, kind in zip(args, kinds, strict=True)
             ]
             return _replaced(node, changed)

@@ -318,7 +318,7 @@ def from_fraction(value: float, denominator: float) -> float:
     if below == 0:
         raise Problem("#DIV/0!")
     whole = math.trunc(value)
-    return whole + (value - whole) * 10 ** math.ceil(math.log10(below)) / below
+    return whole + (value - whole) * math.pow(10, math.ceil(math.log10(below))) / below
 
 
 def to_fraction(value: float, denominator: float) -> float:
@@ -328,7 +328,7 @@ def to_fraction(value: float, denominator: float) -> float:
     if below == 0:
         raise Problem("#DIV/0!")
     whole = math.trunc(value)
-    return whole + (value - whole) * below / 10 ** math.ceil(math.log10(below))
+    return whole + (value - whole) * below / math.pow(10, math.ceil(math.log10(below)))
 
 
 def grown(principal: float, rates: Cells) -> float:

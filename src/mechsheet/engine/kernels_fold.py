@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..formula.nodes import ArrayLiteral, Binary, CellRef, Node, Number, RangeRef
+from ..formula.nodes import ArrayLiteral, Binary, CellRef, Node, RangeRef
 from .coerce import numbers_of
-from .frames import Frame, UnsupportedError
+from .frames import Frame
 from .kernels_logic import _first_of, _flat
 from .values import (
     BLANK,
@@ -241,44 +241,6 @@ def sumproduct(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return finished(np.add.reduce(product_of), errors)
 
 
-_AGGREGATES: dict[int, Callable[[Any, Any], Any]] = {
-    1: mean, 2: count, 4: greatest, 5: least, 6: product, 9: total, 12: median,
-}  # fmt: skip
-
-
-def aggregate(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-    """AGGREGATE(function, option, values…): options 2, 3, 6, 7 leave errors out. Hidden rows count: none is known."""
-    if not isinstance(args[0], Number) or not isinstance(args[1], Number):
-        raise UnsupportedError("AGGREGATE is supported with its first two arguments written as numbers")
-    function, option = int(args[0].value), int(args[1].value)
-    ranked_from_top = {14: True, 15: False}.get(function)
-    if function not in _AGGREGATES and function != 3 and ranked_from_top is None:
-        raise UnsupportedError(f"AGGREGATE({function}, ...) is not supported")
-    if function == 3:
-        return _aggregate_counta(ev, args[2:], frame, option)
-    values = args[2:3] if ranked_from_top is not None else args[2:]
-    numbers, counts, errors = gather(ev, values, frame)
-    found_errors = None if errors is None or option in (2, 3, 6, 7) else _first_of(errors)
-    if ranked_from_top is None:
-        return folded(_AGGREGATES[function], numbers, counts & ~np.isnan(numbers), found_errors)
-    if len(args) < 4:
-        return error(VALUE)
-    place, place_errors = numbers_of(ev.value(args[3], frame, spread), ev.texts)
-    found, own = ranked(numbers, counts & ~np.isnan(numbers), place, ranked_from_top)
-    return finished(found, first_error(found_errors, place_errors, own))
-
-
-def _aggregate_counta(ev: Evaluator, args: Args, frame: Frame, option: int) -> Cells:
-    if option not in (2, 3, 6, 7):
-        return counta(ev, args, frame, False)
-    number: Any = np.float64(0)
-    for arg in args:
-        cells = ev.value(arg, frame, spread=True)
-        codes = np.broadcast_to(codes_of(cells), cells.shape)
-        number = number + np.add.reduce(_flat((codes != BLANK) & (codes < ERROR)).astype(np.float64))
-    return Cells(number)
-
-
 def count_numbers(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """COUNT: numbers in cells, and arguments that show a number; errors do not count and do not matter."""
     del spread
@@ -290,5 +252,5 @@ KERNELS: dict[str, Any] = {
     "SUM": fold(total), "SUMSQ": fold(squares), "PRODUCT": fold(product), "AVERAGE": fold(mean),
     "MIN": fold(least), "MAX": fold(greatest), "COUNT": count_numbers, "MEDIAN": fold(median),
     "COUNTA": counta, "COUNTBLANK": countblank, "SUMPRODUCT": sumproduct, "LARGE": _by_rank(True),
-    "SMALL": _by_rank(False), "AGGREGATE": aggregate,
+    "SMALL": _by_rank(False),
 }  # fmt: skip

@@ -3,35 +3,28 @@ and is searched for all cells of the frame at once; where it moves, each cell is
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..formula.nodes import ErrorValue, Missing, Node, RangeRef
+from ..formula.nodes import Missing, Node, RangeRef
 from .calling import table_of
-from .coerce import compare_numbers, numbers_of, text_to_number, truths_of
-from .frames import Frame, VaryingSizeError
-from .kernels_fold import greatest, least, total
+from .coerce import compare_numbers, numbers_of, truths_of
+from .frames import Frame
 from .values import (
     BLANK,
     BOOLEAN,
-    DIV0,
     ERROR,
-    ERROR_NAMES,
     NA,
     NUMBER,
     REF,
-    TEXT,
     VALUE,
     Cells,
     choose,
     codes_of,
     error,
-    error_code,
     errors_of,
-    finished,
     first_error,
 )
 from .wildcards import pattern_of
@@ -218,138 +211,7 @@ def lookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return _or_error(Cells(line.numbers[along], line.codes[along]), found.codes)
 
 
-_CRITERION = re.compile(r"(<=|>=|<>|<|>|=)?(.*)", re.DOTALL)
-
-
-def criterion(value: Any, ev: Evaluator) -> Callable[[Cells], Any]:
-    """The test that a criterion (">3", "=x*", 5, …) makes: cells -> mask."""
-    if isinstance(value, ErrorValue):
-        code, _ = ev.texts.encode(value)
-        wanted = ev.texts.encode(value)[1]
-        return lambda cells: codes_of(cells) == wanted
-    if not isinstance(value, str):
-        number, code = ev.texts.encode(value)
-        code = NUMBER if code == BLANK else code
-        return lambda cells: (codes_of(cells) == code) & compare_numbers("=", cells.numbers, number)
-    match_ = _CRITERION.fullmatch(value)
-    op, word = (match_.group(1) or "=", match_.group(2)) if match_ else ("=", value)
-    shown = text_to_number(word)
-    if shown is not None:
-        number = shown
-        if op == "<>":
-            return lambda cells: ~((codes_of(cells) == NUMBER) & compare_numbers("=", cells.numbers, number))
-        return lambda cells: (codes_of(cells) == NUMBER) & compare_numbers(op, cells.numbers, number)
-    return _text_criterion(op, word, bool(match_ and match_.group(1)), ev)
-
-
-def _text_criterion(op: str, word: str, explicit: bool, ev: Evaluator) -> Callable[[Cells], Any]:
-    if word.upper() in ERROR_NAMES and op in ("=", "<>"):
-        wanted = error_code(word)
-        return lambda cells: (codes_of(cells) == wanted) ^ (op == "<>")
-    if word.upper() in ("TRUE", "FALSE") and op in ("=", "<>"):
-        flag = float(word.upper() == "TRUE")
-        return lambda cells: ((codes_of(cells) == BOOLEAN) & (cells.numbers == flag)) ^ (op == "<>")
-    if word == "":
-        blank = {"=": lambda c: c == BLANK, "<>": lambda c: c != BLANK}
-        if explicit:
-            return lambda cells: blank.get(op, lambda c: c != c)(codes_of(cells))
-        empty = ev.texts.number("")
-        return lambda cells: (codes_of(cells) == BLANK) | ((codes_of(cells) == TEXT) & (cells.numbers == empty))
-    fits = wildcard(word)
-    folded = word.casefold()
-    tests: dict[str, Callable[[str], bool]] = {
-        "=": fits, "<>": lambda text: not fits(text), "<": lambda text: text.casefold() < folded,
-        "<=": lambda text: text.casefold() <= folded, ">": lambda text: text.casefold() > folded,
-        ">=": lambda text: text.casefold() >= folded,
-    }  # fmt: skip
-
-    def mask(cells: Cells) -> Any:
-        is_text = codes_of(cells) == TEXT
-        result = np.full(np.shape(cells.numbers), False) if op != "<>" else ~is_text
-        for key in np.unique(cells.numbers[is_text]):
-            if tests[op](ev.texts.text(key)):
-                result = result | (is_text & (cells.numbers == key))
-        return result
-
-    return mask
-
-
-def _selected(ev: Evaluator, pairs: Args, frame: Frame) -> Any:
-    """Which cells fit all criteria: (mask over the common shape of the ranges), None when their sizes differ."""
-    result: Any = None
-    for place in range(0, len(pairs), 2):
-        table = table_of(ev, pairs[place], frame)
-        wanted = ev.value(pairs[place + 1], frame)
-        number, code = np.float64(wanted.numbers), 0 if wanted.codes is None else int(wanted.codes)
-        mask = criterion(ev.texts.decode(float(number), code), ev)(table)
-        if result is not None and result.shape != mask.shape:
-            return None
-        result = mask if result is None else result & mask
-    return result
-
-
-def _cell_by_cell(kernel: Any) -> Any:
-    """A kernel that computes one cell at a time (its criterion may differ from cell to cell)."""
-
-    def several(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-        if frame.rows > 1 or frame.cols > 1:
-            raise VaryingSizeError
-        found: Cells = kernel(ev, args, frame, spread)
-        return found
-
-    return several
-
-
-def _conditional(result: Callable[[Any, Any, Any], Cells], values_first: bool) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-        del spread
-        if values_first:
-            values, pairs = args[0], args[1:]
-        else:
-            values, pairs = (args[2] if len(args) > 2 else args[0]), args[:2]
-        if len(pairs) % 2:
-            return error(VALUE)
-        mask = _selected(ev, pairs, frame)
-        table = table_of(ev, values, frame)
-        if mask is None or (values_first and mask.shape != table.numbers.shape):
-            return error(VALUE)
-        height, width = min(mask.shape[0], len(table.numbers)), min(mask.shape[1], table.numbers.shape[1])
-        mask = mask[:height, :width]
-        numbers, codes = table.numbers[:height, :width], table.codes[:height, :width]
-        bad = np.flatnonzero((codes >= ERROR) & mask)
-        if len(bad):
-            return error(int(codes.flat[bad[0]]))
-        return result(numbers.ravel(), (mask & (codes == NUMBER)).ravel(), mask)
-
-    return _cell_by_cell(kernel)
-
-
-def _counting(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-    del spread
-    mask = _selected(ev, args, frame) if len(args) % 2 == 0 else None
-    if mask is None:
-        return error(VALUE)
-    found = float(np.count_nonzero(mask))
-    return Cells(np.float64(found))
-
-
-def _mean(numbers: Any, counts: Any, mask: Any) -> Cells:
-    del mask
-    many = np.count_nonzero(counts)
-    return Cells(np.float64(total(numbers, counts) / many)) if many else error(DIV0)
-
-
-def _sum(numbers: Any, counts: Any, mask: Any) -> Cells:
-    del mask
-    return finished(total(numbers, counts))
-
-
 KERNELS: dict[str, Any] = {
     "INDEX": index, "MATCH": match, "CHOOSE": choose_, "LOOKUP": lookup,
     "VLOOKUP": _table_lookup(True), "HLOOKUP": _table_lookup(False),
-    "COUNTIF": _cell_by_cell(_counting), "COUNTIFS": _cell_by_cell(_counting),
-    "SUMIF": _conditional(_sum, False), "SUMIFS": _conditional(_sum, True),
-    "AVERAGEIF": _conditional(_mean, False), "AVERAGEIFS": _conditional(_mean, True),
-    "MINIFS": _conditional(lambda n, c, m: Cells(np.float64(least(n, c))), True),
-    "MAXIFS": _conditional(lambda n, c, m: Cells(np.float64(greatest(n, c))), True),
 }  # fmt: skip

@@ -93,7 +93,11 @@ def _counting_all(function: Callable[[Any, Any], Any]) -> Any:
     return kernel
 
 
-_STDEV, _STDEV_P, _VAR, _VAR_P = _spread(True, True), _spread(False, True), _spread(True, False), _spread(False, False)
+SPREADS = {
+    "STDEV.S": _spread(True, True), "STDEV.P": _spread(False, True), "VAR.S": _spread(True, False),
+    "VAR.P": _spread(False, False),
+}  # fmt: skip
+_STDEV, _STDEV_P, _VAR, _VAR_P = SPREADS.values()
 
 KERNELS: dict[str, Any] = {
     "STDEV": fold(_STDEV), "STDEV.S": fold(_STDEV), "STDEVP": fold(_STDEV_P), "STDEV.P": fold(_STDEV_P),
@@ -184,13 +188,11 @@ def percentile(numbers: Numbers, share: float, exclusive: bool = False) -> float
     return float(ordered[low] + part * (ordered[low + 1] - ordered[low]))
 
 
-def _quartile(exclusive: bool) -> Callable[[Numbers, float], float]:
-    def of(numbers: Numbers, quarter: float) -> float:
-        which = math.trunc(quarter)
-        need(1 <= which <= 3 if exclusive else 0 <= which <= 4)
-        return percentile(numbers, which / 4, exclusive)
-
-    return of
+def quartile(numbers: Numbers, quarter: float, exclusive: bool = False) -> float:
+    """QUARTILE.INC and .EXC."""
+    which = math.trunc(quarter)
+    need(1 <= which <= 3 if exclusive else 0 <= which <= 4)
+    return percentile(numbers, which / 4, exclusive)
 
 
 def _percent_rank(exclusive: bool) -> Callable[..., float]:
@@ -252,6 +254,9 @@ def probability(places: Cells, shares: Cells, low: float, high: float | None = N
     return float(np.sum(p[inside & (places.codes.ravel() == NUMBER)]))
 
 
+MODES = _joined(lambda numbers: float(_modes(numbers)[0]), 1, "#N/A")
+"""MODE.SNGL."""
+
 PLAIN: dict[str, Callable[..., Any]] = {
     "AVEDEV": _joined(lambda numbers: float(np.mean(np.abs(numbers - numbers.mean())))),
     "GEOMEAN": _joined(_geometric),
@@ -259,16 +264,16 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "SKEW": _joined(_skew, 3, "#DIV/0!"),
     "SKEW.P": _joined(lambda numbers: float(np.mean(_standard(numbers, False) ** 3)), 3, "#DIV/0!"),
     "KURT": _joined(_kurtosis, 4, "#DIV/0!"),
-    "MODE": _joined(lambda numbers: float(_modes(numbers)[0]), 1, "#N/A"),
-    "MODE.SNGL": _joined(lambda numbers: float(_modes(numbers)[0]), 1, "#N/A"),
+    "MODE": MODES,
+    "MODE.SNGL": MODES,
     "MODE.MULT": lambda *parts: _modes(np.concatenate(parts))[:, None],
     "TRIMMEAN": trimmed_mean,
     "PERCENTILE": percentile,
     "PERCENTILE.INC": percentile,
     "PERCENTILE.EXC": lambda numbers, share: percentile(numbers, share, exclusive=True),
-    "QUARTILE": _quartile(False),
-    "QUARTILE.INC": _quartile(False),
-    "QUARTILE.EXC": _quartile(True),
+    "QUARTILE": quartile,
+    "QUARTILE.INC": quartile,
+    "QUARTILE.EXC": lambda numbers, quarter: quartile(numbers, quarter, exclusive=True),
     "PERCENTRANK": _percent_rank(False),
     "PERCENTRANK.INC": _percent_rank(False),
     "PERCENTRANK.EXC": _percent_rank(True),
