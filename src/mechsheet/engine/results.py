@@ -33,11 +33,6 @@ class Values:
         place = self._layout.place(self._sheet(sheet), row, col)
         return None if place < 0 else self.texts.decode(float(self._numbers[place]), int(self._codes[place]))
 
-    def spilled(self, sheet: str, row: int, col: int) -> tuple[int, int]:
-        """How many rows and columns the dynamic array has whose formula stands in a cell."""
-        area = self._layout.spill_at(self._sheet(sheet), row, col)
-        return (1, 1) if area is None else (area.rows, area.cols)
-
     def column(self, sheet: str, col: int, first_row: int, last_row: int) -> list[Scalar]:
         """The values of a column's rows first_row..last_row, both included."""
         numbers, codes = self._read(sheet, col, first_row, last_row)

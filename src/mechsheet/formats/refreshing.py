@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import Protocol
 
 from mechsheet.diagnostics import Fault, OutputError, readable_name
-from mechsheet.formula.book import Block, Book, BookSheet
+from mechsheet.formula.book import Book, BookSheet
 from mechsheet.formula.nodes import Scalar
-from mechsheet.formula.references import area_name
 
 from .archive import new_archive
 from .package import Package, part_key
@@ -24,10 +23,6 @@ class CellValues(Protocol):
 
     def get(self, sheet: str, row: int, col: int) -> Scalar:
         """The value of a cell."""
-        ...
-
-    def spilled(self, sheet: str, row: int, col: int) -> tuple[int, int]:
-        """How many rows and columns the dynamic array has whose formula stands in a cell."""
         ...
 
     def spill(self, sheet: str, row: int, col: int) -> tuple[int, int] | None:
@@ -49,26 +44,6 @@ class NewValues:
         self.areas: dict[tuple[int, int], tuple[int, int]] = {}
         self._in_arrays = self._arrays()
         self.changes = {(row, col): value for (name, row, col), value in changes.items() if name.casefold() == title}
-        self.refs: dict[tuple[int, int], str] = {}
-        for block in sheet.blocks:
-            if block.kind != "fill":
-                self._array(block)
-
-    def _array(self, block: Block) -> None:
-        """Note what an array shows that is not what the file holds: cells without a formula of their own."""
-        rows, cols = block.rows, block.cols
-        if block.kind == "spill":
-            rows, cols = self._values.spilled(self._sheet.title, block.row, block.col)
-            if (rows, cols) != (block.rows, block.cols):
-                self.refs[block.row, block.col] = area_name(block.row, block.col, rows, cols)
-        for col in range(block.col, block.col + max(cols, block.cols)):
-            for row in range(block.row, block.row + max(rows, block.rows)):
-                inside = row < block.row + rows and col < block.col + cols
-                stored = row < block.row + block.rows and col < block.col + block.cols
-                if (row, col) != (block.row, block.col) and (row, col) not in self.changes and (inside or stored):
-                    value = self.result(row, col) if inside else self._sheet.constants.get(row, col)
-                    if not self.is_stored(row, col, value, True):
-                        self.changes[row, col] = value
         self.changes.update({place: value for place, value in self._in_arrays.items() if place not in self.changes})
 
     def _arrays(self) -> dict[tuple[int, int], Scalar]:

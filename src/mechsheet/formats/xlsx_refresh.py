@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from xml.parsers import expat
@@ -45,7 +46,7 @@ class _Refresh:
         self.package, self.part, self.new = package, part, new
         self.raw = RawXml()
         self.prefix = ""
-        self.waiting = sorted(new.changes)
+        self.waiting = deque(sorted(new.changes))
         self.last = (-1, -1)
 
     def pieces(self) -> Iterator[bytes]:
@@ -71,16 +72,16 @@ class _Refresh:
 
     def before(self, place: tuple[int, int]) -> list[tuple[int, int]]:
         """Cells that were set, come before `place`, and have no element of their own in the file."""
-        count = next((n for n, waiting in enumerate(self.waiting) if waiting >= place), len(self.waiting))
-        taken = self.waiting[:count]
-        del self.waiting[:count]
+        taken = []
+        while self.waiting and self.waiting[0] < place:
+            taken.append(self.waiting.popleft())
         return taken
 
     def is_set(self, row: int, col: int) -> bool:
         """Whether the cell is the next of those that were set."""
         if not self.waiting or self.waiting[0] != (row, col):
             return False
-        del self.waiting[0]
+        self.waiting.popleft()
         return True
 
     def cell(self, row: int, col: int, cell: _Cell, last: int) -> None:
