@@ -44,7 +44,7 @@ def audit(book: Book, expected: Expected) -> Audit:
         edits += [_edit(change, sheet, other) for change in found]
         edits += _numbers(sheet, other, inputs)
         remarks += _constants(sheet, other, inputs, expected)
-        remarks += _added(sheet, other)
+        remarks += _added(sheet, other, inputs)
         formulas += sum(block.rows * block.cols for block in sheet.blocks)
         differing += sum(change.rows * change.cols for change in found)
     if formulas and differing > MANY * formulas:
@@ -203,14 +203,18 @@ def same(one: Scalar, other: Scalar) -> bool:
 
 
 def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Expected) -> Iterator[str]:
-    """Inputs that were changed, and texts."""
-    position = expected.plan.at.spots["#position"]
+    """Inputs that were changed, and texts. Not the position shown, which says nothing, nor modes: others tell of them."""
+    spots = expected.plan.at.spots
+    silent = {
+        spots[key] for key in ("#position", *(group.mode for group in expected.plan.equations.groups if group.mode))
+    }
+    places = {(spot.sheet, spot.row, spot.col) for spot in silent}
     texts: list[str] = []
     theirs = Formulas(other)
     for row, col, value in sheet.constants.items():
         now = other.constants.get(row, col)
         place = (sheet.title, row, col)
-        if same(value, now) or theirs.at(row, col) is not None or place == (position.sheet, position.row, position.col):
+        if same(value, now) or theirs.at(row, col) is not None or place in places:
             continue
         if place in inputs:
             symbol = inputs[place] or cell_address(*place)
@@ -226,12 +230,13 @@ def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Exp
         yield f"{sheet.title}: texts changed in {_listed(texts)}"
 
 
-def _added(sheet: BookSheet, other: BookSheet) -> Iterator[str]:
+def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs) -> Iterator[str]:
     """Cells of the user's own on free places."""
     ours, theirs = Formulas(sheet), Formulas(other)
 
     def is_free(row: int, col: int) -> bool:
-        return ours.block(row, col) is None and sheet.constants.get(row, col) is None
+        taken = ours.block(row, col) is not None or sheet.constants.get(row, col) is not None
+        return not taken and (sheet.title, row, col) not in inputs
 
     cells = {(row, col) for row, col, value in other.constants.items() if value not in (None, "") and is_free(row, col)}
     for col, start, stop in stretches(theirs, Formulas(None)):

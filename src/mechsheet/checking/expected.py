@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from mechsheet.compute import book_of
 from mechsheet.description import loads
+from mechsheet.description.locate import located
+from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import DESCRIPTION_SHEET, lay_out
@@ -43,8 +45,16 @@ class Expected:
         return found
 
 
-def expected_for(text: str, shown: str) -> Expected:
-    """What the description `text` builds (`shown`: the file it was found in, for messages). Raises MechsheetError."""
-    mechanism = loads(text, file=f"{shown} (description inside)")
-    workbook, plan = lay_out(mechanism, solve(mechanism))
+def expected_for(text: str, file: str) -> Expected:
+    """What the description `text` builds; `file` is what messages call it. Raises MechsheetError."""
+    mechanism = loads(text, file=file)
+    try:
+        workbook, plan = lay_out(mechanism, solve(mechanism))
+    except MechanismError as error:
+        raise located(error, mechanism.text, file) from error
     return Expected(workbook, book_of(workbook), plan)
+
+
+def inside(shown: str) -> str:
+    """What messages call the description in a workbook's file."""
+    return f"{shown} (description inside)"

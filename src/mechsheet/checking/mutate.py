@@ -14,7 +14,7 @@ from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.audit import audit
 from mechsheet.checking.cells import Angles, angles_in
 from mechsheet.checking.damage import Damage, damages
-from mechsheet.checking.expected import Expected, expected_for
+from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.perturb import description_or_fault, workbook_of
 from mechsheet.checking.report import TOLERANCE
 from mechsheet.diagnostics import WorkbookError, readable_name
@@ -136,7 +136,7 @@ class _Run:
     def __init__(self, path: Path, shown: str, seed: int) -> None:
         self.shown, self.seed = shown, seed
         self.book = read(path)
-        self.expected: Expected = expected_for(description_or_fault(self.book, shown), shown)
+        self.expected: Expected = expected_for(description_or_fault(self.book, shown), inside(shown))
         self.values = compile_book(self.book).evaluate()
         self.angles = angles_in(self.expected.plan)
         self.names = sorted(name.name for name in self.book.names if name.sheet is None)

@@ -17,6 +17,7 @@ from .check import check
 from .export import export
 from .new import new
 from .plot import plot
+from .pull import pull
 from .recalc import recalc
 from .schema import schema
 from .show import show
@@ -58,5 +59,5 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show, export, schema):
+for command in (new, build, check, recalc, plot, show, export, schema, pull):
     main.add_command(command)

@@ -1,0 +1,112 @@
+"""What a person has typed into the input cells of a workbook, against the description that it carries."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from mechsheet.checking.audit import same
+from mechsheet.checking.expected import Expected
+from mechsheet.checking.report import text_of
+from mechsheet.diagnostics import Fault, WorkbookError
+from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import Scalar
+from mechsheet.formula.references import cell_address
+from mechsheet.sheet.plan import DRIVER, TOLERANCE, VALUE
+
+Key = tuple[str | int, ...]
+"""Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),
+("driver", "values", 3), ("tables", 0, 2)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One input cell whose number is another one; both as the cell has them. `now` None: a tolerance that was emptied."""
+
+    key: Key
+    was: float | None
+    now: float | None
+
+    @property
+    def name(self) -> str:
+        """What a person calls it."""
+        match self.key:
+            case ("tolerance", symbol):
+                return f"tolerance of {symbol}"
+            case ("driver", "values", int(index)):
+                return f"driver value {index + 1}"
+            case ("tables", int(table), int(column)):
+                return f"column {column + 1} of table {table + 1}"
+        return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[1]} of the driver"
+
+
+def changes_in(book: Book, expected: Expected, shown: str) -> list[Change]:
+    """All of them. Raises WorkbookError where an input cell holds something else than a number."""
+    found: list[Change] = []
+    faults: list[Fault] = []
+    for key, (title, row, col) in input_places(expected):
+        sheet, original = book.sheet(title), expected.book.sheet(title)
+        if sheet is None or original is None:
+            faults.append(Fault(f'the sheet "{title}" is missing', shown))
+            break
+        was, now = original.constants.get(row, col), sheet.constants.get(row, col)
+        cell = cell_address(title, row, col)
+        if sheet.formula_at(row, col) is not None:
+            faults.append(Fault("holds a formula now; only numbers can be taken over", shown, key=cell))
+        elif not same(was, now):
+            number = _number(now)
+            if number is None and not (now is None and key[0] == "tolerance"):
+                what = text_of(now) or "an empty cell"
+                faults.append(Fault(f"must hold a number, not {what}", shown, key=cell))
+                continue
+            found.append(Change(key, _number(was), number))
+    if faults:
+        raise WorkbookError(faults)
+    return found
+
+
+def _number(value: Scalar) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, float | int) or not math.isfinite(value):
+        return None
+    return float(value)
+
+
+def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]]]:
+    """Every input that a description keeps, and its cell: not the position shown."""
+    plan = expected.plan
+    mechanism = plan.mechanism
+    for symbol, row in plan.blocks["dimensions"].rows.items():
+        yield ("dimensions", symbol), (plan.main, row, VALUE)
+        yield ("tolerance", symbol), (plan.main, row, TOLERANCE)
+    if "assembly" in plan.blocks:
+        for symbol, row in plan.blocks["assembly"].rows.items():
+            yield ("mode", symbol), (plan.main, row, VALUE)
+    if "sweep" in plan.blocks:
+        for key in ("start", "step"):
+            if not isinstance(getattr(mechanism.driver, key), str):
+                yield ("driver", key), (plan.main, plan.blocks["sweep"].rows[key], VALUE)
+    for index, value in enumerate(mechanism.driver.values):
+        if not isinstance(value, str):
+            yield ("driver", "values", index), (plan.table, plan.at.first + index, DRIVER)
+    yield from _table_places(expected)
+
+
+def _table_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]]]:
+    """The heads of the two-way tables: the input cells of the sheets after the drawing, in the order of the tables."""
+    plan = expected.plan
+    others = set(plan.at.titles.values())
+    sheets = [sheet for sheet in expected.workbook.sheets if sheet.title not in others]
+    for table, (sheet, request) in enumerate(zip(sheets, plan.mechanism.tables, strict=True)):
+        cells = sorted(
+            (cell.row, cell.col) for cell in sheet.cells if cell.content is not None and not cell.style.locked
+        )
+        heads = [cell for cell in cells if isinstance(_content(expected, sheet.title, cell), float | int)]
+        given = [index for index, quantity in enumerate(request.columns) if not isinstance(quantity, str)]
+        for index, (row, col) in zip(given, heads, strict=True):
+            yield ("tables", table, index), (sheet.title, row, col)
+
+
+def _content(expected: Expected, title: str, cell: tuple[int, int]) -> Scalar:
+    sheet = expected.book.sheet(title)
+    return None if sheet is None else sheet.constants.get(*cell)
