@@ -72,13 +72,18 @@ def gather(ev: Evaluator, args: Args, frame: Frame) -> Gathered:
     tail = np.broadcast_shapes(*(np.shape(part.numbers)[1:] for part in parts))
 
     def joined(arrays: list[Any]) -> Any:
-        return np.concatenate([np.broadcast_to(array, (len(array), *tail)) for array in arrays])
+        return np.concatenate([np.broadcast_to(_with_axes(array, len(tail)), (len(array), *tail)) for array in arrays])
 
     errors = None
     if any(part.errors is not None for part in parts):
         none = [np.zeros(np.shape(part.numbers), np.uint8) for part in parts]
         errors = joined([zero if p.errors is None else p.errors for p, zero in zip(parts, none, strict=True)])
     return Gathered(joined([p.numbers for p in parts]), joined([p.counts for p in parts]), errors)
+
+
+def _with_axes(array: Any, count: int) -> Any:
+    """An array with `count` axes of the frame behind its first one."""
+    return np.reshape(array, (len(array), *(1,) * (count + 1 - np.ndim(array)), *np.shape(array)[1:]))
 
 
 def _part(ev: Evaluator, arg: Node, frame: Frame) -> Gathered:

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..formula.nodes import CellRef, Missing, Node, RangeRef
+from ..formula.nodes import CellRef, Missing, Node
 from .coerce import truths_of
-from .frames import Frame
+from .frames import Frame, Span, VaryingSizeError
 from .values import (
     BLANK,
     BOOLEAN,
@@ -25,6 +25,7 @@ from .values import (
     error,
     errors_of,
     first_error,
+    fitted,
 )
 
 if TYPE_CHECKING:
@@ -35,12 +36,26 @@ Args = tuple[Node, ...]
 
 def if_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """IF: an error of the condition, else the branch taken; the other branch matters nowhere."""
-    mask, errors = truths_of(ev.value(args[0], frame, spread), ev.texts)
+    condition = ev.value(args[0], frame, spread)
+    mask, errors = truths_of(condition, ev.texts)
+    if np.ndim(mask) > 2:
+        return _if_of_array(ev, args, frame, spread, condition)
     if errors is None and np.all(mask):
         return _branch(ev, args, 1, frame, spread)
     if errors is None and not np.any(mask):
         return _branch(ev, args, 2, frame, spread)
     result = choose(mask, _branch(ev, args, 1, frame, spread), _branch(ev, args, 2, frame, spread))
+    return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
+
+
+def _if_of_array(ev: Evaluator, args: Args, frame: Frame, spread: bool, condition: Cells) -> Cells:
+    """IF with an array for its condition: as large as the largest of condition and branches."""
+    mask, errors = truths_of(condition, ev.texts)
+    then = _branch(ev, args, 1, frame, spread) if np.any(mask) else Cells(np.float64(0))
+    otherwise = Cells(np.float64(0)) if np.all(mask) else _branch(ev, args, 2, frame, spread)
+    condition, then, otherwise = fitted(condition, then, otherwise)
+    mask, errors = truths_of(condition, ev.texts)
+    result = choose(mask, then, otherwise)
     return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
 
 
@@ -62,7 +77,8 @@ def _instead(caught: Callable[[Any], Any]) -> Any:
         if not np.any(mask):
             return first
         second = Cells(np.float64(0)) if isinstance(args[1], Missing) else ev.value(args[1], frame, spread)
-        return choose(mask, second, first)
+        first, second = fitted(first, second)
+        return choose(caught(codes_of(first)), second, first)
 
     return kernel
 
@@ -181,15 +197,37 @@ def pi(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return Cells(np.float64(np.pi))
 
 
+def row_of(span: Span) -> Any:
+    """The numbers of a span's rows."""
+    return span.row + 1.0 + np.arange(span.height)
+
+
+def column_of(span: Span) -> Any:
+    """The numbers of a span's columns."""
+    return span.col + 1.0 + np.arange(span.width)
+
+
+def _no_reference(ev: Evaluator, node: Node, frame: Frame) -> Cells:
+    """The error that stands in the place of a reference, #VALUE! for any other value."""
+    found = ev.value(node, frame, spread=True)
+    code = int(np.ravel(codes_of(found))[0])
+    return error(code if code >= ERROR else VALUE)
+
+
 def _where(name: str) -> Any:
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-        del spread
         row, col = float(frame.row + 1), float(frame.col + 1)
         moves_down, moves_right = frame.rows > 1, frame.cols > 1
         if args:
-            span = ev.span(args[0], frame) if isinstance(args[0], CellRef | RangeRef) else None
+            span = ev.span(args[0], frame)
             if span is None:
-                return error(VALUE)
+                return _no_reference(ev, args[0], frame)
+            size = span.height if name == "ROW" else span.width
+            if spread and size > 1:
+                if span.moves_down or span.moves_right:
+                    raise VaryingSizeError
+                shape = (size, 1, 1, 1) if name == "ROW" else (1, size, 1, 1)
+                return Cells((row_of(span) if name == "ROW" else column_of(span)).reshape(shape))
             row, col, moves_down, moves_right = span.row + 1.0, span.col + 1.0, span.moves_down, span.moves_right
         if name == "ROW":
             return Cells(row + np.arange(frame.rows) if moves_down else np.float64(row))
@@ -203,11 +241,14 @@ row, column = _where("ROW"), _where("COLUMN")
 
 def _size(axis: int) -> Any:
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-        if isinstance(args[0], CellRef | RangeRef):
-            span = ev.span(args[0], frame)
-            return error(VALUE) if span is None else Cells(np.float64((span.height, span.width)[axis]))
-        shape = ev.value(args[0], frame, spread=True).shape
-        return Cells(np.float64(shape[axis] if len(shape) > 2 else 1))
+        span = ev.span(args[0], frame)
+        if span is not None:
+            return Cells(np.float64((span.height, span.width)[axis]))
+        found = ev.value(args[0], frame, spread=True)
+        if len(found.shape) > 2:
+            return Cells(np.float64(found.shape[axis]))
+        errors = errors_of(found)
+        return Cells(np.float64(1)) if errors is None else choose(errors != 0, found, Cells(np.float64(1)))
 
     return kernel
 

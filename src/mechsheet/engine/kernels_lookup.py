@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..formula.nodes import Missing, Node, RangeRef
-from .calling import table_of
+from ..formula.nodes import Call, Local, Missing, Node
+from .calling import spread_cells, table_of
 from .coerce import compare_numbers, numbers_of, truths_of
 from .frames import Frame
+from .regions import gives_region, regions
 from .values import (
     BLANK,
     BOOLEAN,
@@ -40,15 +41,18 @@ def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     row, row_errors = _argument(ev, args, 1, frame, spread)
     col, col_errors = _argument(ev, args, 2, frame, spread)
     if row_errors is None and col_errors is None and np.ndim(row) == 0 and np.ndim(col) == 0:
-        single = _indexed(ev, args, frame, float(row), float(col))
-        if single is not None:
-            return single
+        if not spread:
+            single = _indexed(ev, args, frame, float(row), float(col))
+            if single is not None:
+                return single
+        part = _part(ev, args, frame, spread, 0 in (int(row), int(col)))
+        if part is not None:
+            return part
     table = table_of(ev, args[0], frame)
     height, width = table.numbers.shape
-    if isinstance(args[0], RangeRef):
-        span = ev.span(args[0], frame)
-        if span is not None:
-            height, width = span.height, span.width  # beyond the data a whole column goes on, blank
+    span = ev.span(args[0], frame)
+    if span is not None:
+        height, width = span.height, span.width  # beyond the data a whole column goes on, blank
     if len(args) == 2 and height == 1:
         row, col = np.where(width == 1, row, 1.0), np.where(width == 1, col, row)
     row, col = np.trunc(row), np.trunc(col)
@@ -65,9 +69,33 @@ def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return _or_error(found, first_error(row_errors, col_errors, own))
 
 
+def _part(ev: Evaluator, args: Args, frame: Frame, spread: bool, whole: bool) -> Cells | None:
+    """What INDEX means of a reference, or a whole row or column of an array; None for single cells of anything."""
+    single = frame.rows == frame.cols == 1
+    if not (single and spread) and not whole and len(args) < 4 and not isinstance(args[0], Call | Local):
+        return None
+    if gives_region(args[0]):
+        found = regions(ev, Call("INDEX", args), frame)
+        if found is not None:
+            return found if isinstance(found, Cells) else ev.of_span(found[0], frame, spread)
+    if not whole:
+        return None
+    table = table_of(ev, args[0], frame)
+    row, col = (int(_argument(ev, args, place, frame, spread, 0.0)[0]) for place in (1, 2))
+    height, width = table.numbers.shape
+    if len(args) == 2 and height == 1:
+        row, col = 0, row
+    if row < 0 or col < 0:
+        return error(VALUE)
+    if row > height or col > width:
+        return error(REF)
+    place = slice(row - 1, row) if row else slice(None), slice(col - 1, col) if col else slice(None)
+    return spread_cells(Cells(table.numbers[place], table.codes[place]))
+
+
 def _indexed(ev: Evaluator, args: Args, frame: Frame, row: float, col: float) -> Cells | None:
     """The one cell of a fixed range that INDEX means everywhere in the frame; None in all less plain cases."""
-    span = ev.span(args[0], frame) if isinstance(args[0], RangeRef) else None
+    span = ev.span(args[0], frame)
     if span is None or span.moves_down or span.moves_right:
         return None
     if len(args) == 2 and span.height == 1 and span.width > 1:

@@ -12,6 +12,8 @@ from ..formula.book import Block, Book, DefinedName
 from ..formula.dialects import MAX_NESTING
 from ..formula.functions import FUNCTIONS, MANY
 from ..formula.nodes import (
+    MAX_COLUMNS,
+    MAX_ROWS,
     Apply,
     Binary,
     Call,
@@ -60,6 +62,26 @@ class Resolved:
     kept: set[int] = field(default_factory=set)
 
 
+def _same_size(call: Call) -> Call:
+    """SUMIF and AVERAGEIF take as many cells from the first of their last argument on as the first argument has."""
+    if call.name not in ("SUMIF", "AVERAGEIF") or len(call.args) < 3:
+        return call
+    asked, criterion, summed = call.args
+    first, last = (asked.start, asked.end) if isinstance(asked, RangeRef) else (asked, asked)
+    start, end = (summed.start, summed.end) if isinstance(summed, RangeRef) else (summed, summed)
+    if not all(isinstance(corner, CellRef) for corner in (first, last, start, end)):
+        return call
+    assert isinstance(first, CellRef) and isinstance(last, CellRef)
+    assert isinstance(start, CellRef) and isinstance(end, CellRef)
+    down, right = last.row - first.row, last.col - first.col
+    if (end.row - start.row, end.col - start.col) == (down, right):
+        return call
+    corner = replace(start, row=min(start.row + down, MAX_ROWS - 1), col=min(start.col + right, MAX_COLUMNS - 1))
+    if first.row_abs and not last.row_abs:  # a range that grows with fill-down
+        corner = replace(corner, row_abs=False)
+    return Call(call.name, (asked, criterion, RangeRef(start, corner)))
+
+
 def _anchored(part: Node) -> Node:
     """Where it is used, a reference that was read from a text means these cells and no others."""
     return replace(part, row_abs=True, col_abs=True) if isinstance(part, CellRef) else part
@@ -80,6 +102,7 @@ class Resolver:
         self.book = book
         self.titles = {sheet.title.casefold(): sheet.title for sheet in book.sheets}
         self.names = {(d.name.casefold(), d.sheet and d.sheet.casefold()): d for d in reversed(book.names)}
+        self.tables = {table.name.casefold() for table in book.tables}
         self.found = Resolved()
         self._read: dict[tuple[str, bool, str, int, int], Node | None] = {}
 
@@ -160,6 +183,8 @@ class Resolver:
     def name(self, part: NameRef, block: Block, sheet: str, place: str, inside: tuple[str, ...]) -> Node:
         """What a name stands for."""
         defined = self.find(part, sheet)
+        if defined is None and part.sheet is None and part.name.casefold() in self.tables:
+            return cells_of_table(TableRef(part.name), self.book.tables, sheet, block.row, block.col)
         if defined is None:
             known = [each.name for each in self.book.names]
             return self.unknown(place, f"unknown name {part.name}", near_miss(part.name, known))
@@ -203,7 +228,7 @@ class Resolver:
                 return Apply(function, part.args)
             return self.unknown(place, f"unknown function {part.name}", near_miss(part.name, FUNCTIONS))
         if row.least <= len(part.args) <= row.most:
-            return part
+            return _same_size(part)
         at_least = "at least " if row.most == MANY else ""
         many = f"{row.least}" if row.most in (row.least, MANY) else f"{row.least} to {row.most}"
         takes = f"{part.name} takes {at_least}{many} argument{'s' * (many != '1')}, found {len(part.args)}"
