@@ -214,13 +214,3 @@ def signs_apart(node: Node) -> Node:
         case Binary("^", Unary("-") as base, exponent):
             return Call("POWER", (base, exponent))
     return pairwise(node)
-
-
-def plain_degrees(node: Node) -> Node:
-    """As `real_powers`; degrees as x pi / 180, where a language has no function for them."""
-    match node:
-        case Call("RADIANS", (x,)):
-            return Binary("/", Binary("*", x, Call("PI")), Number(180.0))
-        case Call("DEGREES", (x,)):
-            return Binary("/", Binary("*", x, Number(180.0)), Call("PI"))
-    return real_powers(node)

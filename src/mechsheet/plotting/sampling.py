@@ -42,16 +42,17 @@ class Sample:
     exists: tuple[bool, ...]
 
 
-def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None) -> Sample:
+def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None, least: int = LEAST) -> Sample:
     """The mechanism's workbook at the positions to be drawn, `at` (in the driver's unit) among them exactly.
 
+    There are `least` positions or a few more, where the sweep has fewer of its own.
     The assembly modes are those of the description's own sweep. Raises MechanismError when the mechanism cannot be
     solved, or cannot be assembled at `at`; MechsheetError when `at` is no number.
     """
     if at is not None and not math.isfinite(at):
         raise MechsheetError(Fault(f"{at} is not a position of the driver", key="--at"))
     modes = {group.mode: group.mode_value for group in solve(mechanism).groups if group.mode}
-    values = resampled([float(value) for value in driver_values(mechanism, dimension_values(mechanism))])
+    values = resampled([float(value) for value in driver_values(mechanism, dimension_values(mechanism))], least)
     shown, sweep = None, len(values)
     if at is not None:
         values, shown = with_value(values, math.radians(at) if mechanism.driver.unit == "deg" else at)
@@ -73,15 +74,16 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     return Sample(workbook, plan, sweep, shown, exists)
 
 
-def resampled(values: Sequence[float]) -> list[float]:
+def resampled(values: Sequence[float], least: int = LEAST) -> list[float]:
     """The driver's values with equal parts between them, or thinned; first and last stay."""
     steps = len(values) - 1
     if steps < 1:
         return list(values)
-    if len(values) > MOST:
-        every = math.ceil(steps / (MOST - 1))
+    most = max(MOST, least)
+    if len(values) > most:
+        every = math.ceil(steps / (most - 1))
         return [*values[:-1:every], values[-1]]
-    parts = math.ceil((LEAST - 1) / steps)
+    parts = math.ceil((least - 1) / steps)
     fine = [a + (b - a) * part / parts for a, b in pairwise(values) for part in range(parts)]
     return [*fine, values[-1]]
 

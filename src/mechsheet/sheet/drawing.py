@@ -17,6 +17,7 @@ from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.frames import (
     CHART_X,
     CHART_Y,
@@ -74,6 +75,8 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     page.put(NAME, text("drawing.note"), styles.SUBTITLE)
     page.row += 1
     frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN)
+    for key, cell in (("x", frame.x), ("y", frame.y), ("half", frame.half)):
+        plan.window[key] = Spot(page.title, cell.row, cell.col)
     cells = write_points(page, frame)
     guides = _guides(page, frame, cells)
     shown = _shown(page, requests, cells)

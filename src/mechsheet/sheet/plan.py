@@ -60,7 +60,10 @@ class TableColumn:
 
 @dataclass
 class Plan:
-    """Addresses of everything; see `Addresses` for `at`."""
+    """Addresses of everything; see `Addresses` for `at`.
+
+    window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    """
 
     mechanism: Mechanism
     equations: Equations
@@ -72,6 +75,7 @@ class Plan:
     columns: list[TableColumn] = field(default_factory=list)
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
+    window: dict[str, Spot] = field(default_factory=dict)
 
     @cached_property
     def reads(self) -> dict[str, tuple[str, ...]]:
