@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test lint types pictures bench clean
+.PHONY: demo test lint types reference pictures bench clean
 
 $(VENV)/.ready: pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -28,6 +28,9 @@ types: $(VENV)/.ready
 
 bench: $(VENV)/.ready
 	for script in benchmarks/bench_*.py; do echo "== $$script"; $(BIN)/python $$script || exit 1; done
+
+reference: $(VENV)/.ready
+	$(BIN)/python tools/reference.py
 
 pictures: $(VENV)/.ready
 	$(BIN)/python tools/pictures.py

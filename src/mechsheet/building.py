@@ -28,11 +28,14 @@ def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
 def build(mechanism: Mechanism, folder: str | Path = ".", formats: Sequence[str] = FORMATS[:1]) -> list[Path]:
     """Write the mechanism's workbook into `folder`, once for each format, and return the files written.
 
+    The folder is made when it is not there yet (but not its parents: a misspelt path is told).
     A file is written beside its place and moved into it: a failure leaves the old one whole (OutputError).
     """
     from mechsheet.formats import write
+    from mechsheet.formats.archive import make_folder
 
     workbook, _ = compile_workbook(mechanism)
+    make_folder(Path(folder))
     paths = [Path(folder) / f"{mechanism.name}.{suffix}" for suffix in formats]
     for path in paths:
         write(workbook, path)

@@ -156,7 +156,10 @@ def test_broken_toml(tmp_path):
 
 
 def test_output_folder_missing_or_a_file(tmp_path):
-    assert run("build", FOUR_BAR, "-o", tmp_path / "nowhere").exit_code == 2
+    assert run("build", FOUR_BAR, "-o", tmp_path / "new").exit_code == 0
+    assert (tmp_path / "new" / "four-bar.xlsx").exists()
+    assert run("build", FOUR_BAR, "-o", tmp_path / "nowhere" / "deeper").exit_code == 2
+    assert not (tmp_path / "nowhere").exists()
     file = tmp_path / "file"
     file.write_text("")
     assert run("build", FOUR_BAR, "-o", file).exit_code == 2

@@ -11,7 +11,7 @@ from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_nam
 from mechsheet.exporting.identifiers import ascii_word
 from mechsheet.exporting.job import Job, Kind
 from mechsheet.exporting.kinds import KINDS
-from mechsheet.formats.archive import replace_file
+from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.model import Mechanism
 
 __all__ = ["KINDS", "Job", "Kind", "export", "kind_of"]
@@ -65,16 +65,6 @@ def export(
     for file, content in zip(files, contents, strict=True):
         replace_file(file, content)
     return files
-
-
-def make_folder(path: Path) -> None:
-    """The folder for several files. Raises OutputError when the system refuses it."""
-    from mechsheet.diagnostics import OutputError
-
-    try:
-        path.mkdir(exist_ok=True)
-    except OSError as error:
-        raise OutputError(Fault(f"cannot be made a folder: {error.strerror}", readable_name(path))) from error
 
 
 def _faults(kind: Kind, at: float | None, frames: int | None) -> list[Fault]:

@@ -32,6 +32,7 @@ _REASONS = {
     errno.ENOENT: "there is no such folder",
     errno.ENOTDIR: "there is no such folder",
     errno.EISDIR: "this is a folder",
+    errno.EEXIST: "this is a file, not a folder",
     errno.ENAMETOOLONG: "the file name is too long",
 }
 
@@ -137,6 +138,14 @@ def replace_file(path: Path, data: bytes) -> None:
     """Make `data` the content of the file `path`, or leave it as it was and raise OutputError."""
     with replacing(path) as file:
         file.write(data)
+
+
+def make_folder(path: Path) -> None:
+    """The folder that files are to be written into, made when its own folder is there; OutputError when it cannot be."""
+    try:
+        path.mkdir(exist_ok=True)
+    except OSError as error:
+        raise _output_error(path, error) from error
 
 
 def _output_error(path: Path, error: OSError) -> OutputError:
