@@ -1,0 +1,72 @@
+"""The wheel that users install: what is in it, and that it works without the checkout."""
+
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("wheel")
+    command = [sys.executable, "-m", "pip", "wheel", ".", "--no-deps", "--no-build-isolation", "-q", "-w", str(folder)]
+    subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+    return next(folder.glob("*.whl"))
+
+
+def test_contents(wheel):
+    names = set(zipfile.ZipFile(wheel).namelist())
+    inside = {name.removeprefix("mechsheet/") for name in names if name.startswith("mechsheet/")}
+    source = ROOT / "src" / "mechsheet"
+    modules = {path.relative_to(source).as_posix() for path in source.rglob("*.py")}
+    templates = {f"templates/{path.name}" for path in (ROOT / "templates").iterdir() if not path.name.startswith(".")}
+    data = {
+        "py.typed",
+        "exporting/octave_helpers.m",
+        "formula/functions.txt",
+        "plotting/page.css",
+        "plotting/page.html",
+        "plotting/page.js",
+    }
+    assert inside == modules | templates | data
+    assert "templates/mechsheet.schema.json" in templates
+    outside = {name.split("/", 1)[1] for name in names if not name.startswith("mechsheet/")}
+    assert outside == {"METADATA", "WHEEL", "RECORD", "entry_points.txt", "licenses/LICENSE"}
+
+
+def test_it_works_without_the_checkout(wheel, tmp_path):
+    """From templates to a checked workbook, with the modules of the wheel."""
+    place = tmp_path / "installed"
+    command = [sys.executable, "-m", "pip", "install", "--no-deps", "-q", "--target", str(place), str(wheel)]
+    subprocess.run(command, check=True, capture_output=True)
+    environment = os.environ | {"PYTHONPATH": str(place)}
+
+    def run(*arguments: str) -> str:
+        line = [sys.executable, *arguments]
+        done = subprocess.run(line, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    where = run("-c", "import mechsheet; print(mechsheet.__file__)").strip()
+    assert Path(where).is_relative_to(place)
+    assert "four-bar" in run("-m", "mechsheet", "new", "--list").split()
+    run("-m", "mechsheet", "new", "four-bar", "-o", "mine.toml")
+    run("-m", "mechsheet", "build", "mine.toml", "--format", "xlsx,ods")
+    assert "all agree" in run("-m", "mechsheet", "check", "four-bar.xlsx", "four-bar.ods")
+
+
+def test_nothing_heavy_at_the_start():
+    """`mechsheet --help` loads neither numpy nor any reader or writer of files."""
+    code = (
+        "import sys; from mechsheet.cli import main\n"
+        "try: main(['--help'])\n"
+        "except SystemExit: pass\n"
+        "print(sorted({'numpy', 'openpyxl', 'xlsxwriter', 'lxml', 'formulas', 'matplotlib'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "[]"
