@@ -17,10 +17,12 @@ from mechsheet.formula.printer import print_formula
 from .array_areas import ArrayText, give_arrays
 from .cell_faults import CellFaults
 from .fill_runs import FormulaRuns
+from .ods_row_pattern import ROW, ods_row_pattern
 from .ods_values import NULL_DATE, day_number, error_of, finite, time_number
 from .ods_words import Words, words_of
 from .package import Package
 from .paragraph_text import ParagraphText
+from .repeated_rows import RepeatedRows
 
 CONTENT = "content.xml"
 MAX_REPEATED = 1 << 23
@@ -49,7 +51,11 @@ class Table:
 
 @dataclass(slots=True)
 class ContentScan:
-    """What content.xml holds. `kind` is the kind of document, "spreadsheet" for ours."""
+    """What content.xml holds. `kind` is the kind of document, "spreadsheet" for ours.
+
+    current, next_row  the table at hand, and the row that comes next in it
+    rows_ended         how many rows have ended
+    """
 
     package: Package
     sheets: list[BookSheet] = field(default_factory=list)
@@ -59,6 +65,9 @@ class ContentScan:
     null_date: date = NULL_DATE
     kind: str = ""
     repeated: int = 0
+    current: Table | None = None
+    next_row: int = 0
+    rows_ended: int = 0
     words: Words = field(init=False)
 
     def run(self) -> None:
@@ -75,7 +84,11 @@ class ContentScan:
             _handlers(self, parser, texts)
 
         parser.StartElementHandler = root
-        self.package.parse(CONTENT, parser, texts)
+        rows = RepeatedRows(b"</%s>" % ROW, lambda row: ods_row_pattern(self, row), self._rows_ended)
+        self.package.parse(CONTENT, parser, texts, rows)
+
+    def _rows_ended(self) -> int:
+        return self.rows_ended
 
     def fault(self, message: str) -> Exception:
         """The error that refuses the file."""
@@ -259,7 +272,7 @@ def _handlers(scan: ContentScan, parser: expat.XMLParserType, texts: list[str]) 
             if table is not None or is_cache(title):
                 skipping = 1
             else:
-                table = scan.table(title)
+                table = scan.current = scan.table(title)
                 row = 0
         elif tag in words.passed_over:
             skipping = 1
@@ -286,10 +299,12 @@ def _handlers(scan: ContentScan, parser: expat.XMLParserType, texts: list[str]) 
             texts.clear()
         elif tag == words.row:
             row += rows
+            scan.next_row = row
+            scan.rows_ended += 1
             texts.clear()
         elif tag == words.table and table is not None:
             scan.end_table(table)
-            table = None
+            table = scan.current = None
 
     parser.StartElementHandler = start
     parser.EndElementHandler = end

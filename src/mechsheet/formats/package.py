@@ -27,7 +27,18 @@ _SMALL = 32 << 20
 _PIECE = 1 << 16
 
 _OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+_OLE_HEAD = 512
 _ENCRYPTED = "EncryptedPackage".encode("utf-16-le")
+_KINDS = (
+    (re.compile(rb"\A(?:" + re.escape(_OLE) + rb"|\x09[\x00\x02\x04\x08][\x04-\x10]\x00)"),
+     "an .xls of the old kind", "save it as .xlsx"),
+    (re.compile(rb"urn:oasis:names:tc:opendocument:xmlns:office"),
+     "a flat OpenDocument file (.fods), which is not read", "save it as .ods"),
+    (re.compile(rb"urn:schemas-microsoft-com:office:spreadsheet"), "an XML spreadsheet of 2003", "save it as .xlsx"),
+    (re.compile(rb"\A\s*<(?:!doctype html|html|table)", re.IGNORECASE), "a web page, not a workbook", "save it as .xlsx"),
+    (re.compile(rb"\A%PDF"), "a PDF, not a workbook", ""),
+)  # fmt: skip
+"""What a file begins with that is no zip file, and what it is."""
 
 
 def part_key(name: str) -> str:
@@ -134,6 +145,13 @@ class Package:
                 raise
             raise self.fault(f"the part is written in an encoding that is not read ({problem})", part) from problem
 
+    def decoded(self, text: bytes, part: str) -> str:
+        """A text that was taken from a part without its parser."""
+        try:
+            return text.decode()
+        except UnicodeDecodeError as problem:
+            raise self.fault("the part is no proper XML (text that is not UTF-8)", part) from problem
+
     def _refuse_doctype(self, part: str) -> Callable[..., Any]:
         def refuse(*_: object) -> None:
             raise self.fault("the part declares a document type, which no workbook does", part)
@@ -163,14 +181,20 @@ def _check_head(path: Path, name: str) -> None:
         raise WorkbookError(Fault("this is a folder, not a workbook", file=name))
     with path.open("rb") as stream:
         head = stream.read(1 << 16)
-    if head.startswith(b"PK"):
-        return
-    if head.startswith(_OLE):
-        message = "the workbook is protected by a password" if _ENCRYPTED in head else "an .xls of the old kind"
+        if head.startswith(b"PK"):
+            return
+        directory = b""
+        if head.startswith(_OLE) and len(head) >= _OLE_HEAD:
+            # Where the names of its streams stand: a sector's size is a power of two, sectors count from behind the first.
+            power, sector = int.from_bytes(head[30:32], "little"), int.from_bytes(head[48:52], "little")
+            stream.seek((sector + 1) << power if power < 20 else 0)
+            directory = stream.read(1 << 13)
+    if head.startswith(_OLE) and _ENCRYPTED in head + directory:
+        message = "the workbook is protected by a password"
         raise WorkbookError(Fault(message, file=name, hint="save it as .xlsx without a password"))
-    if b"urn:oasis:names:tc:opendocument:xmlns:office" in head:
-        message = "a flat OpenDocument file (.fods), which is not read"
-        raise WorkbookError(Fault(message, file=name, hint="save it as .ods"))
+    for mark, message, hint in _KINDS:
+        if mark.search(head):
+            raise WorkbookError(Fault(message, file=name, hint=hint))
     message = "the file is empty" if not head else "not a workbook: this is no zip file"
     hint = "" if not head or b"\0" in head else "a table as text (.csv)? save it as .xlsx first"
     raise WorkbookError(Fault(message, file=name, hint=hint))

@@ -54,13 +54,15 @@ class RepeatedRows:
 
     end    a row's end tag
     learn  makes a pattern of the bytes of a row that the parser has just read, if that can be done
+    count  how many rows the parser has met: what looks like a row may be passed over by those who use the parser
     taken  how many rows the parser has not seen
     """
 
-    def __init__(self, end: bytes, learn: Callable[[bytes], Pattern | None]) -> None:
+    def __init__(self, end: bytes, learn: Callable[[bytes], Pattern | None], count: Callable[[], int]) -> None:
         self.taken = 0
         self._end = end
         self._learn = learn
+        self._count = count
         self._patterns: list[Pattern] = []
         self._credit = _CREDIT
         self._parsed = 0
@@ -77,21 +79,22 @@ class RepeatedRows:
         at, fresh = 0, False  # the parser has read data[:at]; `fresh`: which ends with the end of a row
         hidden = not _is_utf8(data)
         while not hidden:
-            note = b""
+            notes: list[bytes] = []
             if fresh:
-                at, note = self._match(data, at)
+                at = self._match(data, at, notes)
             stop = self._next_stop(data, at, fresh)
             if stop > at:
                 part = data[at:stop]
                 hidden = _HIDING.search(data, max(at, checked), stop) is not None
-                whole, fresh = fresh and not self._whole, part.endswith(self._end)
+                whole, before = fresh and not self._whole, self._count()
                 at = stop
-                yield note + part
+                yield b"".join((*notes, part))
+                fresh = part.endswith(self._end) and self._count() > before + len(notes)
                 if whole and fresh:
                     self._consider(part)
                 continue
-            if note:
-                yield note
+            if notes:
+                yield b"".join(notes)
             piece = next(stream, None)
             if piece is None:
                 break
@@ -112,9 +115,8 @@ class RepeatedRows:
             return at
         return max(at, len(data) - data.endswith(b"<"))  # what the last byte begins is seen with the next piece
 
-    def _match(self, data: bytes, at: int) -> tuple[int, bytes]:
-        """Take all rows from `at` on that match; where they end, and what the parser should read before it goes on."""
-        note = b""
+    def _match(self, data: bytes, at: int, notes: list[bytes]) -> int:
+        """Take all rows from `at` on that match; where they end. The parser should read the notes before it goes on."""
         index = 0
         while index < len(self._patterns):
             pattern = self._patterns[index]
@@ -129,13 +131,13 @@ class RepeatedRows:
             if not rows:
                 index += 1
                 continue
-            note = pattern.take(rows)
+            notes.append(pattern.take(rows))
             self.taken += len(rows)
             self._credit = min(_CREDIT, self._credit + len(rows))
             self._failures = 0
             self._patterns.insert(0, self._patterns.pop(index))
             index = 0
-        return at, note
+        return at
 
     def _consider(self, row: bytes) -> None:
         """Make a pattern of a row that has been parsed, if that is worth it."""

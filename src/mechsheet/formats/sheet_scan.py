@@ -42,9 +42,10 @@ class SheetScan:
         self.strings = strings
         self.faults = CellFaults(package.name, sheet.title, "excel")
         self.runs = FormulaRuns(self.faults.formula, unknown=self._no_master)
-        # The row at hand, the lowest one so far, and whether the next one only tells the parser where it is.
+        # The row at hand, the lowest one so far, and how many of the next ones only tell the parser where it is.
         self.row = self.lowest = -1
-        self.told = False
+        self.told = 0
+        self.rows_begun = 0
 
     def run(self) -> list[Fault]:
         """Read the part into the sheet; the faults found, one for each cell that cannot be understood."""
@@ -52,7 +53,8 @@ class SheetScan:
         parser.buffer_text = True
         parser.buffer_size = 1 << 16
         texts = _handlers(self, parser)
-        self.package.parse(self.part, parser, texts, RepeatedRows(b"</row>", lambda row: row_pattern(self, row)))
+        rows = RepeatedRows(b"</row>", lambda row: row_pattern(self, row), lambda: self.rows_begun)
+        self.package.parse(self.part, parser, texts, rows)
         self.sheet.blocks.extend(self.runs.blocks())
         self.sheet.keep(self.runs.kept)
         give_arrays(self.sheet, self.arrays, self.faults)
@@ -61,12 +63,13 @@ class SheetScan:
     def at_row(self, row: int) -> None:
         """A row begins, mostly the one below the lowest so far."""
         if self.told:
-            self.told = False
+            self.told -= 1
         elif row <= self.lowest:
             self.sheet.cached.settle()  # what comes now is the later value of its cells
         else:
             self.lowest = row
         self.row = row
+        self.rows_begun += 1
 
     def _no_master(self, number: str, area: Area) -> None:
         self.faults.remark(f"the shared formula {number[:20]} has no text: stored values are kept", area)

@@ -1,0 +1,177 @@
+"""A row of an .ods as a pattern of the rows below it: the same columns, kinds of values, and formulas filled down."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
+
+from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
+
+from .fill_runs import Run
+from .repeated_rows import Groups
+from .row_expression import LEAST, LONGEST, NUMBER, TEXT, RowExpression
+from .row_values import give_numbers, give_values
+
+if TYPE_CHECKING:
+    from .ods_scan import ContentScan, Table
+
+ROW = b"table:table-row"
+"""The element of rows; files with other prefixes are left to the parser."""
+_ROW = re.compile(rb'<table:table-row(?: (?!table:number-rows-repeated)[a-z:-]+="[^"<&]*")*>')
+_CELL = re.compile(
+    rb'<table:table-cell((?: [a-z:-]+="[^"<\x00-\x1f]*")*)(?:/>|>(?:<text:p>([^<]*)</text:p>)?</table:table-cell>)'
+)
+_ATTRIBUTE = re.compile(rb' ([a-z:-]+)="([^"]*)"')
+_STYLE, _REPEATED = b"table:style-name", b"table:number-columns-repeated"
+_TYPE, _FORMULA = b"office:value-type", b"table:formula"
+_LITERAL = {_TYPE, b"calcext:value-type", b"office:string-value", _REPEATED}
+_NUMBERS = {b"float", b"percentage", b"currency"}
+_VALUES = {b"boolean": b"office:boolean-value", b"date": b"office:date-value", b"time": b"office:time-value"}
+"""The attribute that holds the value, by the kind of value."""
+_STYLE_NAME = rb'[^"<&\x00-\x1f\xef]*+'
+_WORDS = rb"(?:[^<& \x00-\x1f\xef]++(?: [^<& \x00-\x1f\xef]++)*+)?+"
+"""A text whose spaces all count."""
+
+
+class Cell(NamedTuple):
+    """A cell of the row that has a value: its place among the groups, and what it is.
+
+    about      its attributes that are the same in all rows;  attribute  the one that differs, None for the text shown
+    is_number  whether the value is a plain number;  formula  whether it is that of a formula
+    """
+
+    group: int
+    col: int
+    about: dict[str, str]
+    attribute: str | None
+    is_number: bool
+    formula: bool
+
+
+class OdsRowPattern:
+    """The rows below a row of a table."""
+
+    def __init__(self, scan: ContentScan, expression: RowExpression, cells: list[Cell], runs: dict[int, Run]) -> None:
+        self.expression = expression.finished()
+        self._scan = scan
+        self._table = scan.current
+        self._cells = cells
+        self._runs = runs
+        self._rows = list(expression.rows.items())
+
+    def ready(self) -> bool:
+        """Whether the row after the last one would be the next of all runs."""
+        table, row = self._table, self._scan.next_row
+        return (
+            table is not None
+            and self._scan.current is table
+            and all(table.runs.goes_on(col, run, row) for col, run in self._runs.items())
+        )
+
+    def accepts(self, groups: Groups, down: int) -> bool:
+        """Whether all row numbers are as far from the row's own as they were."""
+        row = self._scan.next_row + down
+        for offset, group in self._rows:
+            if groups[group] != b"%d" % (row + 1 + offset):
+                return False
+        return row < MAX_ROWS
+
+    def take(self, rows: list[Groups]) -> bytes:
+        """Put the values of consecutive rows into the table; the runs go on."""
+        table, first = self._table, self._scan.next_row
+        if table is None:
+            raise AssertionError("rows outside a table")
+        columns = list(zip(*rows, strict=True))
+        for cell in self._cells:
+            if cell.is_number:
+                give_numbers(table.sheet, first, cell.col, cell.formula, columns[cell.group])
+            else:
+                value = partial(self._value, table, cell)
+                give_values(table.sheet, first, cell.col, cell.formula, columns[cell.group], value)
+        for run in self._runs.values():
+            run.end += len(rows)
+        self._scan.next_row += len(rows)
+        return b'<table:table-row table:number-rows-repeated="%d"/>' % len(rows)
+
+    def _value(self, table: Table, cell: Cell, text: bytes, row: int) -> Scalar:
+        shown = self._scan.package.decoded(text, "content.xml")
+        if cell.attribute is None:
+            return self._scan.value(table, row, cell.col, cell.about, shown or None)
+        return self._scan.value(table, row, cell.col, {**cell.about, cell.attribute: shown}, None)
+
+
+def ods_row_pattern(scan: ContentScan, data: bytes) -> OdsRowPattern | None:
+    """The pattern of a row that has just been parsed, None where it cannot be one (yet)."""
+    head = _ROW.match(data)
+    table = scan.current
+    if head is None or table is None or len(data) > LONGEST or scan.words.row.encode() != ROW:
+        return None
+    expression = RowExpression(data, scan.next_row - 1)
+    cells: list[Cell] = []
+    runs: dict[int, Run] = {}
+    at, col = head.end(), 0
+    while (match := _CELL.match(data, at)) is not None:
+        at = match.end()
+        attributes = {found[1]: found.span(2) for found in _ATTRIBUTE.finditer(data, *match.span(1))}
+        repeated = int(data[slice(*attributes[_REPEATED])]) if _REPEATED in attributes else 1
+        cell = _cell(scan, table, expression, data, match, attributes, col, runs)
+        if cell is None:
+            return None
+        if cell.group >= 0:
+            if repeated > 1 or col >= MAX_COLUMNS:
+                return None
+            cells.append(cell)
+        col += repeated
+    if data[at:] != b"</%s>" % ROW or not cells:
+        return None
+    return OdsRowPattern(scan, expression, cells, runs)
+
+
+def _cell(
+    scan: ContentScan,
+    table: Table,
+    expression: RowExpression,
+    data: bytes,
+    match: re.Match[bytes],
+    attributes: dict[bytes, tuple[int, int]],
+    col: int,
+    runs: dict[int, Run],
+) -> Cell | None:
+    """Write a cell; what it holds (in group -1 for a cell without anything), None where it makes no pattern."""
+    kind = data[slice(*attributes[_TYPE])] if _TYPE in attributes else b""
+    changing = b"office:value" if kind in _NUMBERS else _VALUES.get(kind)
+    group = -1
+    about: dict[str, str] = {}
+    for name, (start, stop) in attributes.items():
+        if name == _STYLE:
+            expression.variable(start, stop, _STYLE_NAME)
+        elif name == _FORMULA:
+            run = table.runs.filled_to(col, scan.next_row - 1, LEAST)
+            text = data[start:stop]
+            if run is None or run.template is None or not text.startswith((b"=", b"of:=")):
+                return None
+            if not expression.formula(start, stop, text.index(b"=") + 1, run.template):
+                return None
+            runs[col] = run
+        elif name == changing:
+            if kind in _NUMBERS and re.fullmatch(NUMBER, data[start:stop]) is None:
+                return None
+            group = expression.group(start, stop, NUMBER if kind in _NUMBERS else _STYLE_NAME)
+        elif name in _LITERAL and b"&" not in data[start:stop]:
+            about[name.decode()] = data[start:stop].decode()
+        else:
+            return None
+    is_formula = _FORMULA in attributes
+    if not kind:
+        return None if is_formula or match[2] else Cell(-1, col, about, None, False, False)
+    if kind == b"string":
+        if match[2] is None or re.fullmatch(_WORDS, match[2]) is None:
+            return None
+        group = expression.group(*match.span(2), _WORDS)
+    elif group < 0:
+        return None
+    elif match[2] is not None:
+        expression.variable(*match.span(2), TEXT)
+    attribute = None if changing is None else changing.decode()
+    return Cell(group, col, about, attribute, kind in _NUMBERS, is_formula)
