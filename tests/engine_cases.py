@@ -54,3 +54,13 @@ def same(ours, theirs, tolerance=1e-13):
     if isinstance(ours, float) and isinstance(theirs, float):
         return abs(ours - theirs) <= tolerance * max(abs(ours), abs(theirs))
     return type(ours) is type(theirs) and ours == theirs
+
+
+def array_cases():
+    """(file, formula, rows of values) of the cases of arrays."""
+    paths = sorted(path for path in (FOLDER / "arrays").glob("*.toml") if path.stem != "differences")
+    return [
+        (path.stem, formula, [[scalar(item) for item in row] for row in rows])
+        for path in paths
+        for formula, rows in load(path)["cases"]
+    ]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from engine_cases import COLUMN, FILES, FIRST_ROW, book_of, cases, same
+from engine_cases import COLUMN, FILES, FIRST_ROW, array_cases, book_of, cases, same
 from mechsheet.engine import compile_book, evaluate
 from mechsheet.engine.kernels import kernels_in
 from mechsheet.formula.book import BookBuilder
@@ -58,7 +58,8 @@ def test_cases_filled_down_and_right(file):
 
 
 def test_every_function_has_cases():
-    used = {part.name for _, formula, _ in CASES for part in walk(parse_formula(formula)) if isinstance(part, Call)}
+    formulas = [formula for _, formula, _ in [*CASES, *array_cases()]]
+    used = {part.name for formula in formulas for part in walk(parse_formula(formula)) if isinstance(part, Call)}
     assert set(FUNCTIONS) - used == set()
 
 
