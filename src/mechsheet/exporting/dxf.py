@@ -1,0 +1,89 @@
+"""dxf: the mechanism at a position for CAD, in its own length unit; a layer for each link, named points on one of their own.
+
+Written by ezdxf, which is an extra of this package. The same position gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from mechsheet.diagnostics import Fault, MissingProgramError
+from mechsheet.exporting.job import Job
+from mechsheet.exporting.shapes import Disc, Drawn, Label, Stroke, drawings
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+
+UNITS = {"in": 1, "inch": 1, "ft": 2, "mm": 4, "cm": 5, "m": 6, "km": 7, "yd": 10, "um": 13, "µm": 13, "dm": 14}
+"""Length units that DXF has a number for ($INSUNITS); 0 says nothing."""
+
+POINTS, TEXTS, PINS = "POINTS", "TEXT", "PINS"
+
+
+def write(job: Job) -> list[bytes]:
+    """One file for each position. Raises MissingProgramError without ezdxf."""
+    with _ezdxf():  # before anything is computed: without it there is no use in that
+        return [drawing(drawn) for drawn in drawings(job)]
+
+
+@contextmanager
+def _ezdxf() -> Iterator[None]:
+    """ezdxf with no clock and nothing random in its files."""
+    try:
+        import ezdxf
+    except ImportError as error:
+        raise MissingProgramError(
+            Fault("ezdxf is not installed: it writes DXF files", hint="pip install 'mechsheet[dxf]'")
+        ) from error
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        yield
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
+
+
+def drawing(drawn: Drawn) -> bytes:
+    """The file of one position. Raises MissingProgramError without ezdxf."""
+    with _ezdxf():
+        return _file(drawn)
+
+
+def _file(drawn: Drawn) -> bytes:
+    import ezdxf
+    from ezdxf.enums import TextEntityAlignment
+
+    document = ezdxf.new("R2010", units=UNITS.get(drawn.unit.casefold(), 0))
+    space = document.modelspace()
+    sides = {"right": TextEntityAlignment.MIDDLE_LEFT, "left": TextEntityAlignment.MIDDLE_RIGHT,
+             "above": TextEntityAlignment.BOTTOM_CENTER, "below": TextEntityAlignment.TOP_CENTER}  # fmt: skip
+    for shape in drawn.shapes:
+        match shape:
+            case Stroke(name, points, color, _):
+                layer = _layer(document, name or "PATHS", color)
+                space.add_lwpolyline(points.tolist(), dxfattribs={"layer": layer})
+            case Disc(x, y, radius, _, _):
+                space.add_circle((x, y), radius, dxfattribs={"layer": _layer(document, PINS, "404040")})
+            case Label(x, y, text, height, side):
+                layer = _layer(document, TEXTS, "404040")
+                note = space.add_text(text, height=height * 0.7, dxfattribs={"layer": layer})
+                note.set_placement((x, y), align=sides.get(side, TextEntityAlignment.MIDDLE_CENTER))
+    for name, place in drawn.points.items():
+        space.add_point(place, dxfattribs={"layer": _layer(document, f"{POINTS} {name}", "000000")})
+    for kind in sorted(document.entitydb.dxf_types_in_use()):
+        document.classes.add_class(kind)  # ezdxf would take them from a set, in another order each time
+    stream = io.StringIO(newline="\n")
+    document.write(stream)
+    return stream.getvalue().encode("utf-8", "surrogateescape")
+
+
+def _layer(document: Drawing, name: str, color: str) -> str:
+    """The layer of that name, made when it is new. Some characters cannot stand in its name."""
+    plain = re.sub(r'[<>/\\":;?*|=`,]', "_", " ".join(name.split()))[:200] or "0"
+    if plain not in document.layers:
+        document.layers.add(plain, true_color=int(color, 16))
+    return plain
