@@ -1,4 +1,4 @@
-"""Throw damaged workbooks and formulas at the readers: `python tools/fuzz_readers.py SECONDS [SEED]`.
+"""Throw damaged workbooks and formulas at the readers and the engine: `python tools/fuzz_readers.py SECONDS [SEED]`.
 
 A case is well when it is read, or refused with a MechsheetError, in a few seconds and within bounded memory. Anything else
 is printed and kept in the folder FOUND. What was found once stands in tests/formats/bad_files.py.
@@ -25,8 +25,10 @@ import xlsxwriter
 from mechsheet.building import build
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.engine import compile_book, evaluate
 from mechsheet.formats import read, refresh
-from mechsheet.formula.nodes import walk
+from mechsheet.formula.book import Book, BookSheet, DefinedName
+from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 
@@ -133,7 +135,7 @@ def damaged(data: bytes, rng: random.Random) -> bytes:
 
 
 def workbook_case(sources: list[tuple[str, Parts]], rng: random.Random, folder: Path) -> Callable[[], None]:
-    """Read a damaged workbook, and write it back with the values that it stores."""
+    """Read a damaged workbook, recalculate it with a cell set, write it back and read that."""
     suffix, parts = rng.choice(sources)
     parts = dict(parts)
     if rng.random() < 0.15:
@@ -151,18 +153,10 @@ def workbook_case(sources: list[tuple[str, Parts]], rng: random.Random, folder: 
 
     def run() -> None:
         book = read(path)
-        stored = {sheet.title.casefold(): sheet.cached for sheet in book.sheets}
         changes = {(book.sheets[0].title, 3, 2): 5.0}
 
-        class Values:
-            def get(self, sheet: str, row: int, col: int) -> object:
-                value = stored[sheet.casefold()].get(row, col)
-                return value if rng.random() < 0.9 else 17.25
-
-            def spill(self, sheet: str, row: int, col: int) -> tuple[int, int] | None:
-                return rng.choice((None, (1, 1), (4, 2)))
-
-        refresh(path, folder / f"out{suffix}", book, Values(), changes)
+        values = compile_book(book).evaluate(changes)
+        refresh(path, folder / f"out{suffix}", book, values, changes)
         read(folder / f"out{suffix}")
 
     return run
@@ -204,7 +198,7 @@ def expression(rng: random.Random, depth: int) -> str:
 
 
 def formula_case(rng: random.Random) -> tuple[str, Callable[[], None]]:
-    """Parse a formula of random pieces; print it and parse it again."""
+    """Parse a formula of random pieces, compute it, print it and parse it again."""
     if rng.random() < 0.3:
         text, dialect = "".join(rng.choices(FORMULA, k=rng.choice((1, 3, 8, 30, 400)))), rng.choice(DIALECTS)
     else:
@@ -217,6 +211,10 @@ def formula_case(rng: random.Random) -> tuple[str, Callable[[], None]]:
         node = parse_formula(text, dialect)
         hash(node)
         sum(1 for _ in walk(node))
+        sheet = BookSheet("Sheet1")
+        sheet.column_constants(0, 0, [1.0, "a", True, None, 2.5])
+        sheet.block(0, 5, 3, 1, node)
+        evaluate(Book([sheet], [DefinedName("rate", CellRef(0, 0, True, True, "Sheet1"))]))
         again = parse_formula(print_formula(node, dialect), dialect)
         if again != node and dialect == "excel":
             raise AssertionError(f"{text} comes back as {print_formula(node, dialect)}")

@@ -209,7 +209,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
             about = attributes
         elif name == "row":
             place = attributes.get("r")
-            row = row + 1 if place is None else _row(scan, place)
+            row = _row(scan, str(row + 2) if place is None else place)
             row_text = str(row + 1)
             col = -1
             scan.at_row(row)

@@ -16,6 +16,13 @@ from .package import Package, attribute, local_name, open_package, relationships
 from .sheet_scan import SheetScan
 from .xlsx_tables import tables_of
 
+_OTHERS = (
+    ("Index/Document.iwa", "a spreadsheet of Apple Numbers (.numbers), which is not read"),
+    ("Index.zip", "a spreadsheet of Apple Numbers (.numbers), which is not read"),
+    ("word/document.xml", "a text document (.docx), not a workbook"),
+    ("ppt/presentation.xml", "a presentation (.pptx), not a workbook"),
+)
+"""Parts of zip files that are no workbooks, and what they are."""
 _WITHOUT_CELLS = ("chartsheet", "dialogsheet", "xlMacrosheet", "xlIntlMacrosheet")
 """Kinds of sheets that are passed over; Excel also lists modules of macros, which link to nothing."""
 
@@ -88,12 +95,15 @@ def _workbook_part(package: Package) -> str:
     found = next((target for kind, target in relationships(package, "").values() if kind == "officeDocument"), "")
     if found and found in package and not found.endswith(".bin"):
         return found
-    if found.endswith(".bin"):
+    if found.endswith(".bin") or "xl/workbook.bin" in package:
         raise WorkbookError(Fault("an .xlsb, which is not read", file=package.name, hint="save it as .xlsx"))
     if "xl/workbook.xml" in package:
         return "xl/workbook.xml"
     if "content.xml" in package:
         raise WorkbookError(Fault("an OpenDocument file (.ods) with another file's suffix", file=package.name))
+    for part, message in _OTHERS:
+        if part in package:
+            raise WorkbookError(Fault(message, file=package.name, hint="save it as .xlsx"))
     raise WorkbookError(Fault("not a workbook: the zip file holds no part xl/workbook.xml", file=package.name))
 
 

@@ -53,12 +53,16 @@ class Parser:
     def expression(self, minimum: int) -> Node:
         """An operand, and every operator after it that binds at least as strongly as `minimum`."""
         left = self.signed()
+        signs = 0
         while (op := self.operator()) is not None:
             if op == "%":
                 if self.dialect.postfix < minimum:
                     break
                 self.take()
                 left = Unary("%", left)
+                signs += 1
+                if self.depth + signs > MAX_NESTING:
+                    raise fail(self.text, self.next.column, f"nested deeper than {MAX_NESTING} levels")
                 continue
             power = self.dialect.infix[op]
             if power < minimum:
