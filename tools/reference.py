@@ -40,7 +40,11 @@ def command_line() -> str:
         NOTE,
         "# The command line\n",
         "Exit codes: 0 done and all agree, 1 something differs, 2 the input cannot be read or used. "
-        "What can be piped goes to standard output, everything else to standard error.\n",
+        "What can be piped goes to standard output, everything else to standard error. "
+        "Where a description is read, `-` is standard input.\n",
+        "The shell completes commands, options and templates after "
+        '`eval "$(_MECHSHEET_COMPLETE=bash_source mechsheet)"` '
+        "(`zsh_source` for zsh, `_MECHSHEET_COMPLETE=fish_source mechsheet | source` for fish).\n",
         f"```text\n{_stripped(commands.get_help(context))}\n```\n",
     ]
     for name in commands.list_commands(context):

@@ -8,7 +8,7 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
 
-from .common import SET, at_lines_of, progress, settings_of
+from .common import SET, at_lines_of, described, progress
 
 
 @click.command()
@@ -28,7 +28,6 @@ def build(
     """
     from mechsheet.building import FORMATS
     from mechsheet.building import build as build_workbooks
-    from mechsheet.description import load
 
     wanted = [part.strip() for part in formats.split(",") if part.strip()]
     unknown = [part for part in wanted if part not in FORMATS]
@@ -36,8 +35,7 @@ def build(
         raise MechsheetError(
             Fault(f'no format is called "{", ".join(unknown)}"', key="--format", hint=f"formats: {', '.join(FORMATS)}")
         )
-    changes = settings_of(settings)
-    mechanisms = [load(path, changes, language) for path in descriptions]
+    mechanisms = [described(path, settings, language) for path in descriptions]
     for path, mechanism in zip(descriptions, mechanisms, strict=True):
         with progress(path.name) as say, at_lines_of(mechanism, path):
             say("building")

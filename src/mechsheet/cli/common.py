@@ -17,6 +17,24 @@ if TYPE_CHECKING:
     from mechsheet.model import Mechanism
 
 
+STANDARD_INPUT = Path("-")
+
+
+def described(path: Path, settings: tuple[str, ...] = (), language: str | None = None) -> Mechanism:
+    """The mechanism of a file, or of standard input when it is called `-`, with the changes of `--set`."""
+    from mechsheet.description import MAX_BYTES, load, loads, text_of
+
+    changes = settings_of(settings)
+    if path != STANDARD_INPUT:
+        return load(path, changes, language)
+    text = text_of(sys.stdin.buffer.read(MAX_BYTES + 1), _name_of(path))
+    return loads(text, _name_of(path), changes, language)
+
+
+def _name_of(path: Path) -> str:
+    return "<stdin>" if path == STANDARD_INPUT else readable_name(path)
+
+
 @contextlib.contextmanager
 def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
     """What is wrong with a mechanism is told with the description's file and line."""
@@ -25,7 +43,7 @@ def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
     except MechanismError as error:
         from mechsheet.description.locate import located
 
-        raise located(error, mechanism.text, readable_name(path)) from error
+        raise located(error, mechanism.text, _name_of(path)) from error
 
 
 @contextlib.contextmanager

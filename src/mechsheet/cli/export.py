@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from .common import SET, at_lines_of, progress, settings_of
+from .common import SET, at_lines_of, described, progress
 
 
 class WithKinds(click.Command):
@@ -45,12 +45,11 @@ def export(
     mechsheet export four-bar.toml --to latex --at 60    the solution, with numbers for one position
     mechsheet export four-bar.toml --to dxf --frames 12  twelve drawings in the folder four-bar
     """
-    from mechsheet.description import load
     from mechsheet.exporting import export as write
     from mechsheet.exporting import kind_of
 
     wanted = kind_of(kind)
-    mechanism = load(description, settings_of(settings), language)
+    mechanism = described(description, settings, language)
     with progress(description.name) as say, at_lines_of(mechanism, description):
         say(f"writing {wanted.name}")
         written = write(mechanism, wanted.name, output, at, frames)

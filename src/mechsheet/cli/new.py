@@ -9,8 +9,15 @@ import click
 from mechsheet.diagnostics import Fault, MechsheetError
 
 
+def _templates(context: click.Context, parameter: click.Parameter, begun: str) -> list[str]:
+    """The templates' names that a shell may complete."""
+    from mechsheet.description.templates import template_names
+
+    return [name for name in template_names() if name.startswith(begun)]
+
+
 @click.command()
-@click.argument("template", required=False)
+@click.argument("template", required=False, shell_complete=_templates)
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write; standard output without it.")
 @click.option("--list", "show_list", is_flag=True, help="List the templates.")
 def new(template: str | None, output: Path | None, show_list: bool) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from .common import SET, at_lines_of, progress, settings_of
+from .common import SET, at_lines_of, described, progress
 
 
 @click.command()
@@ -28,10 +28,9 @@ def plot(
 
     Pictures and animations need matplotlib: pip install 'mechsheet[plot]'
     """
-    from mechsheet.description import load
     from mechsheet.plotting import plot as draw
 
-    mechanism = load(description, settings_of(settings), language)
+    mechanism = described(description, settings, language)
     path = output or Path(f"{mechanism.name}.svg")
     with progress(description.name) as say, at_lines_of(mechanism, description):
         say("drawing")

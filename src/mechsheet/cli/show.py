@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from .common import JSON, SET, at_lines_of, settings_of
+from .common import JSON, SET, at_lines_of, described
 
 
 @click.command()
@@ -25,9 +25,8 @@ def show(description: Path, settings: tuple[str, ...], what: str | None, as_json
     mechsheet show four-bar.toml --json
     """
     from mechsheet import show as shows
-    from mechsheet.description import load
 
-    mechanism = load(description, settings_of(settings))
+    mechanism = described(description, settings)
     with at_lines_of(mechanism, description):
         if what == "equations":
             text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)

@@ -81,6 +81,11 @@ def read_text(path: str | FilePath) -> str:
             raise _refusal(name, "this is a directory; name a description, a .toml file") from None
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise _refusal(name, f"cannot be read: {reason}") from None
+    return text_of(content, name)
+
+
+def text_of(content: bytes, name: str) -> str:
+    """The text of a file's first MAX_BYTES + 1 bytes; `name` is what messages call it. Raises DescriptionError."""
     if len(content) > MAX_BYTES:
         raise _refusal(name, f"larger than {MAX_BYTES:,} bytes: this is no description")
     if b"\0" in content:
