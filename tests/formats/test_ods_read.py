@@ -262,6 +262,20 @@ class TestFaults:
         error = self.refused(path, "S!A1", "S!B1", "S!C1", '"1,5"')
         assert len(error.faults) == 3
 
+    def test_names_of_lists_and_names_marked_as_the_documents(self, tmp_path):
+        lists = (
+            '<table:database-ranges><table:database-range table:name="Marks" table:target-range-address="S.A1:S.A2"/>'
+            '<table:database-range table:name="list" table:target-range-address="S.B1:S.B1"/></table:database-ranges>'
+        )
+        names = (
+            '<table:named-expressions><table:named-range table:name="LIST" table:cell-range-address="$S.$A$2"/>'
+            "</table:named-expressions>"
+        )
+        rows = row(number(3), number(0, "SUM(marks)")) + row(number(4), number(0, "$$LIST*2"))
+        book = read(write_ods(tmp_path / "a.ods", content(table(rows) + names + lists)))
+        values = evaluate(book)
+        assert (values.get("S", 0, 1), values.get("S", 1, 1)) == (7.0, 8.0)
+
     def test_notations(self, tmp_path):
         def formula(notation, value):
             return cell(f'table:formula="{notation}" office:value-type="float" office:value="{value}"')

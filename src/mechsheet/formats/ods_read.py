@@ -42,7 +42,7 @@ def _read(package: Package) -> Book:
         raise WorkbookError(scan.faults)
     if not scan.sheets:
         raise package.fault("the workbook has no sheet", CONTENT)
-    names = [defined for text in scan.names if (defined := _name(text)) is not None]
+    names = [defined for text in _all_names(scan) if (defined := _name(text)) is not None]
     date1904 = scan.null_date == NULL_DATE_1904
     return Book(scan.sheets, names, date1904=date1904, source=package.name, remarks=scan.remarks)
 
@@ -73,6 +73,11 @@ def _is_encrypted(package: Package) -> bool:
     parser.StartElementHandler = start
     package.parse(_MANIFEST, parser)
     return found
+
+
+def _all_names(scan: ContentScan) -> list[NameText]:
+    taken = {text.name.casefold() for text in scan.names if text.sheet is None}
+    return scan.names + [text for text in scan.lists if text.name.casefold() not in taken]
 
 
 def _name(text: NameText) -> DefinedName | None:

@@ -60,6 +60,7 @@ class ContentScan:
     package: Package
     sheets: list[BookSheet] = field(default_factory=list)
     names: list[NameText] = field(default_factory=list)
+    lists: list[NameText] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
     remarks: list[Fault] = field(default_factory=list)
     null_date: date = NULL_DATE
@@ -325,6 +326,10 @@ def _small(scan: ContentScan, tag: str, attributes: Mapping[str, str], table: Ta
         base = attributes.get(words.base_cell, "")
         title = None if table is None else table.sheet.title
         scan.names.append(NameText(attributes.get(words.table_name, ""), formula, is_range, base, title))
+    elif tag == words.database_range and words.table_name in attributes:
+        # A list with filters or a table of Excel: formulas use its name like any other, which comes before it.
+        name, area = attributes[words.table_name], attributes.get(words.target_address, "")
+        scan.lists.append(NameText(name, area, True, "", None))
     elif tag == words.null_date:
         scan.calendar(attributes.get(words.date_value_of_null, ""))
     elif tag in words.kinds:

@@ -34,6 +34,7 @@ class Words:
     around_rows: frozenset[str]
     named_range: str
     named_expression: str
+    database_range: str
     null_date: str
     table_name: str
     rows_repeated: str
@@ -50,6 +51,7 @@ class Words:
     extended_type: str
     space_count: str
     range_address: str
+    target_address: str
     base_cell: str
     expression: str
     date_value_of_null: str
@@ -92,6 +94,7 @@ def words_of(attributes: Mapping[str, str]) -> Words:
         ),
         named_range=named("table", "named-range"),
         named_expression=named("table", "named-expression"),
+        database_range=named("table", "database-range"),
         null_date=named("table", "null-date"),
         table_name=named("table", "name"),
         rows_repeated=named("table", "number-rows-repeated"),
@@ -108,6 +111,7 @@ def words_of(attributes: Mapping[str, str]) -> Words:
         extended_type=named("calcext", "value-type"),
         space_count=named("text", "c"),
         range_address=named("table", "cell-range-address"),
+        target_address=named("table", "target-range-address"),
         base_cell=named("table", "base-cell-address"),
         expression=named("table", "expression"),
         date_value_of_null=named("table", "date-value"),

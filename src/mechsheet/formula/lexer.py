@@ -66,7 +66,7 @@ _OPENFORMULA = re.compile(
     | {_NUMBER}
     | (?P<sheet>\$(?:{QUOTED}|[^\W\d]\w*)\.)
     | (?P<function>[^\W\d][\w.]*(?=\s*\())
-    | (?P<name>[^\W\d][\w.]*)
+    | (?P<name>(?:\$\$)?[^\W\d][\w.]*)
     | (?P<op><>|<=|>=|[-+*/^&=<>%:!~])
     | (?P<open>\() | (?P<close>\)) | (?P<array>\{{) | (?P<array_end>\}})
     | (?P<separator>;) | (?P<row_separator>\|)

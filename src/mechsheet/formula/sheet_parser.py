@@ -245,7 +245,7 @@ class SheetParser(Parser):
             return Local(word[len(_OPTIONAL) :].casefold(), True)
         if sheet is None and word.startswith(_FUNCTION):
             return FunctionRef(canonical_name(token.text[len(_FUNCTION) :], self.dialect.name), "")
-        return NameRef(token.text, sheet)
+        return NameRef(token.text.removeprefix("$$"), sheet)  # LibreOffice's mark of a name of the whole document
 
 
 def _unquote(sheet: str) -> str:
