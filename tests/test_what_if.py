@@ -240,13 +240,15 @@ def test_texts_of_long_loops_are_forgotten(monkeypatch):
         assert len(session._live.texts) < 100
 
 
-def test_a_circle_is_found_when_the_book_is_opened():
+def test_the_cells_of_a_circle_are_errors():
     builder = BookBuilder()
     sheet = builder.sheet("S")
     sheet.block(0, 0, 1, 1, parse_formula("B1"))
     sheet.block(0, 1, 1, 1, parse_formula("A1"))
-    with pytest.raises(WorkbookError, match="circular reference"):
-        Session(builder.build())
+    session = Session(builder.build())
+    assert session["S!A1"] == ErrorValue("#REF!")
+    with pytest.raises(WorkbookError, match="no number"):
+        session.number("S!B1")
 
 
 def test_a_file_set_written_and_read_again(tmp_path):

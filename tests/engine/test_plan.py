@@ -11,7 +11,7 @@ from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue, Symbol, shifted
 from mechsheet.formula.parser import parse_formula
 
-NA, DIV0, VALUE, NUM, NAME = map(ErrorValue, ("#N/A", "#DIV/0!", "#VALUE!", "#NUM!", "#NAME?"))
+NA, DIV0, VALUE, NUM, NAME, REF = map(ErrorValue, ("#N/A", "#DIV/0!", "#VALUE!", "#NUM!", "#NAME?", "#REF!"))
 
 
 def book(columns, blocks, names=()):
@@ -99,13 +99,27 @@ def test_a_table_that_reads_above_and_left():
     assert column(values, "E", 1, 5) == [1, 5, 15, 35, 70]
 
 
-def test_a_circle_is_reported_with_its_cells():
-    with pytest.raises(WorkbookError, match=r"circular reference: S!A1 -> S!C1 -> S!B1 -> S!A1"):
-        evaluate(book({}, {"A1": "C1+1", "B1": "A1", "C1": "B1"}))
-    with pytest.raises(WorkbookError, match=r"circular reference: S!A3 -> S!A3"):
-        evaluate(book({}, {"A3": "SUM(A1:A5)"}))
-    with pytest.raises(WorkbookError, match=r"circular reference: S!A2 -> S!B2 -> S!A2"):
-        evaluate(book({"A": [1.0]}, {"A2:A9": "B2+A1", "B2:B9": "A2"}))
+def test_a_circle_is_remarked_with_its_cells():
+    blocks = {"A1": "C1+1", "B1": "A1", "C1": "B1", "D1": "A1+1", "E1": "IFERROR(A1,5)", "F1": "2"}
+    values = evaluate(book({}, blocks))
+    assert [str(fault) for fault in values.remarks] == [
+        "book.xlsx: S!A1: circular reference: S!A1 -> S!C1 -> S!B1 -> S!A1"
+    ]
+    assert [values.get("S", 0, col) for col in range(6)] == [REF, REF, REF, REF, 5, 2]
+    values = evaluate(book({}, {"A3": "SUM(A1:A5)"}))
+    assert [fault.message for fault in values.remarks] == ["circular reference: S!A3 -> S!A3"]
+    plan = compile_book(book({"A": [1.0]}, {"A2:A9": "B2+A1", "B2:B9": "A2"}))
+    for _ in range(2):
+        values = plan.evaluate()
+        assert values.remarks[0].message == "circular reference: S!A2 -> S!B2 -> S!A2"
+        assert values.get("S", 8, 0) == REF
+
+
+def test_a_column_of_circles():
+    values = evaluate(book({}, {"A1:A5000": "A1+1", "B1": "1"}))
+    assert len(values.remarks) == 20
+    assert values.remarks[-1].message.endswith("(and more of them)")
+    assert values.get("S", 4999, 0) == REF
 
 
 # --- names ----------------------------------------------------------------------------------------------------------

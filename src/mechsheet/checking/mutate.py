@@ -17,7 +17,7 @@ from mechsheet.checking.damage import Damage, damages
 from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.perturb import description_or_fault, workbook_of
 from mechsheet.checking.report import TOLERANCE
-from mechsheet.diagnostics import WorkbookError, readable_name
+from mechsheet.diagnostics import readable_name
 from mechsheet.engine import compile_book
 from mechsheet.formats import read
 from mechsheet.formula.book import Block, Book, BookSheet
@@ -193,9 +193,8 @@ class _Run:
         old = sheet.formula_at(damaged.row, damaged.col)
         assert old is not None
         book = _with_blocks(self.book, sheet, old, pieces)
-        try:
-            values = compile_book(book).evaluate()
-        except WorkbookError:
+        values = compile_book(book).evaluate()
+        if values.remarks:
             self.circular += 1
             return None
         if not differ(self.book, self.values, values, self.angles):

@@ -28,7 +28,7 @@ Overrides = Mapping[tuple[str, int, int], Scalar]
 
 
 def compile_book(book: Book) -> Plan:
-    """Make a book ready. Raises WorkbookError for unknown functions and names, and for cells filled twice."""
+    """Make a book ready. Raises WorkbookError for cells filled twice."""
     return Plan(book)
 
 
@@ -41,7 +41,7 @@ class Plan:
     """A book with its cells laid out, its formulas resolved and their order found.
 
     remarks  what is not as it is meant, with its cells: unknown functions and names, references to other workbooks, volatile
-             functions
+             functions (circles and the like are found by each evaluation: `Values.remarks`)
     settles  whether order or sizes depend on values (OFFSET, INDIRECT, dynamic arrays): then each evaluation finds them
     """
 
@@ -81,7 +81,7 @@ class Plan:
     def evaluate(self, overrides: Overrides | None = None) -> Values:
         """All values, with some cells' contents replaced by constants (`None` empties a cell).
 
-        Raises WorkbookError at a circular reference, naming its cells, and KeyError for a sheet that does not exist.
+        Raises KeyError for a sheet that does not exist.
         """
         places = self._places(overrides or {})
         count = len(self.layout.blocks)

@@ -15,7 +15,8 @@ from .values import BOOLEAN, NUMBER, Cells, Codes, Numbers, Texts
 class Values:
     """What every cell shows: constants and results alike.
 
-    remarks  what is not as it is meant, with its cells: unknown functions, references to other workbooks, volatile functions
+    remarks  what is not as it is meant, with its cells: unknown functions, references to other workbooks, volatile
+             functions, circles (#REF! in their cells)
     """
 
     def __init__(

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from ..diagnostics import Fault, WorkbookError
+import numpy as np
+
 from ..formula.nodes import CellRef, Node, RangeRef
 from ..formula.references import cell_address
 from .arrays import fill_array
@@ -13,11 +14,14 @@ from .frames import Frame
 from .graph import Functions, references
 from .layout import Area, Layout
 from .marks import Marks
+from .values import REF
 
 Cell = tuple[int, int, int]
 """(block, rows down, columns right of its first cell)"""
 
 _SHOWN = 12
+_MOST_CIRCLES = 20
+"""Cells that are shown of a circle, and circles that are remarked: a column may have thousands."""
 
 
 class _PendingError(Exception):
@@ -46,6 +50,7 @@ class Together:
         self.producers = members
         self.sheets = {title: index for index, title in enumerate(layout.titles)}
         self.reads = {number: self._inner(number) for number in members}
+        self._circles = 0
 
     def _inner(self, number: int) -> list[tuple[CellRef, CellRef]]:
         """The references of a block that can mean cells of the set, as corners."""
@@ -84,7 +89,8 @@ class Together:
                 yield member, row - block.row, col - block.col
 
     def run(self, ev: Evaluator, marks: Marks) -> None:
-        """Compute all cells. Raises WorkbookError naming the cells of a circle."""
+        """Compute all cells. Those of a circle are #REF! and remarked."""
+        self._circles = 0
         done: set[Cell] = set()
         outside = ev.around.check
 
@@ -138,7 +144,11 @@ class Together:
                     done.add(cell)
                     continue
             if below in waiting:
-                raise self._circle([*path[path.index(below) :], below])
+                place = path.index(below)
+                self._note_circle(path[place:], done, ev)
+                waiting.difference_update(path[place:])
+                del path[place:], work[place:]
+                continue
             path.append(below)
             waiting.add(below)
             work.append(self.precedents(below))
@@ -155,11 +165,27 @@ class Together:
         ev.numbers[place] = found.numbers
         ev.codes[place] = 0 if found.codes is None else found.codes
 
-    def _circle(self, path: list[Cell]) -> WorkbookError:
-        names = []
-        for number, down, right in path:
-            block = self.layout.blocks[number]
-            title = self.layout.titles[self.layout.block_sheets[number]]
-            names.append(cell_address(title, block.row + down, block.col + right))
+    def _note_circle(self, circle: list[Cell], done: set[Cell], ev: Evaluator) -> None:
+        """The cells of a circle are #REF!, and remarked: no value of theirs would mean anything."""
+        for cell in circle:
+            number, down, right = cell
+            block, first = self.layout.blocks[number], self.layout.block_offsets[number]
+            start = first + right * block.rows + down
+            stop = start + 1 if block.kind == "fill" else first + block.rows * block.cols
+            ev.numbers[start:stop], ev.codes[start:stop] = np.nan, REF
+            done.add(cell)
+        self._circles += 1
+        if self._circles > _MOST_CIRCLES:
+            return
+        names = [self._name(cell) for cell in (*circle, circle[0])]
         shown = names if len(names) <= _SHOWN else [*names[: _SHOWN - 1], "...", names[-1]]
-        return WorkbookError(Fault(f"circular reference: {' -> '.join(shown)}", key=names[0]))
+        first_cell = self.layout.blocks[circle[0][0]]
+        sheet = self.layout.block_sheets[circle[0][0]]
+        more = " (and more of them)" if self._circles == _MOST_CIRCLES else ""
+        message = f"circular reference: {' -> '.join(shown)}{more}"
+        ev.around.remark(message, sheet, first_cell.row + circle[0][1], first_cell.col + circle[0][2])
+
+    def _name(self, cell: Cell) -> str:
+        number, down, right = cell
+        block = self.layout.blocks[number]
+        return cell_address(self.layout.titles[self.layout.block_sheets[number]], block.row + down, block.col + right)
