@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from xml.parsers import expat
 
 from mechsheet.diagnostics import Fault, FormulaError, WorkbookError
 from mechsheet.formula.book import Book, DefinedName
-from mechsheet.formula.nodes import CellRef, shifted
+from mechsheet.formula.nodes import CellRef, Node, shifted, transform
 from mechsheet.formula.parser import parse_formula
 
 from .ods_parts import SHEET_TYPE
@@ -91,5 +92,11 @@ def _name(text: NameText) -> DefinedName | None:
         return None
     if not isinstance(base, CellRef):
         return None
+    if text.fixed:
+        formula = transform(formula, _absolute)
     # Relative references are as seen from the base cell; a book has them as seen from A1.
     return DefinedName(text.name, shifted(formula, -base.row, -base.col, wrap=True), text.sheet)
+
+
+def _absolute(node: Node) -> Node:
+    return replace(node, row_abs=True, col_abs=True) if isinstance(node, CellRef) else node

@@ -30,13 +30,17 @@ MAX_REPEATED = 1 << 23
 
 
 class NameText(NamedTuple):
-    """A defined name as it is written. `formula` is an expression, or the address of a range; `sheet` None: the book's."""
+    """A defined name as it is written. `formula` is an expression, or the address of a range; `sheet` None: the book's.
+
+    fixed  the address means these cells, although it has no `$`
+    """
 
     name: str
     formula: str
     is_range: bool
     base: str
     sheet: str | None
+    fixed: bool = False
 
 
 @dataclass(slots=True)
@@ -329,7 +333,7 @@ def _small(scan: ContentScan, tag: str, attributes: Mapping[str, str], table: Ta
     elif tag == words.database_range and words.table_name in attributes:
         # A list with filters or a table of Excel: formulas use its name like any other, which comes before it.
         name, area = attributes[words.table_name], attributes.get(words.target_address, "")
-        scan.lists.append(NameText(name, area, True, "", None))
+        scan.lists.append(NameText(name, area, True, "", None, fixed=True))
     elif tag == words.null_date:
         scan.calendar(attributes.get(words.date_value_of_null, ""))
     elif tag in words.kinds:
