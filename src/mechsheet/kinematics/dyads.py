@@ -22,6 +22,7 @@ class Solved:
     pins: tuple[str, ...]
     label: Words
     transmission: str = ""
+    sides: tuple[Node, ...] = ()
 
 
 NO_MODE = (Words("", ""), Words("", ""))

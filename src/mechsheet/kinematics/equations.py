@@ -62,7 +62,9 @@ class Group:
     closes        symbol that is a number where the group can be assembled, and #N/A where it cannot
     degenerate    TRUE in a row where the position is undetermined (the outer pins coincide), or None
     open          True when the sketch said nothing about this group
-    angles        angle of the transmission: symbol whose sine measures how well the group transmits force, or ""
+    transmission  angle of the transmission: symbol whose sine measures how well the group transmits force, or ""
+    sides         lengths that must form a triangle for the group to close: its three sides; or the hypotenuse and a leg of
+                  a right triangle; none where two lines meet
     """
 
     number: int
@@ -77,6 +79,7 @@ class Group:
     open: bool
     label: Words
     transmission: str = ""
+    sides: tuple[Node, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -72,6 +72,7 @@ def solve_rpr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
             f"{poses.both(dyad).en}: pins {p}, {q}, slide {joint.symbol}",
             f"{poses.both(dyad).tr}: {p}, {q} mafsalları, {joint.symbol} kayması",
         ),
+        sides=(r, h),
     )
 
 

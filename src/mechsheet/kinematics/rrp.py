@@ -79,4 +79,5 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
             f"{poses.both(dyad).tr}: {p}, {r} mafsalları, {guide.symbol} kayması",
         ),
         transmission=psi.name,
+        sides=(a, n),
     )

@@ -68,6 +68,7 @@ def solve_rrr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
             f"{poses.both(dyad).tr}: {p}, {q}, {r} mafsalları",
         ),
         transmission=mu.name,
+        sides=(a, b, s),
     )
 
 

@@ -185,7 +185,7 @@ def _solve_dyad(poses: Poses, dyad: Dyad, always: bool) -> Solved:
 def _group(index: int, dyad: Dyad, solved: Solved, value: int, is_open: bool) -> Group:
     return Group(
         index, dyad.kind, (*dyad.first, *dyad.second), solved.pins, solved.mode, value, solved.mode_words,
-        solved.closes, solved.degenerate, is_open, solved.label, solved.transmission,
+        solved.closes, solved.degenerate, is_open, solved.label, solved.transmission, solved.sides,
     )  # fmt: skip
 
 

@@ -8,8 +8,8 @@ from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number
 from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.aside import aside
 from mechsheet.sheet.consistency import whole_table
-from mechsheet.sheet.extremes import extremes
 from mechsheet.sheet.plan import EXISTS, Plan, unit_text
 from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
 from mechsheet.sheet.symbols import plain
@@ -80,10 +80,10 @@ class _Sheet:
         self._group_headings()
         self._whole_table()
         self._top()
-        extremes_at = max(self.last_col, SIDE_END) + 2
-        cells, fills, taken = extremes(plan, self.title, GROUP_ROW, extremes_at)
-        self.cells += cells
-        self.fills += fills
+        aside_at = max(self.last_col, SIDE_END) + 2
+        beside = aside(plan, self.title, GROUP_ROW, HEAD_ROW, FIRST, aside_at)
+        self.cells += beside.cells
+        self.fills += beside.fills
         area = Area(FIRST, NUMBER, self.last_row, self.last_col)
         missing = Binary("=", CellRef(plan.at.first, EXISTS, col_abs=True, sheet=plan.table), al.ZERO)
         self.conditionals.append(Conditional(area, missing, styles.MISSING))
@@ -98,9 +98,9 @@ class _Sheet:
             columns=(
                 Column(NUMBER, NUMBER, 9),
                 Column(DRIVER_COL, DRIVER_COL, 13),
-                Column(DATA, extremes_at - 2, 11.5),
-                Column(extremes_at - 1, extremes_at - 1, 3),
-                *([Column(extremes_at, extremes_at + taken - 1, 20)] if taken else []),
+                Column(DATA, aside_at - 2, 11.5),
+                Column(aside_at - 1, aside_at - 1, 3),
+                *beside.columns,
             ),
             row_heights=((TITLE_ROW, 26.0), (ABOUT_ROW, 42.0), (HEAD_ROW, 30.0)),
             merges=tuple(self.merges),
@@ -113,7 +113,7 @@ class _Sheet:
                 fit_width=1 + self.last_col // COLUMNS_OF_A_PAGE,
                 repeat_rows=(GROUP_ROW, VERDICT_ROW),
                 area=Area(0, 0, self.last_row, max(self.last_col, SIDE_END)),
-                footer=plan.text("footer"),
+                footer=plan.footer,
             ),
         )
 

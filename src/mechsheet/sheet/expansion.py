@@ -74,14 +74,15 @@ def expand(
     helper  the cell of the n-th block of helpers, as the top-left cell of any block reads it
     """
     work = _Work(rules, bound, helper)
-    needed = _needed(wanted, rules)
+    used = needed(wanted, rules)
     for symbol, rule in rules.items():
-        if symbol in needed:
+        if symbol in used:
             work.expand(symbol, rule)
     return Expansion(work.form(wanted), tuple(work.helpers))
 
 
-def _needed(wanted: str, rules: Mapping[str, Node]) -> set[str]:
+def needed(wanted: str, rules: Mapping[str, Node]) -> set[str]:
+    """The symbols that a quantity depends on by the rules, and itself."""
     stack, found = [wanted], {wanted}
     while stack:
         rule = rules.get(stack.pop())

@@ -10,6 +10,7 @@ from itertools import combinations
 
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.model import Joint, Link, Mechanism
+from mechsheet.sheet.reach import Reach, reach_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +43,8 @@ class Findings:
     strokes       sliding joints on the ground, without the driven one
     returning     symbols of those swings and strokes that move nothing further; they have a time ratio if the driver turns
     transmission  groups that have an angle of transmission
+    reach         what the first group's closing depends on, where that is one length; then the driver's range is known
+    limits        True where some group can stop closing
     """
 
     four_bars: tuple[FourBar, ...]
@@ -49,11 +52,16 @@ class Findings:
     strokes: tuple[Joint, ...]
     returning: tuple[str, ...]
     transmission: tuple[Group, ...]
+    reach: Reach | None = None
+    limits: bool = False
 
     @property
     def entries(self) -> list[str]:
         """Keys of the lines of the block, in order."""
-        lines = ["rows", "missing", "closure", "leaps"]
+        lines = ["rows", "missing"]
+        lines += ["limits"] if self.limits else []
+        lines += ["input"] if self.reach else []
+        lines += ["closure", "leaps"]
         lines += [f"grashof {loop.group}" for loop in self.four_bars]
         lines += [f"swing {link.angle_symbol}" for link in self.swings]
         lines += [f"stroke {joint.symbol}" for joint in self.strokes]
@@ -84,6 +92,8 @@ def findings(mechanism: Mechanism, equations: Equations) -> Findings:
         strokes,
         _returning(mechanism, equations, swings, strokes),
         tuple(group for group in equations.groups if group.transmission in names),
+        reach_of(mechanism, equations),
+        any(group.sides for group in equations.groups),
     )
 
 

@@ -15,6 +15,7 @@ from mechsheet.sheet.checks import ROUNDING
 from mechsheet.sheet.extremes import sweep_of
 from mechsheet.sheet.findings import FourBar, findings
 from mechsheet.sheet.geometry import distance
+from mechsheet.sheet.limits import SLOTS
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, unit_text
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.rows import exists_column, first_row, last_row
@@ -32,9 +33,13 @@ def write_stands(writer: Writer) -> None:
     """Fill the block in. The sheet of checks must have been laid out: its verdicts are read here."""
     block = _Block(writer)
     writer.heading("stands", writer.plan.text("head.at"))
-    block.assembles()
-    block.checks()
     found = findings(writer.plan.mechanism, writer.plan.equations)
+    block.assembles()
+    if found.limits:
+        block.limits()
+    if found.reach is not None:
+        block.input_range()
+    block.checks()
     for loop in found.four_bars:
         block.grashof(loop)
     for link in found.swings:
@@ -133,6 +138,55 @@ class _Block:
         later = RangeRef(CellRef(start.row + 1, start.col, True, True, start.sheet), end)
         earlier = RangeRef(start, CellRef(end.row - 1, end.col, True, True, end.sheet))
         return al.add(start, Call("SUMPRODUCT", (al.mul(later, al.sub(al.ONE, earlier)),)))
+
+    def limits(self) -> None:
+        """How many limits the sweep passes, the first of them, and where each stretch ends and begins."""
+        slots = [number for number in range(1, SLOTS + 1) if f"#limit {number}" in self.plan.at.spots]
+        exists = exists_column(self.plan)
+        cell = CellRef(self.rows["limits"], VALUE, True, True)
+        none = Binary("=", cell, al.ZERO)
+        unit = _after_number(unit_text(self.driver.unit))
+        parts: list[Node] = []
+        for number in slots:
+            value, way = self.value(f"#limit {number}"), self.value(f"#limit way {number}")
+            words = _joined(Text(", " if number > 1 else ""), way, Text(" "), _short(value, 3), Text(unit))
+            parts.append(Call("IF", (Call("ISNUMBER", (value,)), words, Text(""))))
+        more = Call("IF", (Binary(">", cell, Number(float(len(slots)))), Text(" …"), Text("")))
+        words = Call("IF", (none, self.said("no_limit"), _joined(*parts, more) if parts else Text("")))
+        count = self._changes(exists) if slots else al.ZERO
+        self.line("limits", self.text("limits"), "", count, styles.decimals(styles.RESULT, 0), words)
+        if slots:
+            self.at("limits", Call("IF", (none, Text(""), self.value("#limit 1"))))
+        self.colour("limits", Call("NOT", (none,)), styles.WARN)
+
+    def _changes(self, exists: RangeRef) -> Node:
+        """Pairs of neighbouring rows of which one exists and the other does not."""
+        start, end = exists.start, exists.end
+        later = RangeRef(CellRef(start.row + 1, start.col, True, True, start.sheet), end)
+        earlier = RangeRef(start, CellRef(end.row - 1, end.col, True, True, end.sheet))
+        return Call("SUMPRODUCT", (al.square(al.sub(later, earlier)),))
+
+    def input_range(self) -> None:
+        """From where to where the driver can go as far as the first group lets it: its dead centres."""
+        ranges = self.value("#input ranges")
+        unit = _after_number(unit_text(self.driver.unit))
+        names = [self.value(f"#input {key}") for key in ("from", "to", "from other", "to other")]
+        one, other = (
+            _joined(_short(a, 3), Text(f"{unit} … "), _short(b, 3), Text(unit)) for a, b in (names[:2], names[2:])
+        )
+        turns = self.driver.unit in ("deg", "rad")
+        if turns:  # of a slide the other range is a mirror image: the same lengths laid off backwards
+            one = _joined(one, Call("IF", (Binary("=", ranges, al.TWO), _joined(Text("; "), other), Text(""))))
+        free = self.said("free.turn" if turns else "free.slide")
+        words = Call("IF", (Binary("=", ranges, al.ZERO), free, one))
+        words = Call("IF", (Binary("<", ranges, al.ZERO), self.said("nowhere"), words))
+        extent = Call("IF", (Binary(">", ranges, al.ZERO), al.sub(names[1], names[0]), Text("")))
+        key = "input"
+        style = styles.decimals(styles.RESULT, places(self.plan, "angle" if turns else "length"))
+        self.line(
+            key, self.text("input"), unit_text(self.driver.unit), Call("IFERROR", (extent, Text(""))), style, words
+        )
+        self.colour(key, Binary("<", ranges, al.ZERO), styles.BAD)
 
     def checks(self) -> None:
         """The largest gap of a joint, and the leaps, from the sheet of checks."""
@@ -253,7 +307,8 @@ class _Block:
             steps = self.plan.rows - 1 if sweep == "closed" else self.plan.rows
             turns = al.div(Call("ABS", (al.mul(al.number(steps), self.value("#step")),)), turn)
             whole = Binary("<", Call("ABS", (al.sub(turns, Call("ROUND", (turns, al.ZERO))),)), Number(1e-9))
-            value = Call("IF", (Call("AND", (whole, Binary(">", turns, Number(0.5)))), value, Text("")))
+            whole_rows = Binary("=", CellRef(self.rows["missing"], VALUE, True, True), al.ZERO)
+            value = Call("IF", (Call("AND", (whole, Binary(">", turns, Number(0.5)), whole_rows)), value, Text("")))
         else:
             value, words = Text(""), self.said("no_turn")
         value = Call("IFERROR", (value, Text("")))
