@@ -16,6 +16,7 @@ from ..formula.nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
     Apply,
+    Arrayed,
     ArrayLiteral,
     Binary,
     Boolean,
@@ -141,6 +142,8 @@ class Evaluator:
                 return self.scopes.local(self, name, frame, spread)
             case Apply():
                 return self.scopes.call(self, node, frame, spread)
+            case Arrayed(operand):
+                return self.value(operand, frame, True)
             case FunctionRef():
                 return error(CALC)
             case _:

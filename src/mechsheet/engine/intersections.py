@@ -8,7 +8,7 @@ in others. Functions that want arrays (SUMPRODUCT, MMULT, LOOKUP ...) take them 
 from __future__ import annotations
 
 from ..formula.functions import FUNCTIONS
-from ..formula.nodes import Binary, Call, Node, RangeRef, TableRef, Unary, children, rebuilt
+from ..formula.nodes import Arrayed, Binary, Call, Node, RangeRef, TableRef, Unary, children, rebuilt
 
 SINGLES = frozenset("ntbdae")
 """Kinds of arguments that are single values."""
@@ -30,7 +30,7 @@ def intersected(node: Node) -> Node:
             return _replaced(node, changed)
         case Binary():
             return _along(node, intersected)
-        case _ if children(node) and not isinstance(node, RangeRef):
+        case _ if children(node) and not isinstance(node, RangeRef | Arrayed):
             return _replaced(node, [intersected(part) for part in children(node)])
         case _:
             return node

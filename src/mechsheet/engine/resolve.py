@@ -15,6 +15,8 @@ from ..formula.nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
     Apply,
+    Arrayed,
+    ArrayLiteral,
     Binary,
     Call,
     CellRef,
@@ -37,6 +39,7 @@ from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
 from .intersections import intersected
 from .kernels import KERNELS
+from .regions import gives_region
 from .scopes import is_function, with_locals
 
 _MOST_SHEETS = 1024
@@ -198,7 +201,10 @@ class Resolver:
             return self.unknown(place, f"names that stand for one another, more than {MAX_NESTING} deep")
         home = defined.sheet or sheet
         moved = shifted(formula, block.row, block.col, wrap=True)
-        return self.named(moved, block, home, place, (*inside, defined.name))
+        found = self.named(moved, block, home, place, (*inside, defined.name))
+        if gives_region(found) or not any(isinstance(each, RangeRef | ArrayLiteral) for each in walk(found)):
+            return found
+        return Arrayed(found)
 
     def find(self, reference: NameRef, sheet: str) -> DefinedName | None:
         """The sheet's own name before the book's."""

@@ -171,6 +171,13 @@ class Local:
 
 
 @dataclass(frozen=True, slots=True)
+class Arrayed:
+    """What is computed as in an array formula wherever it stands: the expression that a defined name stands for."""
+
+    operand: Node
+
+
+@dataclass(frozen=True, slots=True)
 class FunctionRef:
     """A defined name that stands for a function; relative references in it are as seen from (row, col) of `sheet`."""
 
@@ -207,6 +214,7 @@ Node: TypeAlias = (
     | TableRef
     | Foreign
     | Local
+    | Arrayed
     | FunctionRef
     | Apply
 )
@@ -218,7 +226,7 @@ Scalar: TypeAlias = float | str | bool | ErrorValue | None
 def children(node: Node) -> tuple[Node, ...]:
     """The direct operands of a node, in reading order."""
     match node:
-        case Unary(_, operand):
+        case Unary(_, operand) | Arrayed(operand):
             return (operand,)
         case Binary(_, left, right):
             return (left, right)
@@ -273,6 +281,8 @@ def rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
     match node:
         case Unary(op, _):
             return Unary(op, below[0])
+        case Arrayed():
+            return Arrayed(below[0])
         case Binary(op, _, _):
             return Binary(op, below[0], below[1])
         case Call(name, _):
