@@ -14,14 +14,15 @@ CASES = cases()
 
 
 @pytest.fixture(scope="module")
-def plan():
-    return compile_book(book_of([formula for _, formula, _ in CASES]))
+def evaluations():
+    plan = compile_book(book_of([formula for _, formula, _ in CASES]))
+    return {time: plan.evaluate() for time in ("first", "second")}
 
 
 @pytest.mark.parametrize("time", ["first", "second"])
 @pytest.mark.parametrize("file", [path.stem for path in FILES])
-def test_cases(plan, file, time):
-    values = plan.evaluate()
+def test_cases(evaluations, file, time):
+    values = evaluations[time]
     wrong = [
         (formula, value, values.get("S", row, COLUMN))
         for row, (stem, formula, value) in enumerate(CASES, FIRST_ROW)
@@ -60,12 +61,13 @@ def test_cases_filled_down_and_right(file):
 def test_every_function_has_cases():
     formulas = [formula for _, formula, _ in [*CASES, *array_cases()]]
     used = {part.name for formula in formulas for part in walk(parse_formula(formula)) if isinstance(part, Call)}
-    assert set(FUNCTIONS) - used == set()
+    written_otherwise = {"SINGLE", "ANCHORARRAY"}  # @A1:A9, A1#: test_arrays.py
+    assert set(FUNCTIONS) - used - written_otherwise == set()
 
 
 def test_the_tables_of_functions_and_kernels_have_the_same_names():
-    modules = {row.module for row in FUNCTIONS.values()}
-    assert sorted(FUNCTIONS) == sorted(name for module in modules for name in kernels_in(module))
+    for module in {row.module for row in FUNCTIONS.values()}:
+        assert sorted(kernels_in(module)) == sorted(row.name for row in FUNCTIONS.values() if row.module == module)
 
 
 MOVING = (

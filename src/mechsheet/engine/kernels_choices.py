@@ -147,8 +147,6 @@ def exclusive_or(*lists: list[Scalar]) -> bool:
 
 
 PLAIN: dict[str, Callable[..., Any]] = {
-    "TRUE": lambda: True,
-    "FALSE": lambda: False,
     "XOR": exclusive_or,
     "ERROR.TYPE": error_type,
     "ISEVEN": lambda value: _parity(value) == 0,

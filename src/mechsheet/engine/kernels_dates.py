@@ -43,7 +43,7 @@ def time_(hour: float, minute: float, second: float) -> float:
 
 
 def _shown(text: str) -> tuple[float, float]:
-    found = day_and_time(text.strip())
+    found = day_and_time(text.strip()) if text.strip() else None
     if found is None:
         raise Problem("#VALUE!")
     return found

@@ -42,6 +42,8 @@ def _temperature(name: str) -> tuple[float, float] | None:
 
 _BASES = {"BIN": 2, "OCT": 8, "HEX": 16}
 _DIGITS = 10
+_NO_PLACES = math.inf
+"""Stands for an argument left out."""
 
 
 def read_base(value: Scalar, base: int) -> int:
@@ -68,7 +70,7 @@ def write_base(number: int, base: int, places: Scalar) -> str:
         rest, digit = divmod(rest, base)
         text = "0123456789ABCDEF"[digit] + text
     text = text or "0"
-    if places is None or number < 0:
+    if places == _NO_PLACES or number < 0:
         return text
     least = math.trunc(_plain_number(places))
     if not len(text) <= least <= _DIGITS or least <= 0:
@@ -87,11 +89,11 @@ def _to_decimal(base: int) -> Callable[[Scalar], float]:
 
 
 def _from_decimal(base: int) -> Callable[..., str]:
-    return lambda value, places=None: write_base(math.floor(_plain_number(value)), base, places)
+    return lambda value, places=_NO_PLACES: write_base(math.floor(_plain_number(value)), base, places)
 
 
 def _between(source: int, target: int) -> Callable[..., str]:
-    return lambda value, places=None: write_base(read_base(value, source), target, places)
+    return lambda value, places=_NO_PLACES: write_base(read_base(value, source), target, places)
 
 
 # --- bits ------------------------------------------------------------------------------------------------------------

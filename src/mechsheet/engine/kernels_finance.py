@@ -58,11 +58,17 @@ def interest_part(
 ) -> float:
     """IPMT."""
     need(1 <= period < periods + 1)
-    pay = payment(rate, periods, present, future, due)
-    if bool(due) and period < 2:
+    if rate == 0 or (due and period < 2):
         return 0.0
-    found = future_value(rate, period - 1, pay, present, due) * rate
+    found = -_balance(rate, period - 1, periods, present, future) * rate
     return found / (1 + rate) if due else found
+
+
+def _balance(rate: float, after: float, periods: float, present: float, future: float) -> float:
+    """What is still owed after some periods: present at the start, -future at the end."""
+    whole = math.expm1(periods * math.log1p(rate))
+    part = math.expm1(after * math.log1p(rate))
+    return present * ((whole - part) / whole) - future * (part / whole)
 
 
 def principal_part(
@@ -95,9 +101,6 @@ def solved(function: Callable[[float], float], guess: float) -> float:
         if abs(new - rate) <= 1e-15 * max(1.0, abs(new)):
             return new
         rate = new
-    else:
-        if abs(function(rate)) < 1e-7:
-            return rate
     return _by_halving(function, guess)
 
 
@@ -130,7 +133,7 @@ def _by_halving(function: Callable[[float], float], guess: float) -> float:
     brackets = [
         (abs((a + b) / 2 - guess), a, b)
         for a, b, x, y in zip(grid, grid[1:], found, found[1:], strict=False)
-        if math.isfinite(x) and math.isfinite(y) and x * y <= 0
+        if math.isfinite(x) and math.isfinite(y) and (x < 0 < y or y < 0 < x)
     ]
     if not brackets:
         raise Problem("#NUM!")

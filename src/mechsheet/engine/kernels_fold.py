@@ -180,7 +180,7 @@ def ranked(numbers: Any, counts: Any, place: Any, from_top: bool) -> Any:
     place = np.ceil(place)
     ordered = np.sort(np.where(counts, numbers, np.inf), axis=0)
     index = many - place if from_top else place - 1
-    outside = (place < 1) | (place > many)
+    outside = ~((place >= 1) & (place <= many))  # also where it is no number
     safe = np.where(outside, 0, index).astype(np.intp)
     if ordered.ndim == 1:
         found = ordered[safe]

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from .calling import Problem, raise_first
+from ..formula.nodes import Scalar
+from .calling import Problem, raise_first, to_number
 from .kernels_math import Result, half_away
 from .values import DIV0, NUM, NUMBER, Cells, Numbers
 
@@ -106,12 +107,15 @@ def whole(number: float, least: float = 0.0, most: float = MOST_WHOLE) -> int:
     return math.trunc(number)
 
 
-def all_whole(parts: tuple[Numbers, ...]) -> list[int]:
-    """The whole parts of all numbers."""
-    return [whole(number) for part in parts for number in part.tolist()]
+def all_whole(lists: tuple[list[Scalar], ...]) -> list[int]:
+    """The whole parts of all values but blanks; texts that show no number and truth values are #VALUE!."""
+    values = [value for part in lists for value in part if value is not None]
+    if any(isinstance(value, bool) for value in values):
+        raise Problem("#VALUE!")
+    return [whole(to_number(value)) for value in values]
 
 
-def least_multiple(*parts: Numbers) -> float:
+def least_multiple(*parts: list[Scalar]) -> float:
     """LCM."""
     found = math.lcm(*all_whole(parts))
     if found >= MOST_WHOLE:
@@ -147,7 +151,7 @@ def permutations(number: float, chosen: float) -> float:
     return float(math.perm(whole(number, 0, MOST_WHOLE), whole(chosen, 0, math.trunc(number))))
 
 
-def multinomial(*parts: Numbers) -> float:
+def multinomial(*parts: list[Scalar]) -> float:
     """MULTINOMIAL: (a + b + ...)! / (a! b! ...)."""
     result, together = 1, 0
     for number in all_whole(parts):
@@ -161,6 +165,8 @@ def multinomial(*parts: Numbers) -> float:
 
 def power_series(x: float, first: float, step: float, coefficients: Numbers) -> float:
     """SERIESSUM: the sum of a_i x^(first + i step)."""
+    if x == 0 and (first == 0 or step == 0):
+        raise Problem("#NUM!")  # 0^0
     return math.fsum(c * x ** (first + i * step) for i, c in enumerate(coefficients.tolist()))
 
 
@@ -197,7 +203,7 @@ def _roman_tokens(form: int) -> list[tuple[int, str]]:
 
 def roman(number: float, form: Any = 0.0) -> str:
     """ROMAN: the form is 0 (classic, TRUE) to 4 (shortest, FALSE)."""
-    style = (0 if form else 4) if isinstance(form, bool) else math.trunc(float(form or 0))
+    style = (0 if form else 4) if isinstance(form, bool) else math.trunc(to_number(form))
     rest = math.trunc(number)
     if not (0 <= rest <= 3999 and 0 <= style <= 4):
         raise Problem("#VALUE!")
@@ -217,7 +223,7 @@ def arabic(text: str) -> float:
         raise Problem("#VALUE!")
     digits = [_ROMAN[letter] for letter in body]
     following = [*digits[1:], 0]
-    return sign * sum(-value if value < after else value for value, after in zip(digits, following, strict=True))
+    return sign * sum(-value if value < after else value for value, after in zip(digits, following, strict=False))
 
 
 DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ"

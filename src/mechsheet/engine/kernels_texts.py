@@ -67,7 +67,7 @@ def proper(text: str) -> str:
 
 def _start(within: str, start: float) -> int:
     place = math.trunc(start) - 1
-    if not 0 <= place <= len(within):
+    if not 0 <= place < max(len(within), 1):
         raise Problem("#VALUE!")
     return place
 
