@@ -1,6 +1,7 @@
 """Make the pictures of README and docs from the built workbooks, and the README's gallery: `make pictures`.
 
-Needs LibreOffice, pdftoppm and ImageMagick (apt-get install libreoffice-calc poppler-utils imagemagick).
+Needs LibreOffice, pdftoppm, ImageMagick, Xvfb and xdotool
+(apt-get install libreoffice-calc poppler-utils imagemagick xvfb xdotool).
 """
 
 from __future__ import annotations
@@ -8,6 +9,8 @@ from __future__ import annotations
 import subprocess
 import tempfile
 from pathlib import Path
+
+from screenshot import screenshot
 
 from mechsheet.building import build
 from mechsheet.checking import check
@@ -80,6 +83,8 @@ def main() -> None:
             image = f"![{mechanism.title.en}](docs/pictures/{mechanism.name}.png)"
             link = f"[{mechanism.title.en}](templates/{mechanism.name}.toml)"
             rows.append(f"| {link} | {image} | {mechanism.source.en} | {worst:.0e} |")
+        opened = build(load(ROOT / "templates" / "four-bar.toml"), place, ["ods"])[0]
+        screenshot(opened, PICTURES / "opened.png", clicks=5)
         pump = build(load(ROOT / "templates" / "adjustable-pump.toml", language="en"), place)
         four_bar = next(page for page in pages if page.stem == "four-bar")
         parts_of_the_workbook(four_bar, convert_with_libreoffice(pump, "pdf", place)[0])
