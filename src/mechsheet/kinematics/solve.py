@@ -91,6 +91,13 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equat
     modes  assembly modes that are given instead of picked from the sketch, by symbol (`mode_1`)
     Raises MechanismError: mobility, a group of class III, a sketch between two modes, a group that never closes.
     """
+    return solve_in_full(mechanism, modes)[0]
+
+
+def solve_in_full(
+    mechanism: Mechanism, modes: Mapping[str, int] | None = None
+) -> tuple[Equations, Poses, tuple[Dyad, ...]]:
+    """As `solve`, with what the equations were found from: poses and places of all bodies, and the dyads in order."""
     graph = graph_of(mechanism)
     check_mobility(mechanism, graph)
     order = order_of(mechanism, graph)
@@ -115,7 +122,7 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equat
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
-    return result
+    return result, poses, order.dyads
 
 
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:

@@ -1,0 +1,116 @@
+"""Loop closure equations: the engine's numbers fulfil them, in every row of every template and of random linkages."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mechsheet import reference
+from mechsheet.description import load, loads
+from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.loops import loops_of
+from mechsheet.kinematics.numeric import value
+from mechsheet.kinematics.rough import rough_poses
+from mechsheet.kinematics.solve import solve_in_full
+from random_mechanisms import Grower
+
+TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
+
+
+def loops(mechanism):
+    equations, poses, dyads = solve_in_full(mechanism)
+    return equations, loops_of(poses, dyads)
+
+
+def worst_gap(mechanism):
+    """The largest left - right over all loops and rows, as a part of the size; the variables are the reference's."""
+    equations, found = loops(mechanism)
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes))
+    known = {**solution.dimensions, **reference.variables(solution)}
+    for equation in equations.constants:
+        known[equation.symbol] = value(equation.expression, known)
+    assert len(found) == len(equations.groups)
+    worst = 0.0
+    for loop in found:
+        total = 0j
+        for sign, side in ((1, loop.left), (-1, loop.right)):
+            for vector in side:
+                total = total + sign * value(vector.length, known) * np.exp(
+                    1j * value(vector.angle.expression(), known)
+                )
+        total = np.broadcast_to(total, solution.exists.shape)[solution.exists]
+        assert np.isfinite(total).all()
+        worst = max(worst, float(np.abs(total).max()) / solution.size)
+    return worst
+
+
+@pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.stem)
+def test_templates_close(path):
+    assert worst_gap(load(path)) < 1e-10
+
+
+@pytest.mark.parametrize("seed", range(900, 930))
+def test_random_linkages_close(seed):
+    assert worst_gap(loads(Grower(seed, 1 + seed % 5).text(7))) < 1e-10
+
+
+def test_each_loop_holds_what_its_group_solves():
+    """Two scalar equations for two unknowns; an angle that a guide keeps may be written as well."""
+    for path in TEMPLATES:
+        equations, found = loops(load(path))
+        for number, loop in enumerate(found, 1):
+            solved = [eq.symbol for eq in equations.columns if eq.group == number and eq.kind == "variable"]
+            most = 3 if equations.groups[number - 1].kind in ("PRP", "RPP") else 2
+            assert 1 <= len([name for name in loop.reads if name in solved]) <= most, (path.stem, number)
+
+
+def written(loop):
+    sides = []
+    for side in (loop.left, loop.right):
+        terms = (f"{print_formula(v.length, 'text')} e^({print_formula(v.angle.expression(), 'text')})" for v in side)
+        sides.append(" + ".join(terms))
+    return " = ".join(sides)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        # as the text writes them
+        ("four-bar", ["a2 e^(theta12) + a3 e^(theta13) = a1 e^(0) + a4 e^(theta14)"]),
+        ("slider-crank", ["a2 e^(theta12) = a3 e^(theta13) + a1 e^(pi/2) + s14 e^(0)"]),
+        (
+            "fivelink",
+            [
+                "A0B0 e^(alpha1) + s3 e^(theta13 + pi/2) = a2 e^(theta12)",
+                "b2 e^(theta13) + b3 e^(theta14) + A0B0 e^(alpha1) = a1 + c1 e^(0) + b1 - d1 e^(pi/2) + b4 e^(theta15)",
+            ],
+        ),
+    ],
+)
+def test_the_texts_equations(name, expected):
+    path = next(path for path in TEMPLATES if path.stem == name)
+    assert [written(loop) for loop in loops(load(path))[1]] == expected
+
+
+def test_ways_name_the_points():
+    path = next(path for path in TEMPLATES if path.stem == "stephenson-iii")
+    _, (first, second) = loops(load(path))
+    assert first.left_way == (("A", "B"), ("B", "C"))
+    assert first.right_way == (("A", "D"), ("D", "C"))
+    assert second.left_way == (("A", "B"), ("B", "E"), ("E", "G"))
+    assert second.right_way == (("A", "F"), ("F", "G"))
+
+
+def test_a_wrong_length_opens_the_loop():
+    """The test of closure can fail."""
+    mechanism = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    _, (loop,) = loops(mechanism)
+    known = {"a1": 70, "a2": 35, "a3": 62.3, "a4": 56, "theta12": math.radians(60), "theta13": 0.5, "theta14": 1.0}
+    gap = sum(
+        sign * value(v.length, known) * np.exp(1j * value(v.angle.expression(), known))
+        for sign, side in ((1, loop.left), (-1, loop.right))
+        for v in side
+    )
+    assert abs(gap) > 1
