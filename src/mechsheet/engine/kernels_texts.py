@@ -9,7 +9,9 @@ from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 from urllib.parse import quote
 
-from ..formula.nodes import ErrorValue, Scalar
+from ..formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
+from ..formula.printer import quote_sheet
+from ..formula.references import column_letters
 from .calling import Problem, to_number
 from .coerce import to_text
 from .number_formats import formatted
@@ -254,6 +256,19 @@ def dollar(number: float, decimals: float = 2.0) -> str:
     return formatted(number, f"{body};({body})") or ""
 
 
+def address(row: float, col: float, kind: float = 1.0, a1: bool = True, sheet: Scalar = None) -> str:
+    """ADDRESS: 1 $A$1, 2 A$1, 3 $A1, 4 A1; or in R1C1 form."""
+    down, right, which = math.trunc(row), math.trunc(col), math.trunc(kind)
+    if not (1 <= down <= MAX_ROWS and 1 <= right <= MAX_COLUMNS and which in (1, 2, 3, 4)):
+        raise Problem("#VALUE!")
+    row_fixed, col_fixed = which in (1, 2), which in (1, 3)
+    if a1:
+        cell = f"{'$' * col_fixed}{column_letters(right - 1)}{'$' * row_fixed}{down}"
+    else:
+        cell = f"R{down if row_fixed else f'[{down}]'}C{right if col_fixed else f'[{right}]'}"
+    return cell if sheet is None else f"{quote_sheet(to_text(sheet)) if sheet != '' else ''}!{cell}"
+
+
 PLAIN: dict[str, Callable[..., Any]] = {
     "CHAR": character,
     "CODE": code,
@@ -273,5 +288,7 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "ARRAYTOTEXT": array_to_text,
     "NUMBERVALUE": number_value,
     "DOLLAR": dollar,
+    "ADDRESS": address,
+    "HYPERLINK": lambda link, shown=None: link if shown is None else shown,
     "ENCODEURL": lambda text: quote(text, safe="-_.~"),
 }
