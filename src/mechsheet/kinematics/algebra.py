@@ -6,7 +6,7 @@ These functions only tidy; they never change a value (x*0 becomes 0 because no q
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
@@ -148,6 +148,14 @@ def smallest(nodes: Sequence[Node]) -> Node:
 def all_of(conditions: Sequence[Node]) -> Node:
     """AND of any number of conditions, as `largest`."""
     return _nested("AND", conditions)
+
+
+def total(nodes: Iterable[Node]) -> Node:
+    """The sum of any number of nodes."""
+    result: Node = ZERO
+    for node in nodes:
+        result = add(result, node)
+    return result
 
 
 def _nested(function: str, nodes: Sequence[Node]) -> Node:

@@ -22,11 +22,12 @@ MOST_CELLS = 12_000
 
 @dataclass(frozen=True, slots=True)
 class Aside:
-    """Cells and formulas, and the widths of the columns."""
+    """Cells and formulas, the widths of the columns, and the last of them."""
 
     cells: tuple[Cell, ...]
     fills: tuple[Fill, ...]
     columns: tuple[Column, ...]
+    end: int
 
 
 def aside(plan: Plan, sheet: str, section: int, head: int, first: int, col: int) -> Aside:
@@ -74,6 +75,7 @@ def aside(plan: Plan, sheet: str, section: int, head: int, first: int, col: int)
         tuple(cell for part in parts for cell in part.cells),
         tuple(fill for part in parts for fill in part.fills),
         tuple(columns),
+        max((column.last for column in columns), default=col),
     )
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text, shifted
+from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.aside import aside
-from mechsheet.sheet.consistency import whole_table
+from mechsheet.sheet.consistency import Whole, whole_table
+from mechsheet.sheet.expansion import LIMIT
 from mechsheet.sheet.plan import EXISTS, Plan, unit_text
 from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
 from mechsheet.sheet.symbols import plain
@@ -64,6 +66,7 @@ class _Sheet:
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
         self.verdicts = 0
+        self.parts = 0
         self.conditionals: list[Conditional] = []
         self.merges: list[Merge] = []
         rounding = CellRef(ROUNDING_ROW, VALUE, True, True)
@@ -78,10 +81,11 @@ class _Sheet:
         for col, check in enumerate(self.checks, DATA):
             self._column(col, check)
         self._group_headings()
-        self._whole_table()
-        self._top()
         aside_at = max(self.last_col, SIDE_END) + 2
         beside = aside(plan, self.title, GROUP_ROW, HEAD_ROW, FIRST, aside_at)
+        self.parts = parts_at = beside.end + 2
+        self._whole_table()
+        self._top()
         self.cells += beside.cells
         self.fills += beside.fills
         area = Area(FIRST, NUMBER, self.last_row, self.last_col)
@@ -101,6 +105,7 @@ class _Sheet:
                 Column(DATA, aside_at - 2, 11.5),
                 Column(aside_at - 1, aside_at - 1, 3),
                 *beside.columns,
+                *([Column(parts_at, self.parts - 1, 12, level=1, hidden=True)] if self.parts > parts_at else []),
             ),
             row_heights=((TITLE_ROW, 26.0), (ABOUT_ROW, 42.0), (HEAD_ROW, 30.0)),
             merges=tuple(self.merges),
@@ -251,12 +256,29 @@ class _Sheet:
             self.put(row, col + 1, None, styles.LABEL)
             self.merges.append(Merge(Area(row, col, row, col + 1)))
             style = styles.ERROR if check.key != "rows" else styles.decimals(styles.COLUMN, 0)
-            self.formula(row, col + 2, check.value, self._boxed(style))
+            self.formula(row, col + 2, check.value(self._joined(check)), self._boxed(style))
             cell = CellRef(row, col + 2)
             good: Node = Binary("<=", Call("ABS", (cell,)), check.limit)
             if check.needs is not None:
                 good = Call("AND", (good, check.needs))
             self.verdict(row, col + 3, Call("IF", (Call("ISNUMBER", (cell,)), good, Boolean(False))))
+
+    def _joined(self, check: Whole) -> Node:
+        """The largest part, or the sum of the parts. Parts too long for one formula stand in cells of their own."""
+        if not check.parts:
+            return al.ZERO
+        joined = al.total(check.parts) if check.total else al.largest(check.parts)
+        if len(print_formula(joined, "excel")) <= LIMIT:
+            return joined
+        col = self.parts
+        self.put(HEAD_ROW, col, self.text(check.key), styles.HEAD)
+        chunks = _chunks(check.parts)
+        for index, chunk in enumerate(chunks):
+            node = al.total(chunk) if check.total else al.largest(chunk)
+            self.formula(FIRST + index, col, node, styles.INNER)
+        self.parts += 1
+        cells = RangeRef(CellRef(FIRST, col, True, True), CellRef(FIRST + len(chunks) - 1, col, True, True))
+        return Call("SUM" if check.total else "MAX", (cells,))
 
     def _top(self) -> None:
         """The title, the verdict over all, the worst distance, and what counts as rounding."""
@@ -266,7 +288,7 @@ class _Sheet:
         self.merges.append(Merge(Area(ABOUT_ROW, 0, ABOUT_ROW, SIDE_END)))
         blocks = ((CLEAR_ROW, col + 3, ROUNDING_ROW, col + 3) for col in SIDE)
         places = ((VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), *blocks)
-        good = _sum(
+        good = al.total(
             Call("COUNTIF", (RangeRef(CellRef(top, left), CellRef(bottom, right)), Text(self.text("ok"))))
             for top, left, bottom, right in places
         )
@@ -300,11 +322,18 @@ class _Sheet:
             self.conditionals.append(Conditional(area, Binary("=", here, Text(self.text(key))), style))
 
 
-def _sum(nodes: Iterable[Node]) -> Node:
-    total: Node = al.ZERO
-    for node in nodes:
-        total = al.add(total, node)
-    return total
+def _chunks(parts: Sequence[Node]) -> list[list[Node]]:
+    """The parts in turn, as many together as one formula may hold."""
+    chunks: list[list[Node]] = [[]]
+    room = LIMIT // 2
+    for part in parts:
+        length = len(print_formula(part, "excel")) + 2
+        if length > room and chunks[-1]:
+            chunks.append([])
+            room = LIMIT // 2
+        chunks[-1].append(part)
+        room -= length
+    return chunks
 
 
 def _largest(nodes: list[CellRef]) -> Node:

@@ -6,6 +6,7 @@ typed over, a helper column that reads the wrong row.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
@@ -22,43 +23,54 @@ ROUNDING = Number(1e-9)
 SHOWN = ("variable", "point", "output")
 """Kinds of columns that people read."""
 
+COUNTED = 100
+"""Columns that one formula counts."""
+
 EVERY_NUMBER = Text("<1E+300")
 """Criterion of SUMIF that leaves out errors and texts."""
 
 
 @dataclass(frozen=True, slots=True)
 class Whole:
-    """One check: the key of its name, its value, how far from 0 that may be, and what else must be TRUE."""
+    """One check: the key of its name, its value, how far from 0 that may be, and what else must be TRUE.
+
+    parts  what the value is the largest (or the sum) of: a long list of them is written into cells of its own
+    total  True for the sum
+    value  the value, from the largest part or the sum
+    """
 
     key: str
-    value: Node
+    parts: tuple[Node, ...]
     limit: Node
     needs: Node | None = None
+    total: bool = False
+    value: Callable[[Node], Node] = lambda joined: joined
 
 
 def whole_table(plan: Plan, sheet: str, rounding: Node) -> list[Whole]:
     """All of them, six at most, as formulas of `sheet`; `rounding` is the length below which a difference is rounding."""
     found = [Whole("fixed", fixed_points(plan, sheet), rounding)]
     if not plan.mechanism.driver.values:
-        found.append(Whole("steps", steps(plan), ROUNDING))
-    some = Binary(">", Call("SUM", (exists_column(plan),)), al.ZERO)
-    found.append(Whole("rows", rows(plan, sheet), al.ZERO, some))
+        found.append(Whole("steps", (steps(plan),), ROUNDING))
+    found.append(rows(plan, sheet))
     if any(dim.derived for dim in plan.mechanism.dimensions):
         found.append(Whole("derived", derived_values(plan, sheet), ROUNDING))
-    found.append(Whole("position", position_shown(plan, sheet), ROUNDING))
+    missing = Binary("=", _row_of(plan, sheet, exists_column(plan)), al.ZERO)
+    shown = position_shown(plan, sheet)
+    found.append(Whole("position", shown, ROUNDING, value=lambda most: Call("IF", (missing, al.ZERO, most))))
     found.append(Whole("summaries", summaries(plan, sheet), ROUNDING))
     return found
 
 
-def fixed_points(plan: Plan, sheet: str) -> Node:
-    """The largest difference between a fixed point's coordinate and its place in the description."""
+def fixed_points(plan: Plan, sheet: str) -> tuple[Node, ...]:
+    """Differences between fixed points' coordinates and their places in the description."""
     ground = plan.mechanism.ground
     parts: list[Node] = []
     for point in ground.points:
         for axis, node in zip("xy", place(ground, point), strict=True):
             cell = plan.at.reading_shown(f"{point}.{axis}", sheet, None)
             parts.append(Call("ABS", (al.sub(cell, plan.at.bind(node, sheet, None)),)))
-    return _largest(parts)
+    return tuple(parts)
 
 
 def steps(plan: Plan) -> Node:
@@ -75,17 +87,17 @@ def steps(plan: Plan) -> Node:
     return Call("SQRT", (total,))
 
 
-def derived_values(plan: Plan, sheet: str) -> Node:
+def derived_values(plan: Plan, sheet: str) -> tuple[Node, ...]:
     """Derived dimensions against their formulas, computed once more."""
     differences = []
     for dim in plan.mechanism.dimensions:
         if dim.derived and isinstance(dim.value, str):
             cell = plan.at.reference(dim.symbol, sheet, None)
             differences.append(_difference(cell, plan.at.bind(parse_description(dim.value), sheet, None)))
-    return _largest(differences)
+    return tuple(differences)
 
 
-def position_shown(plan: Plan, sheet: str) -> Node:
+def position_shown(plan: Plan, sheet: str) -> tuple[Node, ...]:
     """What the first sheet shows against the row of that number, and outputs against their formulas there."""
     position = plan.at.reference("#position", sheet, None)
     numbers = fixed_column(plan, NUMBER)
@@ -99,8 +111,7 @@ def position_shown(plan: Plan, sheet: str) -> Node:
         cell: Node = CellRef(cells[output.symbol], VALUE, True, True, plan.main)
         cell = Call("RADIANS", (cell,)) if output.unit == "deg" else cell
         differences.append(_difference(cell, _there(plan, sheet, parse_description(output.formula))))
-    missing = Binary("=", _row_of(plan, sheet, exists_column(plan)), al.ZERO)
-    return Call("IF", (missing, al.ZERO, _largest(differences)))
+    return tuple(differences)
 
 
 def _there(plan: Plan, sheet: str, formula: Node) -> Node:
@@ -123,7 +134,7 @@ def _row_of(plan: Plan, sheet: str, column: Node) -> Node:
     return Call("INDEX", (column, Binary("+", position, al.ONE)))
 
 
-def summaries(plan: Plan, sheet: str) -> Node:
+def summaries(plan: Plan, sheet: str) -> tuple[Node, ...]:
     """Helper columns against those that they repeat (by sums), and summaries against their columns."""
     differences = []
     for column in plan.columns:
@@ -145,7 +156,7 @@ def summaries(plan: Plan, sheet: str) -> Node:
         if summary.take in ("max", "min") and not plan.mechanism.driver.values:
             drivers = plan.at.column(plan.mechanism.driver.symbol, sheet)
             differences.append(_difference(value, Call("SUMIF", (drivers, place, column_))))
-    return _largest(differences)
+    return tuple(differences)
 
 
 def _copy(plan: Plan, sheet: str, column: TableColumn) -> Node:
@@ -160,27 +171,22 @@ def _copy(plan: Plan, sheet: str, column: TableColumn) -> Node:
     return Binary("*", Call("ABS", (Binary("-", total, original),)), share)
 
 
-def rows(plan: Plan, sheet: str) -> Node:
+def rows(plan: Plan, sheet: str) -> Whole:
     """Numbers that people read, words "ok" and rows that every group closes, less as many as there should be of them
     for the rows that exist: 0 when each row is whole or empty."""
     total = Call("SUM", (exists_column(plan),))
     shown = [plan.at.column(eq.symbol, sheet) for eq in plan.equations.columns if eq.kind in SHOWN]
-    counts: list[Node] = [Call("COUNT", tuple(shown[start : start + 200])) for start in range(0, len(shown), 200)]
+    chunks = range(0, len(shown), COUNTED)
+    counts: list[Node] = [Call("COUNT", tuple(shown[start : start + COUNTED])) for start in chunks]
     counts.append(Call("COUNTIF", (fixed_column(plan, STATUS), Text(plan.text("status.ok")))))
     closing = list(dict.fromkeys(group.closes for group in plan.equations.groups))
     if closing:
         pairs = ((plan.at.area(plan.at.spots[name], sheet), EVERY_NUMBER) for name in closing)
         counts.append(Call("COUNTIFS", tuple(part for pair in pairs for part in pair)))
-    found: Node = counts[0]
-    for count in counts[1:]:
-        found = Binary("+", found, count)
-    expected = len(shown) + 1 + (1 if closing else 0)
-    return al.sub(found, al.mul(al.number(expected), total))
+    expected = al.mul(al.number(len(shown) + 1 + (1 if closing else 0)), total)
+    some = Binary(">", total, al.ZERO)
+    return Whole("rows", tuple(counts), al.ZERO, some, total=True, value=lambda found: al.sub(found, expected))
 
 
 def _difference(one: Node, other: Node) -> Node:
     return Binary("/", Call("ABS", (Binary("-", one, other),)), Binary("+", al.ONE, Call("ABS", (one,))))
-
-
-def _largest(nodes: list[Node]) -> Node:
-    return al.largest(nodes) if nodes else al.ZERO
