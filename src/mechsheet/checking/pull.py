@@ -46,7 +46,7 @@ def pull(workbook: str | Path, into: str | Path | None = None) -> Pulled:
     book = read(path)
     base = expected_for(description_or_fault(book, shown), inside(shown))
     changes = changes_in(book, base, shown)
-    file = shown if into is None else readable_name(into)
+    file = inside(shown) if into is None else readable_name(into)
     raw = base.plan.mechanism.text.rstrip("\n") + "\n" if into is None else read_text(into)
     source = parse(raw, file)
     target = base
@@ -132,13 +132,13 @@ def _written(source: Source, changes: Sequence[Change], target: Expected, file: 
             modes[str(change.key[1])] = 1 if change.now > 0 else -1
         else:
             source = _with_change(source, change)
-    source = _with_stop(source, changes, target)
+    if not changes:
+        return source
+    source = replace(_with_stop(source, changes, target), file=f"{file} with the changes")
     try:
-        if changes:
-            source = with_modes(source, modes)
+        return with_modes(source, modes)
     except MechanismError as error:
-        raise located(error, source.text, f"{file} (with the changes)") from error
-    return source
+        raise located(error, source.text, source.file) from error
 
 
 def _with_change(source: Source, change: Change) -> Source:

@@ -1,0 +1,98 @@
+"""`check --mutate`: damaged formulas, and who notices."""
+
+from dataclasses import replace
+
+import pytest
+from edited import laid_out, saved
+
+from mechsheet.checking import mutate
+from mechsheet.checking.audit import audit
+from mechsheet.checking.damage import damages
+from mechsheet.checking.expected import expected_for
+from mechsheet.diagnostics import MechsheetError
+from mechsheet.formats import read
+from mechsheet.formula.parser import parse_formula
+from mechsheet.formula.printer import print_formula
+
+
+def texts(formula, kind, names=()):
+    tree = parse_formula(formula)
+    return {print_formula(damage.of(tree)) for damage in damages(tree, names) if damage.kind == kind}
+
+
+@pytest.mark.parametrize(
+    ("formula", "kind", "expected"),
+    [
+        ("A1+2", "operator", {"A1-2"}),
+        ("A1<2", "operator", {"A1>2", "A1<=2"}),
+        ("A1-2", "sign", {"-A1-2"}),
+        ("-A1", "sign", {"A1"}),
+        ("B2", "reference", {"B3", "B1", "C2", "A2"}),
+        ("A1", "reference", {"A2", "B1"}),
+        ("B2", "anchor", {"B$2", "$B2"}),
+        ("$B$2", "anchor", {"B$2", "$B2"}),
+        ("crank+1", "reference", {"rod+1"}),
+        ("SIN(A1)", "function", {"COS(A1)"}),
+        ("ATAN2(A1,B1)", "function", {"ATAN2(B1,A1)"}),
+        ("IF(A1,1,2)", "function", {"IF(A1,2,1)"}),
+        ("RADIANS(A1)", "function", {"DEGREES(A1)", "A1"}),
+        ("2*A1", "constant", {"3*A1", "2.02*A1", "-2*A1"}),
+        ("A1&\"ok\"", "constant", {"A1&\"okx\""}),
+        ("SUM(A1:A3)", "reference", {"SUM(A2:A3)", "SUM(B1:A3)", "SUM(A1:A4)", "SUM(A1:A2)", "SUM(A1:B3)"}),
+    ],
+)  # fmt: skip
+def test_kinds_of_damage(formula, kind, expected):
+    assert texts(formula, kind, ("crank", "rod")) == expected
+
+
+def test_no_damage_leaves_a_formula_as_it_was():
+    tree = parse_formula('IF(ABS(A1)>1,NA(),-2*ATAN2(B$2,$C3)^2+MAX(D1:D9)&"x")')
+    found = [damage.of(tree) for damage in damages(tree, ("a", "b"))]
+    assert len(found) > 30
+    assert tree not in found
+
+
+@pytest.fixture(scope="module")
+def yoke(tmp_path_factory):
+    return saved(laid_out("scotch-yoke")[0], tmp_path_factory.mktemp("mutate") / "scotch-yoke.xlsx")
+
+
+def test_check_catches_all_and_the_same_seed_does_the_same(yoke):
+    found = mutate(yoke, 3)
+    assert len(found.damages) == 3
+    assert found.clear
+    assert found.agrees
+    assert found.share("check") == 1.0
+    assert found == mutate(yoke, 3)
+    assert {damage.where for damage in found.damages} != {damage.where for damage in mutate(yoke, 3, seed=5).damages}
+    assert sum(count for count, _ in found.tally(lambda damage: damage.kind).values()) == 3
+
+
+def test_survivors_are_told(yoke):
+    found = mutate(yoke, 3)
+    data = found.as_dict()
+    assert data["caught"]["sheet"] == 3 - len(found.survivors("sheet"))
+    assert len(data["survivors"]) == len(found.survivors("sheet"))
+    assert data["damages"] == 3
+
+
+def test_an_audit_sees_every_kind_of_damage(yoke):
+    """Not only those that change a value."""
+    book = read(yoke)
+    expected = expected_for(laid_out("scotch-yoke")[1].mechanism.text, "inside")
+    assert audit(book, expected).edits == ()
+    for sheet in book.sheets:
+        for block in sheet.blocks[::7]:
+            for damage in damages(block.formula)[::12]:
+                others = [replace(one, formula=damage.of(one.formula)) if one is block else one for one in sheet.blocks]
+                damaged = replace(
+                    book, sheets=[replace(one, blocks=others) if one is sheet else one for one in book.sheets]
+                )
+                assert audit(damaged, expected).edits, (sheet.title, block, damage)
+
+
+def test_a_workbook_without_description(tmp_path):
+    workbook, _ = laid_out("scotch-yoke")
+    path = saved(replace(workbook, sheets=workbook.sheets[:-1]), tmp_path / "foreign.xlsx")
+    with pytest.raises(MechsheetError, match="carries no description"):
+        mutate(path, 1)

@@ -1,0 +1,133 @@
+"""`check --perturb`: random inputs in the workbook's own cells."""
+
+import pytest
+from edited import TEMPLATES, edited, laid_out, saved
+
+from mechsheet.checking import check, perturb
+from mechsheet.compute import computed
+from mechsheet.diagnostics import MechsheetError, MissingProgramError
+from mechsheet.formats import read, write
+from mechsheet.formula.nodes import Unary
+from mechsheet.programs import PROGRAMS, stored_values
+
+
+@pytest.fixture(scope="module")
+def four_bar(tmp_path_factory):
+    return saved(laid_out("four-bar")[0], tmp_path_factory.mktemp("perturb") / "four-bar.xlsx")
+
+
+def test_the_reference_agrees_and_most_sets_assemble(four_bar):
+    found = perturb(four_bar, 12)
+    assert found.agrees
+    assert [item.worst.judge for item in found.judged] == ["reference"]
+    assert found.whole + found.partly >= 9
+    assert found.whole + found.partly + found.nowhere == 12
+    assert 0 < found.judged[0].worst.worst < 1e-9
+
+
+def test_the_seed_decides(four_bar):
+    one, same, other = perturb(four_bar, 3), perturb(four_bar, 3), perturb(four_bar, 3, seed=1)
+    assert one == same
+    assert one.judged[0].setting.inputs != other.judged[0].setting.inputs
+
+
+def test_modes_are_flipped_and_dimensions_changed(four_bar):
+    settings = [perturb(four_bar, 1, seed=seed).judged[0].setting.inputs for seed in range(5)]
+    assert {setting["mode_1"] for setting in settings} == {1.0, -1.0}
+    assert len({setting["a2"] for setting in settings}) == 5
+
+
+def test_a_description_is_built_aside():
+    assert perturb(TEMPLATES / "scotch-yoke.toml", 2).agrees
+
+
+@pytest.mark.parametrize("suffix", ["xlsx", "ods"])
+def test_a_program_that_believes_stored_values_is_found_out(four_bar, tmp_path, monkeypatch, suffix):
+    """The copies for other programs keep the results of the unchanged file."""
+    path = saved(laid_out("four-bar")[0], tmp_path / f"four-bar.{suffix}")
+    monkeypatch.setitem(PROGRAMS, "believer", stored_values)
+    found = perturb(path, 3, programs=["believer"])
+    assert not found.agrees
+    assert found.judged[0].differing == 0
+    believer = found.judged[1]
+    assert believer.differing == 3
+    assert believer.worst.worst > 1e-3
+
+
+def test_the_copies_hold_the_inputs(four_bar, monkeypatch):
+    seen = []
+
+    def look(path):
+        book = read(path)
+        seen.append(book.sheet("Mechanism").constants)
+        return stored_values(path)
+
+    monkeypatch.setitem(PROGRAMS, "looker", look)
+    found = perturb(four_bar, 2, programs=["looker"])
+    _, plan = laid_out("four-bar")
+    spot = plan.at.spots["a2"]
+    held = [constants.get(spot.row, spot.col) for constants in seen]
+    assert found.judged[1].setting.inputs["a2"] in held
+    assert len(set(held)) == 2
+
+
+def test_another_evaluator(four_bar):
+    pytest.importorskip("ironcalc")
+    found = perturb(four_bar, 3, programs=["ironcalc"])
+    assert found.agrees
+    assert found.judged[1].cells > 3 * 1000
+
+
+@pytest.mark.slow
+@pytest.mark.libreoffice
+def test_libreoffice(four_bar):
+    assert perturb(four_bar, 5, seed=2, programs=["libreoffice"]).agrees
+
+
+def test_a_wrong_formula_is_seen_with_some_set(tmp_path):
+    """For the dimensions of the file the wrong formula has the right value: 35 is a2."""
+    workbook, plan = laid_out("four-bar")
+    spot = plan.at.spots["A.x"]
+
+    cells = {f"Positions_{chr(65 + spot.col)}{spot.row + 1}": "=35*COS(0)"}
+    path = saved(edited(workbook, **cells), tmp_path / "wrong.xlsx")
+    assert all(item.agrees for item in check(path).comparisons)
+    assert not perturb(path, 5).agrees
+
+
+def test_no_description_no_sets(tmp_path):
+    workbook, _ = laid_out("scotch-yoke")
+    from dataclasses import replace
+
+    write(computed(replace(workbook, sheets=workbook.sheets[:-1])), tmp_path / "foreign.xlsx")
+    with pytest.raises(MechsheetError, match="carries no description"):
+        perturb(tmp_path / "foreign.xlsx", 1)
+
+
+def test_an_unknown_program(four_bar):
+    with pytest.raises(MissingProgramError, match="libreofice"):
+        perturb(four_bar, 1, programs=["libreofice"])
+
+
+def test_a_derived_dimension_that_does_not_exist(tmp_path):
+    """Found by --perturb: c3 = 250 leaves no triangle ABC, and asking the reference ended in a traceback."""
+    workbook, plan = laid_out("four-bar")
+    path = saved(edited(workbook, **{f"Mechanism_B{plan.at.spots['c3'].row + 1}": 250.0}), tmp_path / "c3.xlsx")
+    report = check(path)
+    assert report.agrees
+    assert any("gamma3 has no value with these dimensions: the arc cosine" in remark for remark in report.remarks)
+    reference = next(item for item in report.comparisons if item.judge == "reference")
+    assert reference.cells == 2 * plan.rows  # C.x and C.y read it; nothing else is shown from it
+
+
+def test_a_number_shown_from_a_dimension_that_does_not_exist_is_seen(tmp_path):
+    workbook, plan = laid_out("four-bar")
+    spot = plan.at.spots["C.x"]
+    from edited import with_column
+
+    wrong = with_column(
+        workbook, "Positions", spot.col, lambda node: Unary("-", plan.at.reference("B.x", "Positions", 3))
+    )
+    cells = {f"Mechanism_B{plan.at.spots['c3'].row + 1}": 250.0}
+    report = check(saved(edited(wrong, **cells), tmp_path / "c3.xlsx"))
+    assert not next(item for item in report.comparisons if item.judge == "reference").agrees
