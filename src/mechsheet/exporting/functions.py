@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 from mechsheet.exporting.calls import with_calls
 from mechsheet.exporting.library import PARAMETERS, basics
-from mechsheet.exporting.routines import Parameter, Routine, Source, Step
+from mechsheet.exporting.routines import Routine, Source, Step
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Mechanism, TableRequest, Words
@@ -28,22 +28,19 @@ class Function:
     parameters what its parameters are called
     routine    calling other functions by their keys
     basic      a basic function, the same for all mechanisms
+    modes      symbols of the configurations at the end of a mechanism's function, with what they are when left out
     """
 
     name: str
     parameters: tuple[str, ...]
     routine: Routine
     basic: bool = False
+    modes: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def key(self) -> str:
         """What trees call it."""
         return self.routine.key
-
-    @property
-    def modes(self) -> tuple[Parameter, ...]:
-        """The configurations at the end of a mechanism's function, which may be left out."""
-        return () if self.basic else tuple(part for part in self.routine.parameters if part.unit == "mode")
 
 
 def variable_key(symbol: str) -> str:
@@ -56,8 +53,8 @@ def _library() -> tuple[tuple[Words, Routine], ...]:
     """Names and routines of the basic functions, calling each other."""
     found: list[tuple[Words, Routine]] = []
     for basic in basics():
-        elementary = not basic.routine.steps
-        found.append((basic.name, basic.routine if elementary else with_calls(basic.routine, patterns())))
+        others = [pattern for pattern in patterns() if pattern.key != basic.routine.key]
+        found.append((basic.name, with_calls(basic.routine, others)))
     return tuple(found)
 
 
@@ -93,9 +90,9 @@ def functions_of(source: Source, language: str, taken: Collection[str] = ()) -> 
     for symbol in source.variables():
         about = next(equation.label for equation in source.equations.columns if equation.symbol == symbol)
         routine = with_calls(source.routine(variable_key(symbol), symbol, about), patterns())
-        found.append(Function(names.take(f"{prefix}_{symbol}".replace(".", "_")), symbols, routine))
+        found.append(Function(names.take(f"{prefix}_{symbol}".replace(".", "_")), symbols, routine, modes=source.modes))
     if table:
-        found.append(Function(main, symbols, table_routine(source, table)))
+        found.append(Function(main, symbols, table_routine(source, table), modes=source.modes))
     return tuple(found)
 
 

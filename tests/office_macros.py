@@ -1,0 +1,127 @@
+"""LibreOffice with macros allowed: what functions written in Basic give in cells.
+
+`--convert-to` never runs a document's macros, so a macro of the (temporary) profile does the work: it makes or opens each
+document with macros allowed, puts modules and formulas in, recalculates, and stores it as .xlsx.
+"""
+
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+from mechsheet.programs import Answers, libreoffice_command, stored_values
+
+LIBRARY = """<?xml version="1.0" encoding="UTF-8"?>
+<!DOCTYPE library:library PUBLIC "-//OpenOffice.org//DTD OfficeDocument 1.0//EN" "library.dtd">
+<library:library xmlns:library="http://openoffice.org/2000/library" library:name="Standard" library:readonly="false"
+ library:passwordprotected="false"><library:element library:name="Runner"/></library:library>"""
+
+MODULE = """<?xml version="1.0" encoding="UTF-8"?>
+<!DOCTYPE script:module PUBLIC "-//OpenOffice.org//DTD OfficeDocument 1.0//EN" "module.dtd">
+<script:module xmlns:script="http://openoffice.org/2000/script" script:name="Runner" script:language="StarBasic">{}
+</script:module>"""
+
+RUNNER = """\
+Option Explicit
+
+Function Setting(key As String, content As Variant) As Object
+    Dim made As New com.sun.star.beans.PropertyValue
+    made.Name = key
+    made.Value = content
+    Setting = made
+End Function
+
+Function WholeText(path As String) As String
+    Dim files As Object, stream As Object
+    files = createUnoService("com.sun.star.ucb.SimpleFileAccess")
+    stream = createUnoService("com.sun.star.io.TextInputStream")
+    stream.setInputStream(files.openFileRead(ConvertToURL(path)))
+    stream.setEncoding("UTF-8")
+    WholeText = stream.readString(Array(), False)
+    stream.closeInput()
+End Function
+
+Sub Work(folder As String)
+    Dim jobs As Variant, lines As Variant, number As Long, row As Long
+    Dim document As Object, library As Object, url As String, stem As String
+    jobs = Split(WholeText(folder & "/jobs.txt"), Chr(10))
+    For number = 0 To UBound(jobs)
+        stem = folder & "/" & number
+        url = "private:factory/scalc"
+        If jobs(number) <> "new" Then url = ConvertToURL(jobs(number))
+        document = StarDesktop.loadComponentFromURL(url, "_blank", 0, _
+            Array(Setting("Hidden", True), Setting("MacroExecutionMode", 4)))
+        If FileExists(stem & ".bas") Then
+            If Not document.BasicLibraries.hasByName("Standard") Then document.BasicLibraries.createLibrary("Standard")
+            library = document.BasicLibraries.getByName("Standard")
+            library.insertByName("Tried", WholeText(stem & ".bas"))
+            lines = Split(WholeText(stem & ".txt"), Chr(10))
+            For row = 0 To UBound(lines)
+                document.Sheets.getByIndex(0).getCellByPosition(0, row).setFormula(lines(row))
+            Next row
+        Else
+            document.calculateAll()
+        End If
+        document.storeToURL(ConvertToURL(stem & ".xlsx"), Array(Setting("FilterName", "Calc MS Excel 2007 XML")))
+        document.close(True)
+    Next number
+    StarDesktop.terminate()
+End Sub
+"""
+
+
+PATIENCE = 60
+"""Seconds for all jobs of a call."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """A document to open, or a module with the formulas of column A of a new document."""
+
+    document: Path | None = None
+    module: bytes = b""
+    formulas: Sequence[str] = ()
+
+
+def with_macros(jobs: Sequence[Job]) -> list[Answers]:
+    """What LibreOffice computes in each job's document; one start for all."""
+    command = libreoffice_command()
+    assert command is not None
+    with tempfile.TemporaryDirectory(prefix="mechsheet-macros-") as place:
+        folder = Path(place)
+        profile = f"-env:UserInstallation={(folder / 'profile').as_uri()}"
+        # The first start fills the profile, and would write over what stands there.
+        _run([command, profile, "--headless", "--terminate_after_init"])
+        standard = folder / "profile" / "user" / "basic" / "Standard"
+        (standard / "script.xlb").write_text(LIBRARY, encoding="utf-8")
+        (standard / "Runner.xba").write_text(MODULE.format(escape(RUNNER)), encoding="utf-8")
+        for number, job in enumerate(jobs):
+            if job.document is not None:
+                shutil.copy(job.document, folder / f"{number}{job.document.suffix}")
+            if job.module:
+                (folder / f"{number}.bas").write_bytes(job.module)
+                (folder / f"{number}.txt").write_text("\n".join(job.formulas), encoding="utf-8")
+        listed = [
+            str(folder / f"{number}{job.document.suffix}") if job.document else "new" for number, job in enumerate(jobs)
+        ]
+        (folder / "jobs.txt").write_text("\n".join(listed), encoding="utf-8")
+        macro = f"macro:///Standard.Runner.Work({folder})"
+        _run([command, profile, "--headless", macro])
+        return [stored_values(folder / f"{number}.xlsx") for number in range(len(jobs))]
+
+
+def _run(command: list[str]) -> None:
+    """Run LibreOffice with all that it starts; a macro that does not compile shows a message and would wait for ever."""
+    with subprocess.Popen(
+        command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
+    ) as process:
+        try:
+            assert process.wait(timeout=PATIENCE) == 0
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
