@@ -134,14 +134,17 @@ def grid_of(table: Cells, texts: Texts) -> list[list[Scalar]]:
     return [values[start : start + width] for start in range(0, len(values), width)]
 
 
-def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame) -> Any:
-    """An argument that is no single value, or the problem with it."""
+def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame, needed: bool) -> Any:
+    """An argument that is no single value, or the problem with it; one left out is a blank where it is `needed`."""
     try:
         if kind == "v":
             return values_of(ev, node, frame)
         if isinstance(node, Missing):
-            return None
-        table = table_of(ev, node, frame)
+            if not needed:
+                return None
+            table = Cells(np.zeros((1, 1)), np.full((1, 1), BLANK, np.uint8))
+        else:
+            table = table_of(ev, node, frame)
         if kind == "g":
             return grid_of(table, ev.texts)
         if kind == "l":
@@ -157,7 +160,8 @@ def called(row: Function, function: Callable[..., Any]) -> Any:
     def kernel(ev: Evaluator, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
         kinds = row.kinds_of(len(args))
         fixed = [
-            None if kind in LIFTED else _fixed(ev, arg, kind, frame) for arg, kind in zip(args, kinds, strict=True)
+            None if kind in LIFTED else _fixed(ev, arg, kind, frame, row.needs(place))
+            for place, (arg, kind) in enumerate(zip(args, kinds, strict=True))
         ]
         lifted = [
             (Cells(np.float64(0), np.uint8(BLANK)) if isinstance(arg, Missing) else ev.value(arg, frame, spread))

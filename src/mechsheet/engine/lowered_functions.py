@@ -107,7 +107,7 @@ def _extreme(op: str, reduced: str) -> Lowered:
 def _sum(low: Lowering, args: Args) -> int:
     if len(args) == 1 and isinstance(args[0], RangeRef):
         return _reduced(low, "sum", args[0])
-    _expect(len(args) <= _MOST_SUMMED)
+    _expect(0 < len(args) <= _MOST_SUMMED)
     return _joined("add", low, [low.number(arg) for arg in args])
 
 

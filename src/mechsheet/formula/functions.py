@@ -42,6 +42,10 @@ class Function:
     volatile: bool = False
     note: str = ""
 
+    def needs(self, place: int) -> bool:
+        """Whether an argument (counted from 0) may not be left out: `SUM(A1,)` has a blank there."""
+        return place < self.least or (self.repeated > 0 and place >= len(self.kinds) - self.repeated)
+
     def kinds_of(self, count: int) -> str:
         """The kinds of `count` arguments."""
         kinds = self.kinds
