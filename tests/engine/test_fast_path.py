@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechsheet.engine import compile_book
+from mechsheet.engine import emitting as emitting_module
 from mechsheet.engine import segments as segments_module
 from mechsheet.engine.segments import Segment
 from mechsheet.formula.book import BookBuilder
@@ -98,8 +99,9 @@ def never(*_):
     trees,
     trees,
     st.sampled_from(["", "sum", "held"]),
+    st.booleans(),
 )
-def test_fast_equals_careful(data, singles, first, second, third, recurrence):
+def test_fast_equals_careful(data, singles, first, second, third, recurrence, large):
     builder = BookBuilder()
     sheet = builder.sheet("S")
     for col, column in enumerate(data):
@@ -127,7 +129,10 @@ def test_fast_equals_careful(data, singles, first, second, third, recurrence):
     }[recurrence]
     sheet.block(FIRST, 5, ROWS, 1, formula)
     plan = compile_book(builder.build())
-    same(plan.evaluate(), plan.evaluate())
+    with pytest.MonkeyPatch.context() as patch:
+        if large:  # the code is written as for many cells
+            patch.setattr(emitting_module, "_LARGE", 0)
+        same(plan.evaluate(), plan.evaluate())
 
 
 @pytest.fixture
@@ -175,6 +180,29 @@ def test_rows_around_an_error_are_computed_carefully_and_the_others_fast(small_c
     assert fast.get("S", 399, 5) == ErrorValue("#DIV/0!")
     assert ranges
     assert all(start <= 395 < stop <= start + 64 for start, stop in ranges)
+
+
+def test_rows_of_a_large_chunk_are_tried_in_parts(monkeypatch):
+    """One row in 30,000 that has no value, and a sum that is snapped, in a column of several chunks."""
+    rows = 30_000
+    plan = compile_book(four_columns(rows, [f"1/(ROW()-{rows // 2})", "(ROW()/10)-0.1-(ROW()-1)/10", "G5-F5*0"]))
+    careful = plan.evaluate()
+    ranges = []
+    original = Segment._carefully
+
+    def noted(segment, ev, dirty, start, stop):
+        ranges.append(stop - start)
+        original(segment, ev, dirty, start, stop)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Segment, "_fast", lambda *_: False)
+        expected = plan.evaluate()
+    same(careful, expected)
+    monkeypatch.setattr(Segment, "_carefully", noted)
+    same(expected, plan.evaluate())
+    assert 0 < sum(ranges) <= 3 * 4096
+    zeros = plan.evaluate().column("S", 6, 4, rows + 3)
+    assert 0.0 in zeros
 
 
 def test_a_running_sum_that_cancels_is_snapped_in_each_row():

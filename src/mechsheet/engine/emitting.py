@@ -20,9 +20,11 @@ from .lowering import COLS, ROWS, Effect, Lowering, Value
 from .usage import Usage, roots
 from .values import TEXT
 
-CHUNK = 4096
-"""Rows at a time: what fits the processor's cache with a few buffers of it."""
+CHUNK = 16_384
+"""Cells of a column at a time: what fits the processor's second cache with a few buffers of it (docs/speed.md)."""
 
+_LARGE = 4096
+"""Cells from which on a reduction of an array is faster than it is to write another one."""
 
 Code = Callable[..., None]
 
@@ -273,6 +275,9 @@ class _Emitter:
     def _rows(self) -> int:
         return max(self.layout.blocks[block].rows for block in self.lowering.results)
 
+    def _cells_in_all(self) -> int:
+        return max(block.rows * block.cols for block in map(self.layout.blocks.__getitem__, self.lowering.results))
+
     def _where(self, number: int, value: Value, args: list[str]) -> None:
         self.names[number] = target = self._target(number)
         if self.values[value.args[0]].extent == 0:
@@ -294,15 +299,22 @@ class _Emitter:
         values, masks = self._pool(value.extent, False), self._pool(value.extent, True)
         size, mask = values.take(), masks.take()
         self.line(f"{self._function('absolute')}({target}, {size})")
+        inside = ""
         if self.values[left].extent == value.extent:
             limit = values.take()
-            self.line(f"absolute({args[1]}, {limit})")
-            self.line(f"{self._function('multiply')}({limit}, near, {limit})")
+            if self._cells_in_all() > _LARGE:
+                # Least and largest are found in half the time of a comparison cell by cell, once there are many.
+                self.namespace["least"], self.namespace["most"] = np.minimum.reduce, np.maximum.reduce
+                most = f"max(most({args[1]}, None), -least({args[1]}, None))"
+                self.line(f"if least({size}, None) < NEAR * {most}:")
+                inside = "    "
+            self.line(f"{inside}absolute({args[1]}, {limit})")
+            self.line(f"{inside}{self._function('multiply')}({limit}, near, {limit})")
             values.give(limit)
         else:
             limit = f"NEAR * abs({self.names[left]})"
-        self.line(f"{self._function('less')}({size}, {limit}, {mask})")
-        self.line(f"if {mask}.tobytes().find(1) >= 0: {target}[{mask} & ({size} < 1)] = 0.0")
+        self.line(f"{inside}{self._function('less')}({size}, {limit}, {mask})")
+        self.line(f"{inside}if {mask}.tobytes().find(1) >= 0: {target}[{mask} & ({size} < 1)] = 0.0")
         values.give(size)
         masks.give(mask)
 

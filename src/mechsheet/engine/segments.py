@@ -21,6 +21,8 @@ from .values import Cells, Codes
 Buffers: TypeAlias = dict[str, Any]
 
 _PATIENCE = 3
+_PART = 4096
+"""Cells of a chunk that are computed together where not all of it is plain numbers."""
 _PIECE = 64
 _GAP = 16
 """Rows: a piece that is tried by itself; good rows between bad ones that are worth a call of their own."""
@@ -30,7 +32,7 @@ _FAILURES = (TroubleError, FloatingPointError, ZeroDivisionError, OverflowError)
 
 def worth_at_once(rows: int, cols: int) -> bool:
     """Whether a block is so large that making code for it pays even when it is computed only once."""
-    return rows * cols >= 4 * CHUNK
+    return rows * cols >= 4 * _PART
 
 
 class Member:
@@ -74,6 +76,7 @@ class Segment:
         self.rows = first.block.rows
         self.cols = first.block.cols
         self.chunk = max(256, CHUNK // self.cols)
+        self.part = max(256, _PART // self.cols)
         self._code: Code | None = None
         self._buffers: list[Buffers] = []
         self._counts: dict[str, int] = {}
@@ -119,7 +122,10 @@ class Segment:
         if first:
             self._carefully(ev, marks, 0, first)
         for start in range(first, last, self.chunk):
-            self._chunk(ev, marks, buffers, start, min(start + self.chunk, last))
+            stop = min(start + self.chunk, last)
+            if self._suspect(marks) or not self._fast(ev, buffers, start, stop):
+                for part in range(start, stop, self.part):
+                    self._chunk(ev, marks, buffers, part, min(part + self.part, stop))
         if last < self.rows:
             self._carefully(ev, marks, last, self.rows)
         self._buffers.append(buffers)
