@@ -7,7 +7,7 @@ from openpyxl.worksheet.formula import ArrayFormula
 
 from engine_cases import COLUMN, FIRST_ROW, FOLDER, array_cases, book_of, cells, load, same
 from mechsheet.engine import compile_book
-from mechsheet.formula.book import BookBuilder
+from mechsheet.formula.book import BookBuilder, Table
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
@@ -259,3 +259,173 @@ def test_what_functions_read_is_computed_before():
         book(NUMBERS, [("D1:D2", "total(2)", "fill"), ("E1:E3", "F1+1", "fill"), ("F1:F3", "B1", "fill")], names)
     ).evaluate()
     assert column(values, "D", 1, 2) == [126, 126]
+
+
+# --- references and names of every kind -----------------------------------------------------------------------------
+
+TABLE = Table("Sales", "S", 0, 0, 5, ("Item", "Qty", "Unit price", "the two ", "#[x]'s"), 1, 1)
+ITEMS = {
+    "A1": "Item", "B1": "Qty", "C1": "Unit price", "D1": "the two ", "A2": "a", "A3": "b", "A4": "c", "A5": "sum", "B2": 1.0,
+    "B3": 2.0, "B4": 3.0, "C2": 10.0, "C3": 20.0, "C4": 30.0, "D4": 7.0, "E4": 8.0, "B5": 6.0,
+}  # fmt: skip
+
+STRUCTURED = {
+    "SUM(Sales[Qty])": 6.0, "SUM(sales[[qty]:[Unit price]])": 66.0, "ROWS(Sales[#All])": 5.0, "ROWS(Sales)": 3.0,
+    "ROWS(Sales[])": 3.0, "Sales[[#Headers],[Qty]]": "Qty", "Sales[[#Totals],[Qty]]": 6.0, "COUNTA(Sales[#Headers])": 4.0,
+    "SUM(Sales[[#Data],[#Totals],[Qty]])": 12.0, "ROWS(Sales[[#Headers],[#Data],[Qty]])": 4.0, "SUM(Sales[the two ])": 7.0,
+    "SUM(Sales['#'[x']''s])": 8.0, "Sales[Nope]": ErrorValue("#REF!"), "Nope[Qty]": ErrorValue("#REF!"),
+    "Sales[[#This Row],[Qty]]": ErrorValue("#VALUE!"), "VLOOKUP(\"b\",Sales,3,FALSE)": 20.0,
+    "INDEX(Sales[Item],MATCH(20,Sales[Unit price],0))": "b", "SUM(INDIRECT(\"Sales[Qty]\"))": 6.0,
+    "SUMPRODUCT(Sales[Qty]*Sales[Unit price])": 140.0, "SUM(Sales)": 81.0,
+}  # fmt: skip
+
+
+def with_table(blocks):
+    made = book(ITEMS, blocks)
+    made.tables.append(TABLE)
+    return compile_book(made).evaluate()
+
+
+def test_structured_references():
+    values = with_table([(f"I{row}", formula, "fill") for row, formula in enumerate(STRUCTURED, 10)])
+    assert values.remarks == ()
+    for row, (formula, expected) in enumerate(STRUCTURED.items(), 9):
+        assert same(values.get("S", row, 8), expected), (formula, values.get("S", row, 8))
+
+
+def test_structured_references_to_the_own_row():
+    blocks = [
+        ("G2:G4", "Sales[[#This Row],[Qty]]*Sales[[#This Row],[Unit price]]", "fill"), ("H2:H4", "Sales[@Qty]+1", "fill"),
+        ("I2:I4", "SUM(Sales[@[Qty]:[Unit price]])", "fill"), ("J2:J4", "Sales[Qty]*2", "array"),
+        ("K2", "Sales[Unit price]/10", "spill"), ("L2:L4", "Sales[Qty]", "fill"), ("M1", "[@Qty]", "fill"),
+    ]  # fmt: skip
+    values = with_table(blocks)
+    assert column(values, "G", 2, 4) == [10, 40, 90]
+    assert column(values, "H", 2, 4) == [2, 3, 4]
+    assert column(values, "I", 2, 4) == [11, 22, 33]
+    assert column(values, "J", 2, 4) == [2, 4, 6]
+    assert column(values, "K", 2, 4) == [1, 2, 3]
+    assert column(values, "L", 2, 4) == [1, 2, 3]  # the cell beside the formula
+    assert values.get("S", 0, 12) == ErrorValue("#REF!")  # stands in no table
+
+
+def test_sheets_in_a_row():
+    builder = BookBuilder()
+    for place, title in enumerate(("One", "Two", "Three 3", "Four"), 1):
+        sheet = builder.sheet(title)
+        sheet.constant(0, 0, float(place))
+        sheet.constant(1, 0, 10.0 * place)
+    formulas = {
+        "SUM(One:'Three 3'!A1)": 6.0, "SUM('One:Three 3'!A1:A2)": 66.0, "AVERAGE(Two:Four!A1)": 3.0,
+        "MAX(Four:One!A2)": 40.0, "COUNT(One:Four!A:A)": 8.0, "SUM(One:Nowhere!A1)": ErrorValue("#REF!"), "SHEETS(One:'Three 3'!A1)": 3.0,
+    }  # fmt: skip
+    last = builder.sheet("Last")
+    for row, formula in enumerate(formulas):
+        text = formula.replace("One:'Three 3'!", "'One:Three 3'!")
+        last.block(row, 2, 1, 1, parse_formula(text))
+    values = compile_book(builder.build()).evaluate()
+    assert [values.get("Last", row, 2) for row in range(len(formulas))] == list(formulas.values())
+
+
+NAMED = [
+    ("k", "5"), ("word", '"hi"'), ("three", "{1,2,3}"), ("twice", "S!$B$1:$B$3*2"), ("both", "(S!$B$1,S!$B$3)"),
+    ("second_row", "S!2:2"), ("grown", "OFFSET(S!$B$1,0,0,COUNT(S!$B:$B),1)"), ("alias", "k+1"), ("lost", "#REF!"),
+]  # fmt: skip
+
+
+def test_names_of_every_kind():
+    formulas = {
+        "k*2": 10.0, "word&1": "hi1", "SUM(three)": 6.0, "SUM(twice)": 120.0, "SUM(both)": 40.0, "SUM(second_row)": 20.0,
+        "SUM(grown)": 60.0, "alias": 6.0, "lost": ErrorValue("#REF!"), "AREAS(both)": 2.0, "INDEX(three,2)": 2.0,
+        "ROWS(grown)": 3.0, "MATCH(30,grown,0)": 3.0, "SUMPRODUCT(twice)": 120.0,
+    }  # fmt: skip
+    blocks = [(f"J{row}", formula, "fill") for row, formula in enumerate(formulas, 20)]
+    values = compile_book(book(NUMBERS, blocks, NAMED)).evaluate()
+    assert values.remarks == ()
+    for row, (formula, expected) in enumerate(formulas.items(), 19):
+        assert same(values.get("S", row, 9), expected), (formula, values.get("S", row, 9))
+
+
+def test_a_cell_beside_the_formula():
+    """Only array formulas sum arrays of expressions: others take the cell of their row, as `@` says it."""
+    blocks = [
+        ("E1:E3", "SUM(B1:B3*2)", "fill"), ("F1:F3", "SUM(@B1:B3*2)", "fill"), ("G1:G3", "SUM(B1:B3)*2", "fill"),
+        ("H1:H4", "B$1:B$3+1", "fill"), ("I1:I3", "SUMPRODUCT(B$1:B$3*2)", "fill"), ("J9", "SUM(B1:B3*2)", "fill"),
+        ("K1:K3", "AND(B$1:B$3>15)", "fill"), ("L1", "@B1:B3", "spill"), ("M2", "@{4,5}", "fill"),
+    ]  # fmt: skip
+    values = compile_book(book(NUMBERS, blocks)).evaluate()
+    assert column(values, "E", 1, 3)[0] == 20
+    assert column(values, "F", 1, 3)[0] == 20
+    assert column(values, "H", 1, 4) == [11, 21, 31, ErrorValue("#VALUE!")]
+    assert column(values, "I", 1, 3) == [120, 120, 120]
+    assert values.get("S", 8, 9) == ErrorValue("#VALUE!")
+    assert column(values, "K", 1, 3) == [False, True, True]
+    assert (values.get("S", 0, 11), values.get("S", 1, 12)) == (10, 4)
+
+
+# --- order that depends on values -----------------------------------------------------------------------------------
+
+
+def test_references_that_are_computed_come_after_what_they_mean():
+    blocks = [
+        ("A2", 'INDIRECT("C"&A1)', "fill"), ("C3", "OFFSET(D1,2,0)+1", "fill"), ("D3", "E1*2", "fill"), ("E1", "7", "fill"),
+        ("F1:F5", 'IF(ROW()=1,1,INDIRECT("R[-1]C",FALSE)*2)', "fill"), ("G5", "SUM(G1:OFFSET(G5,-1,0))", "fill"),
+        ("G1:G4", "F1", "fill"), ("H1:H4", "OFFSET(H1,1,0)+1", "fill"), ("H5", "1", "fill"),
+    ]  # fmt: skip
+    plan = compile_book(book(NUMBERS, blocks))
+    for _ in range(2):
+        values = plan.evaluate()
+        assert values.remarks == ()
+        assert values.get("S", 1, 0) == 15
+        assert column(values, "F", 1, 5) == [1, 2, 4, 8, 16]
+        assert values.get("S", 4, 6) == 15
+        assert column(values, "H", 1, 5) == [5, 4, 3, 2, 1]
+    # another value of A1, another order
+    assert plan.evaluate({("S", 0, 0): 9.0}).get("S", 1, 0) == 0
+
+
+def test_a_circle_through_a_reference_that_is_computed():
+    values = compile_book(book(NUMBERS, [("C1", 'INDIRECT("D1")+1', "fill"), ("D1", "C1*2", "fill")])).evaluate()
+    assert [fault.message for fault in values.remarks] == ["circular reference: S!C1 -> S!D1 -> S!C1"]
+    assert values.get("S", 0, 3) == ErrorValue("#REF!")
+
+
+def test_a_branch_that_is_not_taken_closes_no_circle():
+    blocks = [
+        ("C1", 'CHOOSE(2,C1,"no circle")', "fill"), ("D1", "IF(A1>0,B1,E1)", "fill"), ("E1", "IF(A1>0,D1,1)", "fill"),
+        ("F1", "IFERROR(B1,G1)", "fill"), ("G1", "F1+1", "fill"),
+    ]  # fmt: skip
+    plan = compile_book(book(NUMBERS, blocks))
+    values = plan.evaluate()
+    assert values.remarks == ()
+    assert [values.get("S", 0, col) for col in range(2, 7)] == ["no circle", 10, 10, 10, 11]
+    assert [values.get("S", 0, col) for col in (3, 4)] == [10, 10]
+    assert plan.evaluate({("S", 0, 0): -1.0}).get("S", 0, 3) == 1
+
+
+def test_what_a_function_of_places_takes_is_not_read():
+    blocks = [
+        ("C5", "ROW(C5)+ROWS(C1:C9)", "fill"),
+        ("D1", 'CELL("row",D1)', "fill"),
+        ("E3", "SUM(B1:OFFSET(E3,-1,-3))", "fill"),
+    ]
+    values = compile_book(book(NUMBERS, blocks)).evaluate()
+    assert values.remarks == ()
+    assert [values.get("S", 4, 2), values.get("S", 0, 3), values.get("S", 2, 4)] == [14, 1, 30]
+
+
+def test_other_workbooks_keep_their_values():
+    blocks = [
+        ("C1:C3", "[1]S!A1*2", "fill"), ("D1", "SUM(C1:C3)", "fill"), ("E1", "far+1", "fill"), ("F1", "NOW()>0", "fill"),
+    ]  # fmt: skip
+    made = book(NUMBERS, blocks, [("far", "[2]T!$A$1")])
+    for row, value in enumerate((1.0, 2.0, "text")):
+        made.sheets[0].cached.put(row, 2, value)
+    values = compile_book(made).evaluate()
+    assert column(values, "C", 1, 3) == [1, 2, "text"]
+    assert values.get("S", 0, 3) == 3
+    assert values.get("S", 0, 4) == ErrorValue("#REF!")  # no value is stored
+    assert [(fault.key, fault.message.partition(",")[0]) for fault in values.remarks] == [
+        ("S!C1:C3", "a reference to another workbook"), ("S!E1", "a reference to another workbook"),
+        ("S!F1", "NOW gives another value at every recalculation"),
+    ]  # fmt: skip

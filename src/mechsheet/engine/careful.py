@@ -60,6 +60,8 @@ from .values import (
 
 _NOTHING = Cells(np.float64(0), np.uint8(BLANK))
 _REFERENCES = frozenset((",", " ", ":"))
+_MOST_WHOLE = 1 << 16
+"""Cells of a range that is read as it stands; a larger one ends with the sheet's data."""
 _COMPARISONS = frozenset(("=", "<>", "<", "<=", ">", ">="))
 
 
@@ -316,6 +318,8 @@ class Evaluator:
 
     def at(self, sheet: int, row: int, col: int) -> Cells:
         """The value of one cell, which may lie outside the sheet."""
+        if self.around.closely:
+            self.around.need(Area(sheet, row, col, 1, 1))
         place = self.layout.place(sheet, row, col)
         if place < 0:
             return error(REF) if row >= MAX_ROWS or col >= MAX_COLUMNS else _NOTHING
@@ -332,8 +336,10 @@ class Evaluator:
         rows = frame.rows if span.moves_down else 1
         cols = frame.cols if span.moves_right else 1
         area = Area(span.sheet, span.row, span.col, span.height + rows - 1, span.width + cols - 1)
-        if not (span.moves_down or span.moves_right):
+        if not (span.moves_down or span.moves_right) and area.rows * area.cols > _MOST_WHOLE:
             area = self.layout.clipped(area)
+        if self.around.closely:
+            self.around.need(area)
         found = self.layout.read(area, self.numbers, self.codes)
         shown = _fixed if rows == cols == 1 else _windows
         codes = None if found.codes is None else shown(found.codes, cols, rows)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..formula.book import Block
-from ..formula.nodes import Binary, Call, CellRef, FunctionRef, Node, RangeRef, children, walk
+from ..formula.nodes import Binary, Call, CellRef, FunctionRef, Node, RangeRef, Text, children, walk
 from .layout import Area, Layout
 
 Functions = Mapping[FunctionRef, Node]
@@ -33,9 +33,16 @@ def references(node: Node, functions: Functions = _NONE) -> Iterator[CellRef | R
                 stack.append(functions[part])
         else:
             below = children(part)
+            if isinstance(part, Call) and part.name == "CELL" and _is_about_place(part):
+                continue
             if isinstance(part, Call) and part.name in _UNREAD and below and isinstance(below[0], CellRef | RangeRef):
                 below = below[1:]
             stack.extend(reversed(below))
+
+
+def _is_about_place(call: Call) -> bool:
+    """Whether CELL asks where a cell is, not what it holds."""
+    return isinstance(call.args[0], Text) and call.args[0].value.strip().lower() in ("address", "row", "col")
 
 
 def reads_anywhere(node: Node, functions: Functions = _NONE) -> bool:

@@ -89,11 +89,15 @@ def _stretched(values: Node, like: Node, ev: Evaluator, frame: Frame) -> Node:
     return RangeRef(start, CellRef(row, col, start.row_abs, start.col_abs, start.sheet))
 
 
-def _keyed(ev: Evaluator, criteria: Args, frame: Frame, one: Callable[[Any], tuple[float, int]]) -> Cells:
+def _keyed(ev: Evaluator, criteria: Args, frame: Frame, spread: bool, one: Callable[[Any], tuple[float, int]]) -> Cells:
     """The result for every cell of the frame, from `one(keys of its criteria)`."""
-    cells = [Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame) for arg in criteria]
-    if any(len(cell.shape) > 2 for cell in cells):
+    cells = [Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread) for arg in criteria]
+    if any(np.size(cell.numbers) > 1 and len(cell.shape) > 2 for cell in cells):
         raise ArrayArgumentError
+    cells = [
+        cell if len(cell.shape) <= 2 else Cells(np.ravel(cell.numbers)[0], np.ravel(codes_of(cell))[0])
+        for cell in cells
+    ]
     shape = np.broadcast_shapes(*(cell.shape for cell in cells))
     columns = [
         zip(
@@ -117,7 +121,6 @@ def _keyed(ev: Evaluator, criteria: Args, frame: Frame, one: Callable[[Any], tup
 
 def _conditional(result: Callable[[Any, Any], tuple[float, int]], values_first: bool) -> Any:
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-        del spread
         if values_first:
             values, pairs = args[0], args[1:]
         else:
@@ -139,14 +142,13 @@ def _conditional(result: Callable[[Any, Any], tuple[float, int]], values_first: 
                 return np.nan, int(codes.flat[bad[0]])
             return result(numbers.ravel(), (mask & (codes == NUMBER)).ravel())
 
-        return _keyed(ev, pairs[1::2], frame, one)
+        return _keyed(ev, pairs[1::2], frame, spread, one)
 
     return kernel
 
 
 def counting(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """COUNTIF, COUNTIFS: blank cells beyond the sheet's data count where they fit."""
-    del spread
     if len(args) % 2:
         return error(VALUE)
     selection = Selection([_range(ev, node, frame) for node in args[::2]])
@@ -158,7 +160,7 @@ def counting(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         mask, beyond = selection.all(keys, ev)
         return float(np.count_nonzero(mask)) + (outside if beyond else 0), 0
 
-    return _keyed(ev, args[1::2], frame, one)
+    return _keyed(ev, args[1::2], frame, spread, one)
 
 
 def _finite(value: float) -> tuple[float, int]:

@@ -27,6 +27,7 @@ from .values import (
     error,
     errors_of,
     first_error,
+    fitted,
 )
 from .wildcards import pattern_of
 
@@ -45,7 +46,7 @@ def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
             single = _indexed(ev, args, frame, float(row), float(col))
             if single is not None:
                 return single
-        part = _part(ev, args, frame, spread, 0 in (int(row), int(col)))
+        part = _part(ev, args, frame, spread, len(args) == 2 or 0 in (int(row), int(col)))
         if part is not None:
             return part
     table = table_of(ev, args[0], frame)
@@ -80,6 +81,8 @@ def _part(ev: Evaluator, args: Args, frame: Frame, spread: bool, whole: bool) ->
             return found if isinstance(found, Cells) else ev.of_span(found[0], frame, spread)
     if not whole:
         return None
+    if len(args) == 4 and float(_argument(ev, args, 3, frame, spread)[0]) != 1:
+        return error(REF)
     table = table_of(ev, args[0], frame)
     row, col = (int(_argument(ev, args, place, frame, spread, 0.0)[0]) for place in (1, 2))
     height, width = table.numbers.shape
@@ -214,10 +217,11 @@ def _table_lookup(by_rows: bool) -> Any:
         if len(args) > 3:
             near, _ = truths_of(ev.value(args[3], frame, spread), ev.texts)
         found = positions(ev, wanted, _line(table, by_rows, 0), 1.0 if np.all(near) else 0.0)
+        found, (place, place_errors) = fitted(found, Cells(place, place_errors))
         across = np.trunc(place)
         width = table.numbers.shape[1 if by_rows else 0]
         own = np.where(across < 1, np.uint8(VALUE), np.where(across > width, np.uint8(REF), np.uint8(0)))
-        safe = np.where(own != 0, 0, across - 1).astype(np.intp)
+        safe = np.where((own != 0) | np.isnan(across), 0, across - 1).astype(np.intp)
         along = found.numbers.astype(np.intp)
         at = (along, safe) if by_rows else (safe, along)
         errors = first_error(found.codes, place_errors, own if np.any(own) else None)

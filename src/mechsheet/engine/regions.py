@@ -11,10 +11,22 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from ..formula.nodes import MAX_COLUMNS, MAX_ROWS, Apply, Binary, Call, CellRef, Local, Missing, Node, RangeRef
+from ..formula.nodes import (
+    MAX_COLUMNS,
+    MAX_ROWS,
+    Apply,
+    Binary,
+    Call,
+    CellRef,
+    ErrorValue,
+    Local,
+    Missing,
+    Node,
+    RangeRef,
+)
 from .coerce import numbers_of, text_of, truths_of
 from .frames import Frame, Span, VaryingSizeError
-from .values import ERROR, NA, NULL, REF, VALUE, Cells, error
+from .values import ERROR, NA, NULL, REF, VALUE, Cells, error, error_code
 
 if TYPE_CHECKING:
     from .careful import Evaluator
@@ -51,6 +63,8 @@ def _regions(ev: Evaluator, node: Node, frame: Frame) -> Regions:
             return _OPERATORS[op](first, second)
         case Call(name, args) if name in _FUNCTIONS:
             return _FUNCTIONS[name](ev, args, frame)
+        case ErrorValue(code):
+            return error(error_code(code))
         case Local(name):
             return ev.scopes.regions(ev, name, frame)
         case Apply():

@@ -5,6 +5,7 @@ What is not known is remarked with its cells and becomes the error that spreadsh
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field, replace
 
 from ..diagnostics import Fault, FormulaError, near_miss
@@ -43,6 +44,7 @@ from .regions import gives_region
 from .scopes import is_function, with_locals
 
 _MOST_SHEETS = 1024
+_ZEROS = re.compile(r"(?<![\w.])0+(?=[1-9])|(?<=[A-Za-z$])(?<![A-Za-z]{4})0+(?=[1-9][0-9]*(?![\w.]))")
 _MOST_READ = 20_000
 """Texts of INDIRECT whose meaning is remembered."""
 _STEADY = frozenset(("OFFSET", "INDIRECT", "CELL", "INFO"))
@@ -131,7 +133,8 @@ class Resolver:
 
     def _reference(self, text: str, in_a1: bool, sheet: str, row: int, col: int) -> Node | None:
         try:
-            node = parse_formula(text) if in_a1 else parse_r1c1(text, row, col)
+            # As typed, "05:05" is a row as well.
+            node = parse_formula(_ZEROS.sub("", text)) if in_a1 else parse_r1c1(text, row, col)
         except FormulaError:
             return None
         before = len(self.found.remarks)

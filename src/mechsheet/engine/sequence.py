@@ -51,6 +51,7 @@ class Together:
         self.sheets = {title: index for index, title in enumerate(layout.titles)}
         self.reads = {number: self._inner(number) for number in members}
         self._circles = 0
+        self._closely: set[Cell] = set()
 
     def _inner(self, number: int) -> list[tuple[CellRef, CellRef]]:
         """The references of a block that can mean cells of the set, as corners."""
@@ -91,6 +92,7 @@ class Together:
     def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells. Those of a circle are #REF! and remarked."""
         self._circles = 0
+        self._closely = set()
         done: set[Cell] = set()
         outside = ev.around.check
 
@@ -108,6 +110,7 @@ class Together:
             self._run_all(done, ev)
         finally:
             ev.around.check = outside
+            ev.around.closely = False
         for member in self.producers:
             block, start = self.layout.blocks[member], self.layout.block_offsets[member]
             marks.note(member, ev.codes[start : start + block.rows * block.cols])
@@ -134,6 +137,7 @@ class Together:
             if below is None:
                 cell = path[-1]
                 try:
+                    ev.around.closely = cell in self._closely
                     self._evaluate(cell, ev)
                 except _PendingError as pending:
                     below = pending.cell
@@ -145,13 +149,17 @@ class Together:
                     continue
             if below in waiting:
                 place = path.index(below)
-                self._note_circle(path[place:], done, ev)
-                waiting.difference_update(path[place:])
+                circle = path[place:]
+                waiting.difference_update(circle)
                 del path[place:], work[place:]
-                continue
+                if self._closely.issuperset(circle):
+                    self._note_circle(circle, done, ev)
+                    continue
+                # A branch of IF that is not taken closes no circle: look at what they really read.
+                self._closely.update(circle)
             path.append(below)
             waiting.add(below)
-            work.append(self.precedents(below))
+            work.append(iter(()) if below in self._closely else self.precedents(below))
 
     def _evaluate(self, cell: Cell, ev: Evaluator) -> None:
         number, down, right = cell

@@ -26,6 +26,7 @@ class Surroundings:
     """`reference` reads a text as a reference; `check` raises NotReadyError for cells of an area that are not computed yet
     and not of some producers.
 
+    closely  whether every cell that is read is checked, not only those that no formula names
     sizes    the size that each dynamic array has, by its block
     remarks  what could not be computed as it is meant, with its cell
     """
@@ -35,6 +36,7 @@ class Surroundings:
     functions: Mapping[FunctionRef, Node] = field(default_factory=dict)
     reference: Callable[[str, bool, str, int, int], Node | None] = _no_reference
     check: Callable[[Area, Collection[int]], None] = _all_there
+    closely: bool = False
     sizes: dict[int, tuple[int, int]] = field(default_factory=dict)
     remarks: list[Fault] = field(default_factory=list)
 

@@ -25,12 +25,12 @@ _ITEM = re.compile(rf"\s*(?:\[(?P<inner>{_INSIDE})\]|(?P<mark>[,:])|(?P<bare>[^\
 def parse_table(text: str) -> TableRef | None:
     """The reference that `Table1[...]` or `[...]` says, None when it says none."""
     name, _, rest = text.partition("[")
-    body = rest[:-1].strip()
+    body = rest[:-1]
     table = name or None
     if body.startswith("@"):
-        found = _columns(body[1:].strip())
+        found = _columns(body[1:])
         return None if found is None else TableRef(table, frozenset(("this row",)), *found)
-    if not body.startswith("["):
+    if not body.strip().startswith("["):
         return _single(table, body)
     parts: set[str] = set()
     names: list[str] = []
@@ -44,9 +44,10 @@ def parse_table(text: str) -> TableRef | None:
             if (match["mark"] == ":") != (len(names) == 1 and match["mark"] == ":"):
                 return None
             continue
-        inner = (match["inner"] or match["bare"] or "").strip()
-        if inner.casefold() in _PARTS:
-            parts.add(_PARTS[inner.casefold()])
+        inner = match["inner"] if match["inner"] is not None else match["bare"]
+        word = inner.strip().casefold()
+        if word in _PARTS:
+            parts.add(_PARTS[word])
         else:
             names.append(_unescaped(inner))
     if expected or len(names) > 2:
@@ -58,7 +59,7 @@ def _single(table: str | None, body: str) -> TableRef | None:
     if not body:
         return TableRef(table)
     if body.startswith("#"):
-        part = _PARTS.get(body.casefold())
+        part = _PARTS.get(body.strip().casefold())
         return None if part is None else TableRef(table, frozenset((part,)))
     name = _unescaped(body)
     return TableRef(table, frozenset(), name, name)
