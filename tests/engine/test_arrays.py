@@ -317,7 +317,8 @@ def test_sheets_in_a_row():
         sheet.constant(1, 0, 10.0 * place)
     formulas = {
         "SUM(One:'Three 3'!A1)": 6.0, "SUM('One:Three 3'!A1:A2)": 66.0, "AVERAGE(Two:Four!A1)": 3.0,
-        "MAX(Four:One!A2)": 40.0, "COUNT(One:Four!A:A)": 8.0, "SUM(One:Nowhere!A1)": ErrorValue("#REF!"), "SHEETS(One:'Three 3'!A1)": 3.0,
+        "MAX(Four:One!A2)": 40.0, "COUNT(One:Four!A:A)": 8.0, "SUM(One:Nowhere!A1)": ErrorValue("#REF!"),
+        "SHEETS(One:'Three 3'!A1)": 3.0,
     }  # fmt: skip
     last = builder.sheet("Last")
     for row, formula in enumerate(formulas):
@@ -329,7 +330,7 @@ def test_sheets_in_a_row():
 
 NAMED = [
     ("k", "5"), ("word", '"hi"'), ("three", "{1,2,3}"), ("twice", "S!$B$1:$B$3*2"), ("both", "(S!$B$1,S!$B$3)"),
-    ("second_row", "S!2:2"), ("grown", "OFFSET(S!$B$1,0,0,COUNT(S!$B:$B),1)"), ("alias", "k+1"), ("lost", "#REF!"),
+    ("second_row", "S!$2:$2"), ("grown", "OFFSET(S!$B$1,0,0,COUNT(S!$B:$B),1)"), ("alias", "k+1"), ("lost", "#REF!"),
 ]  # fmt: skip
 
 
