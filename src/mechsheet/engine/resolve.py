@@ -12,6 +12,7 @@ from ..diagnostics import Fault, FormulaError, near_miss
 from ..formula.book import Block, Book, DefinedName
 from ..formula.dialects import MAX_NESTING
 from ..formula.functions import FUNCTIONS, MANY
+from ..formula.names import folded
 from ..formula.nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
@@ -107,6 +108,7 @@ class Resolver:
         self.book = book
         self.titles = {sheet.title.casefold(): sheet.title for sheet in book.sheets}
         self.names = {(d.name.casefold(), d.sheet and d.sheet.casefold()): d for d in reversed(book.names)}
+        self.alike = {folded(d.name): d for d in reversed(book.names) if d.sheet is None}
         self.tables = {table.name.casefold() for table in book.tables}
         self.found = Resolved()
         self._read: dict[tuple[str, bool, str, int, int], Node | None] = {}
@@ -231,7 +233,8 @@ class Resolver:
         """A function's call, if there is such a function and it takes as many arguments."""
         row = FUNCTIONS.get(part.name)
         if row is None or part.name not in KERNELS:
-            defined = self.find(NameRef(part.name), sheet)
+            # the capitals in which calls are read are those of two letters: Açı and Açi
+            defined = self.find(NameRef(part.name), sheet) or self.alike.get(folded(part.name))
             if defined is not None:
                 function = self.function_name(defined, with_locals(defined.formula), block, sheet, place)
                 return Apply(function, part.args)
