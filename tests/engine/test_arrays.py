@@ -404,6 +404,20 @@ def test_a_branch_that_is_not_taken_closes_no_circle():
     assert plan.evaluate({("S", 0, 0): -1.0}).get("S", 0, 3) == 1
 
 
+def test_many_references():
+    """OFFSET and INDIRECT with an array among their arguments mean many references, one after the other."""
+    formulas = {
+        "SUMPRODUCT(SUBTOTAL(9,OFFSET(B1,ROW(B1:B3)-ROW(B1),0)))": 60.0, "SUM(N(OFFSET(B1,{0,2},0)))": 40.0,
+        'SUMPRODUCT(SUMIF(INDIRECT("B"&ROW(INDIRECT("1:3"))),">15"))': 50.0, "SUM(OFFSET(B1,0,0,A1,1))": 60.0,
+        'SUMPRODUCT(COUNTIF(OFFSET(B1,0,0,{1;2;3}),">0"))': 6.0, "SUM(OFFSET(B1,B1:B3,0))": ErrorValue("#VALUE!"),
+    }  # fmt: skip
+    blocks = [(f"J{row}", formula, "fill") for row, formula in enumerate(formulas, 20)]
+    values = compile_book(book(NUMBERS, [*blocks, ("F1", "SUBTOTAL(9,OFFSET(B1,{0;1},0,2))", "spill")])).evaluate()
+    for row, (formula, expected) in enumerate(formulas.items(), 19):
+        assert same(values.get("S", row, 9), expected), (formula, values.get("S", row, 9))
+    assert column(values, "F", 1, 2) == [30, 50]
+
+
 def test_what_a_function_of_places_takes_is_not_read():
     blocks = [
         ("C5", "ROW(C5)+ROWS(C1:C9)", "fill"),

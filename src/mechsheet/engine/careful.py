@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from ..formula.functions import FUNCTIONS
 from ..formula.nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
@@ -36,11 +35,11 @@ from .closures import Bound, Scopes
 from .coerce import compared, each, numbers_of, to_text
 from .deep import deeply
 from .frames import ArrayArgumentError, Frame, Span, UnsupportedError, VaryingSizeError
-from .intersections import SINGLES
 from .kernels import KERNELS
 from .kernels_math import OPERATORS, snapped
 from .layout import Area, Layout
 from .regions import gives_region, regions
+from .slots import at_slot, slots, with_slots
 from .surroundings import Surroundings
 from .values import (
     BLANK,
@@ -60,6 +59,10 @@ from .values import (
 
 _NOTHING = Cells(np.float64(0), np.uint8(BLANK))
 _REFERENCES = frozenset((",", " ", ":"))
+_OVER_REFERENCES = frozenset(
+    ("SUBTOTAL", "SUMIF", "COUNTIF", "AVERAGEIF", "SUMIFS", "COUNTIFS", "AVERAGEIFS", "N", "T")
+)
+"""Functions that take one reference after the other where OFFSET or INDIRECT give many."""
 _MOST_WHOLE = 1 << 16
 """Cells of a range that is read as it stands; a larger one ends with the sheet's data."""
 _COMPARISONS = frozenset(("=", "<>", "<", "<=", ">", ">="))
@@ -194,6 +197,8 @@ class Evaluator:
 
     def call(self, node: Call, frame: Frame, spread: bool) -> Cells:
         """A function's value; cell by cell where a range changes its size over the frame."""
+        if spread and node.name in _OVER_REFERENCES and self._over_references(node, frame):
+            return self.lifted(node, frame)
         try:
             return KERNELS[node.name](self, node.args, frame, spread)
         except ArrayArgumentError:
@@ -215,23 +220,27 @@ class Evaluator:
                 codes[right, down] = 0 if found.codes is None else found.codes
         return Cells(numbers.reshape(frame.shape), codes.reshape(frame.shape) if codes.any() else None)
 
+    def _over_references(self, node: Call, frame: Frame) -> bool:
+        """Whether an argument means many references: OFFSET or INDIRECT with an array among its own arguments."""
+        inner = [slot for slot in slots(node) if len(slot) > 1]
+        return any(np.size(self.value(at_slot(node, slot), frame, True).numbers) > 1 for slot in inner)
+
     def lifted(self, node: Call, frame: Frame) -> Cells:
         """A function that was given an array where it wants a single value: its value for each cell of the array."""
         if frame.rows > 1 or frame.cols > 1:
             raise VaryingSizeError
-        kinds = FUNCTIONS[node.name].kinds_of(len(node.args))
-        singles = [place for place, kind in enumerate(kinds) if kind in SINGLES or kind == "q"]
-        values = fitted(*(self.value(node.args[place], frame, True) for place in singles))
+        singles = slots(node)
+        values = fitted(*(self.value(at_slot(node, slot), frame, True) for slot in singles))
         height, width = np.broadcast_shapes(*((1, 1, *cells.shape)[-4:][:2] for cells in values))
+        names = [f"argument {slot} of {node.name}" for slot in singles]
+        call = with_slots(node, dict(zip(singles, (Local(name) for name in names), strict=True)))
         numbers, codes = np.empty((height, width, 1, 1)), np.zeros((height, width, 1, 1), np.uint8)
-        args = list(node.args)
         for down in range(height):
             for right in range(width):
-                scope = dict(frame.names or {})
-                for place, cells in zip(singles, values, strict=True):
-                    scope[f"argument {place} of {node.name}"] = Bound(cells=part_of(cells, down, right))
-                    args[place] = Local(f"argument {place} of {node.name}")
-                found = self.call(Call(node.name, tuple(args)), frame.within(scope), True)
+                parts = {
+                    name: Bound(cells=part_of(cells, down, right)) for name, cells in zip(names, values, strict=True)
+                }
+                found = self.call(call, frame.within({**(frame.names or {}), **parts}), True)
                 first = found if np.ndim(found.numbers) == 0 else part_of(found, 0, 0)
                 numbers[down, right], codes[down, right] = first.numbers, 0 if first.codes is None else first.codes
         return Cells(numbers, codes if codes.any() else None)

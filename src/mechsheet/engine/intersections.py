@@ -15,6 +15,8 @@ SINGLES = frozenset("ntbdae")
 _LISTS = frozenset("v")
 """Kinds of arguments that are lists of values: a range is taken whole, an expression of ranges is a single value."""
 _LIKE_LISTS = ("AND", "OR", "XOR")
+_MAKING_REFERENCES = ("OFFSET", "INDIRECT", "INDEX")
+"""Functions that give references: an array among their arguments would mean many of them."""
 _REFERENCES = (" ", ",", ":")
 
 
@@ -23,10 +25,7 @@ def intersected(node: Node) -> Node:
     match node:
         case Call(name, args):
             kinds = _kinds(name, len(args))
-            changed = [
-                _singled(arg) if kind in _LISTS and _computes(arg) else arg if kind in "rmqfgl" else intersected(arg)
-                for arg, kind in zip(args, kinds, strict=True)
-            ]
+            changed = [_argument(name, kind, arg) for arg, kind in zip(args, kinds, strict=True)]
             return _replaced(node, changed)
         case Binary():
             return _along(node, intersected)
@@ -34,6 +33,17 @@ def intersected(node: Node) -> Node:
             return _replaced(node, [intersected(part) for part in children(node)])
         case _:
             return node
+
+
+def _argument(name: str, kind: str, arg: Node) -> Node:
+    """An argument of a function, by its kind."""
+    if (kind in _LISTS and _computes(arg)) or (kind in SINGLES and name in _MAKING_REFERENCES):
+        return _singled(arg)
+    return arg if kind in "rmqfgl" and not _makes_reference(arg) else intersected(arg)
+
+
+def _makes_reference(node: Node) -> bool:
+    return isinstance(node, Call) and node.name in _MAKING_REFERENCES
 
 
 def _kinds(name: str, count: int) -> str:

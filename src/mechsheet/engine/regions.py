@@ -25,7 +25,7 @@ from ..formula.nodes import (
     RangeRef,
 )
 from .coerce import numbers_of, text_of, truths_of
-from .frames import Frame, Span, VaryingSizeError
+from .frames import ArrayArgumentError, Frame, Span, VaryingSizeError
 from .values import ERROR, NA, NULL, REF, VALUE, Cells, error, error_code
 
 if TYPE_CHECKING:
@@ -122,12 +122,18 @@ def _number(ev: Evaluator, args: Args, place: int, frame: Frame, default: float 
     """A whole number among the arguments. Raises ReferenceFault for an error, VaryingSizeError for several numbers."""
     if place >= len(args) or isinstance(args[place], Missing):
         return default
-    numbers, errors = numbers_of(ev.value(args[place], frame), ev.texts)
-    if np.size(numbers) != 1:
-        raise VaryingSizeError
+    numbers, errors = numbers_of(_one_value(ev, args[place], frame), ev.texts)
     if errors is not None:
         raise ReferenceFault(error(int(np.ravel(errors)[0])))
     return float(np.trunc(np.ravel(numbers)[0]))
+
+
+def _one_value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
+    """A single value. Raises ArrayArgumentError for an array, VaryingSizeError for values that differ over the frame."""
+    found = ev.value(node, frame, spread=True)
+    if np.size(found.numbers) != 1:
+        raise ArrayArgumentError if frame.rows == frame.cols == 1 else VaryingSizeError
+    return found
 
 
 def _one(ev: Evaluator, node: Node, frame: Frame) -> Span | Cells | None:
@@ -160,7 +166,7 @@ def indirect(ev: Evaluator, args: Args, frame: Frame) -> Regions:
     """INDIRECT(text, in A1 form): the reference that a text says; #REF! when it says none."""
     if frame.rows > 1 or frame.cols > 1:
         raise VaryingSizeError
-    text = text_of(ev.value(args[0], frame), ev.texts)
+    text = text_of(_one_value(ev, args[0], frame), ev.texts)
     if isinstance(text, Cells):
         return text
     in_a1 = _number(ev, args, 1, frame, 1.0) != 0
@@ -211,7 +217,9 @@ def choose(ev: Evaluator, args: Args, frame: Frame) -> Regions:
         if frame.rows == frame.cols == 1:
             return None
         raise VaryingSizeError
-    place = _number(ev, args, 0, frame)
+    place = float(np.trunc(np.ravel(cells.numbers)[0]))
+    if cells.codes is not None and np.ravel(cells.codes)[0]:
+        place = _number(ev, args, 0, frame)
     return regions(ev, args[int(place)], frame) if 1 <= place < len(args) else error(VALUE)
 
 
