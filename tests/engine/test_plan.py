@@ -257,3 +257,12 @@ def test_a_blank_result_is_zero_and_a_constant_keeps_its_kind():
 def test_nothing():
     assert evaluate(BookBuilder().build()) is not None
     assert list(evaluate(book({}, {})).items("S")) == []
+
+
+def test_names_nested_deeper_than_the_stack():
+    names = [("level_0", "S!$A$1")]
+    names += [(f"level_{n}", "IF(1=1," * 20 + f"level_{n - 1}+1" + ",0)" * 20) for n in range(1, 64)]
+    values = evaluate(book({"A": [5.0]}, {"B1": "level_63", "B2": "down(900)"},
+                           [*names, ("down", "LAMBDA(n,IF(n<1,0,1+down(n-1)))")]))  # fmt: skip
+    assert column(values, "B", 1, 2) == [68, 900]
+    assert values.remarks == ()

@@ -7,9 +7,10 @@ import threading
 from collections.abc import Callable
 from typing import TypeVar
 
-_LEVELS = 200_000
-_BYTES = 512 << 20
-"""Address space, of which only what is used is taken from the memory."""
+_SIZES = (512 << 20, 64 << 20)
+"""Address space for a stack, of which only what is used is taken from the memory; the second where there is less."""
+_BYTES_A_LEVEL = 2560
+_NAME = "mechsheet-deep"
 
 _one_at_a_time = threading.Lock()
 
@@ -24,13 +25,19 @@ def deeply(compute: Callable[[], Found]) -> Found:
         if threading.current_thread().name == _NAME:
             raise
     with _one_at_a_time:
-        return _in_deep_thread(compute)
+        for size in _SIZES:
+            try:
+                return _in_deep_thread(compute, size)
+            except _NoThreadError:
+                continue
+    raise RecursionError
 
 
-_NAME = "mechsheet-deep"
+class _NoThreadError(Exception):
+    """There is no room for a stack of that size."""
 
 
-def _in_deep_thread(compute: Callable[[], Found]) -> Found:
+def _in_deep_thread(compute: Callable[[], Found], size: int) -> Found:
     found: list[Found] = []
     problems: list[BaseException] = []
 
@@ -40,14 +47,17 @@ def _in_deep_thread(compute: Callable[[], Found]) -> Found:
         except BaseException as problem:  # raised again in the thread that waits
             problems.append(problem)
 
-    limit, size = sys.getrecursionlimit(), threading.stack_size(_BYTES)
+    limit, usual = sys.getrecursionlimit(), threading.stack_size(size)
     try:
-        sys.setrecursionlimit(max(limit, _LEVELS))
+        sys.setrecursionlimit(max(limit, size // _BYTES_A_LEVEL))
         thread = threading.Thread(target=run, name=_NAME)
-        thread.start()
+        try:
+            thread.start()
+        except RuntimeError as problem:
+            raise _NoThreadError from problem
         thread.join()
     finally:
-        threading.stack_size(size)
+        threading.stack_size(usual)
         sys.setrecursionlimit(limit)
     if problems:
         raise problems[0]

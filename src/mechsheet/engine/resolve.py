@@ -39,6 +39,7 @@ from ..formula.nodes import (
 from ..formula.parser import parse_formula
 from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
+from .deep import deeply
 from .intersections import intersected
 from .kernels import KERNELS
 from .regions import gives_region
@@ -147,6 +148,9 @@ class Resolver:
 
     def formula(self, block: Block, sheet: str) -> Node:
         """The block's formula. Remarks are made with its cells."""
+        return deeply(lambda: self._formula(block, sheet))
+
+    def _formula(self, block: Block, sheet: str) -> Node:
         place = f"{sheet}!{area_name(block.row, block.col, block.rows, block.cols)}"
         before = len(self.found.remarks)
         node = self.named(with_locals(block.formula), block, sheet, place, ())
