@@ -18,14 +18,18 @@ if TYPE_CHECKING:
     from .sheet_scan import SheetScan
 
 _ROW = re.compile(rb'<row r="([1-9][0-9]{0,6})"[^<>]*(?<!/)>')
+_HIDDEN = re.compile(rb' hidden="(?:1|true)"')
 _CELL = re.compile(
-    rb'<c r="([A-Z]{1,3})([1-9][0-9]{0,6})"(?: s="([0-9]+)")?(?: t="([a-z]+)")?'
-    rb'(?:/>|>(?:<f((?: [a-z]+="[^"<&]*")*)(?: ?/>|>([^<]*)</f>))?(?:<v>([^<]*)</v>)?</c>)'
+    rb'<c r="([A-Z]{1,3})([1-9][0-9]{0,6})"(?: s="([0-9]+)")?(?: t="([a-zA-Z]+)")?'
+    rb'(?:/>|>(?:<f((?: [a-z]+="[^"<&]*")*)(?: ?/>|>([^<]*)</f>))?'
+    rb"(?:<v>([^<]+)</v>|<v></v>|<v ?/>|<is><t>([^<]*)</t></is>)?</c>)"
 )
 _ATTRIBUTE = re.compile(rb' ([a-z]+)="([^"]*)"')
 
 _STYLE = rb"[0-9]++"
-_VALUES = {b"n": NUMBER, b"s": rb"[0-9]{1,9}+", b"b": rb"[01]", b"e": rb"#[A-Z0-9/!?_]++", b"str": TEXT}
+_VALUES = {b"n": NUMBER, b"s": rb"[0-9]{1,9}+", b"b": rb"[01]", b"e": rb"#[A-Z0-9/!?_]++"}
+_TEXTS = {b"str": 7, b"inlineStr": 8}
+"""Kinds of texts, and which group of a cell holds them."""
 
 
 class Cell(NamedTuple):
@@ -87,7 +91,13 @@ class RowPattern:
 def row_pattern(scan: SheetScan, data: bytes) -> RowPattern | None:
     """The pattern of a row that has just been parsed, None where it cannot be one (yet)."""
     head = _ROW.match(data)
-    if head is None or len(data) > LONGEST or int(head[1]) != scan.row + 1 or scan.row < scan.lowest:
+    if (
+        head is None
+        or _HIDDEN.search(head[0])
+        or len(data) > LONGEST
+        or int(head[1]) != scan.row + 1
+        or scan.row < scan.lowest
+    ):
         return None
     expression = RowExpression(data, scan.row)
     expression.number(*head.span(1), 0)
@@ -99,7 +109,7 @@ def row_pattern(scan: SheetScan, data: bytes) -> RowPattern | None:
         at = match.end()
         col = column_index(match[1].decode())
         kind = match[4] or b"n"
-        if match[2] != head[1] or col >= MAX_COLUMNS or col in columns or kind not in _VALUES:
+        if match[2] != head[1] or col >= MAX_COLUMNS or col in columns or (kind not in _VALUES and kind not in _TEXTS):
             return None
         columns.add(col)
         expression.number(*match.span(2), 0)
@@ -111,10 +121,13 @@ def row_pattern(scan: SheetScan, data: bytes) -> RowPattern | None:
             if run is None or not _formula(expression, match, run):
                 return None
             runs[col] = run
-        if match[7] is not None:
-            if re.fullmatch(_VALUES[kind], match[7]) is None:
+        which, values = (_TEXTS[kind], TEXT) if kind in _TEXTS else (7, _VALUES[kind])
+        if match[which] is not None:
+            if re.fullmatch(values, match[which]) is None:
                 return None
-            cells.append(Cell(expression.group(*match.span(7), _VALUES[kind]), col, kind.decode(), is_formula))
+            cells.append(Cell(expression.group(*match.span(which), values), col, kind.decode(), is_formula))
+        elif kind in _TEXTS or match[8] is not None:
+            return None
     if data[at:] != b"</row>" or not columns:
         return None
     return RowPattern(scan, expression, cells, runs)
