@@ -7,6 +7,7 @@ dynamic array whose size is not the one it was laid out with is laid out anew, u
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ..diagnostics import Fault
@@ -183,7 +184,7 @@ def with_sizes(sheets: Sequence[BookSheet], sizes: Sizes) -> list[BookSheet]:
             blocks.append(Block(block.row, block.col, rows, cols, block.formula, block.kind))
             number += 1
         spills = [block for block in blocks if block.kind == "spill"]
-        found.append(BookSheet(sheet.title, _uncovered(sheet.constants, spills), blocks, sheet.cached))
+        found.append(replace(sheet, constants=_uncovered(sheet.constants, spills), blocks=blocks))
     return found
 
 

@@ -1,4 +1,4 @@
-"""SUBTOTAL and AGGREGATE. Rows are not known to be hidden: hidden ones count."""
+"""SUBTOTAL and AGGREGATE: totals that leave out other totals, and rows that are not shown."""
 
 from __future__ import annotations
 
@@ -52,6 +52,22 @@ def _without_totals(ev: Evaluator, node: Node, table: Cells, frame: Frame) -> Ce
     return Cells(table.numbers, codes)
 
 
+def _without_rows(ev: Evaluator, node: Node, table: Cells, frame: Frame, filtered_only: bool) -> Cells:
+    """A range without the cells of rows that are hidden, or hidden by a filter."""
+    span = ev.span(node, frame)
+    sheets = ev.around.book.sheets
+    if span is None or span.sheet >= len(sheets):
+        return table
+    sheet = sheets[span.sheet]
+    hidden = sheet.filtered if filtered_only else sheet.hidden
+    if not hidden:
+        return table
+    codes = table.codes.copy()
+    for first, end in hidden:
+        codes[max(0, first - span.row) : max(0, end - span.row)] = BLANK
+    return Cells(table.numbers, codes)
+
+
 def _number(ev: Evaluator, node: Node, frame: Frame) -> int:
     numbers, errors = numbers_of(ev.value(node, frame), ev.texts)
     if np.ndim(numbers) > 2:
@@ -69,11 +85,17 @@ class _Fault(Exception):  # noqa: N818 - an error value on its way to the cell
         self.code = code
 
 
-def _together(ev: Evaluator, args: list[Node], frame: Frame, nested: bool) -> tuple[Any, Any]:
-    """(numbers, codes) of all arguments in one line, without other totals unless `nested`."""
+def _together(ev: Evaluator, args: list[Node], frame: Frame, nested: bool, rows: str) -> tuple[Any, Any]:
+    """(numbers, codes) of all arguments in one line, without other totals unless `nested`.
+
+    rows  which rows count: "all", "unfiltered" ones, or those "shown"
+    """
     tables = [table_of(ev, arg, frame) for arg in args]
     if not nested:
         tables = [_without_totals(ev, arg, table, frame) for arg, table in zip(args, tables, strict=True)]
+    if rows != "all":
+        pairs = zip(args, tables, strict=True)
+        tables = [_without_rows(ev, arg, table, frame, rows == "unfiltered") for arg, table in pairs]
     numbers = np.concatenate([table.numbers.ravel() for table in tables])
     return numbers, np.concatenate([table.codes.ravel() for table in tables])
 
@@ -101,21 +123,25 @@ def _of_problem(compute: Callable[[], float]) -> Cells:
 
 
 def subtotal(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-    """SUBTOTAL(function, ranges...): 1 to 11, or 101 to 111; other totals inside the ranges do not count."""
+    """SUBTOTAL(function, ranges...): other totals inside the ranges do not count.
+
+    1 to 11 leave out the rows that a filter hides, 101 to 111 all hidden rows.
+    """
     del spread
     try:
         function = _number(ev, args[0], frame)
     except _Fault as fault:
         return error(fault.code)
+    rows = "shown" if function > 100 else "unfiltered"
     function = function - 100 if function > 100 else function
     if not 1 <= function <= 11:
         return error(VALUE)
-    numbers, codes = _together(ev, united(args[1:]), frame, nested=False)
+    numbers, codes = _together(ev, united(args[1:]), frame, nested=False, rows=rows)
     return _total(function, numbers, codes, ignore_errors=False)
 
 
 def aggregate(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-    """AGGREGATE(function, option, values...): options 2, 3, 6, 7 leave errors out, 0 to 3 other totals."""
+    """AGGREGATE(function, option, values...): options 2, 3, 6, 7 leave errors out, 0 to 3 totals, odd ones hidden rows."""
     try:
         function, option = _number(ev, args[0], frame), _number(ev, args[1], frame)
     except _Fault as fault:
@@ -123,12 +149,13 @@ def aggregate(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     if not (1 <= function <= 19 and 0 <= option <= 7):
         return error(VALUE)
     ignore_errors = option in (2, 3, 6, 7)
+    rows = "shown" if option % 2 else "all"
     if function <= 13:
-        numbers, codes = _together(ev, united(args[2:]), frame, nested=option >= 4)
+        numbers, codes = _together(ev, united(args[2:]), frame, nested=option >= 4, rows=rows)
         return _total(function, numbers, codes, ignore_errors)
     if len(args) != 4:
         return error(VALUE)
-    numbers, codes = _together(ev, [args[2]], frame, nested=option >= 4)
+    numbers, codes = _together(ev, [args[2]], frame, nested=option >= 4, rows=rows)
     bad = codes >= ERROR
     if np.any(bad) and not ignore_errors:
         return error(int(codes[np.argmax(bad)]))

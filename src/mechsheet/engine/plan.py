@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import copy
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from ..formula.book import Block, Book, BookSheet, CellStore
 from ..formula.nodes import Scalar, shifted
 from .careful import Evaluator
 from .driving import Sizes, settled, sizes_of, with_sizes
-from .graph import dependencies, dependents, reads_anywhere
+from .graph import dependencies, dependents
 from .layout import Area, make_layout
 from .marks import Marks, marks_of_constants
 from .resolve import Resolver
@@ -57,17 +58,12 @@ class Plan:
         for number in self.resolved.kept:
             self.reads[number] = set()
         self.sizes = sizes_of(self.layout, blocked)
-        moving = {
-            number
-            for number, formula in enumerate(self.formulas)
-            if reads_anywhere(formula, self.resolved.functions) and number not in self.resolved.kept
-        }
-        self.settles = bool(moving or self.sizes)
+        self.settles = bool(self.resolved.moving or self.sizes)
         self._special = Special(
             self.resolved.functions,
             {number: self._cached(number) for number in self.resolved.kept},
             blocked,
-            frozenset(dependents(moving, self.reads)),
+            frozenset(dependents(self.resolved.moving, self.reads)),
             once,
         )
         self.steps = schedule(self.layout, self.formulas, self.reads, self._special)
@@ -182,7 +178,7 @@ def _replaced(sheet: BookSheet, cells: Sequence[tuple[int, int]]) -> BookSheet:
     for row, col in cells:
         blocks = [part for block in blocks for part in _around(block, row, col)]
         constants.put(row, col, None)
-    return BookSheet(sheet.title, constants, blocks, sheet.cached)
+    return replace(sheet, constants=constants, blocks=blocks)
 
 
 def _around(block: Block, row: int, col: int) -> list[Block]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 ROW = b"table:table-row"
 """The element of rows; files with other prefixes are left to the parser."""
-_ROW = re.compile(rb'<table:table-row(?: (?!table:number-rows-repeated)[a-z:-]+="[^"<&]*")*>')
+_ROW = re.compile(rb'<table:table-row(?: (?!table:number-rows-repeated|table:visibility)[a-z:-]+="[^"<&]*")*>')
 _CELL = re.compile(
     rb'<table:table-cell((?: [a-z:-]+="[^"<\x00-\x1f]*")*)(?:/>|>(?:<text:p>([^<]*)</text:p>)?</table:table-cell>)'
 )

@@ -272,6 +272,9 @@ def _handlers(scan: ContentScan, parser: expat.XMLParserType, texts: list[str]) 
         elif tag == words.row:
             rows = scan.count(attributes.get(words.rows_repeated))
             col = 0
+            shown_as = attributes.get(words.visibility, "visible")
+            if shown_as != "visible" and table is not None:
+                table.sheet.hide(row, row + rows, shown_as == "filter")
         elif tag == words.table:
             title = attributes.get(words.table_name, "")
             if table is not None or is_cache(title):

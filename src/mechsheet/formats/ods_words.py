@@ -38,6 +38,7 @@ class Words:
     null_date: str
     table_name: str
     rows_repeated: str
+    visibility: str
     columns_repeated: str
     matrix_rows: str
     matrix_columns: str
@@ -98,6 +99,7 @@ def words_of(attributes: Mapping[str, str]) -> Words:
         null_date=named("table", "null-date"),
         table_name=named("table", "name"),
         rows_repeated=named("table", "number-rows-repeated"),
+        visibility=named("table", "visibility"),
         columns_repeated=named("table", "number-columns-repeated"),
         matrix_rows=named("table", "number-matrix-rows-spanned"),
         matrix_columns=named("table", "number-matrix-columns-spanned"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import struct
 import zipfile
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -168,7 +169,7 @@ def open_package(path: Path) -> Iterator[Package]:
         with zipfile.ZipFile(path) as file:
             _check_sizes(file, name)
             yield Package(file, name)
-    except zipfile.BadZipFile as problem:
+    except (zipfile.BadZipFile, NotImplementedError, struct.error) as problem:
         raise WorkbookError(Fault(f"the file is damaged or cut off ({problem})", file=name)) from problem
     except OSError as problem:
         reason = problem.strerror or str(problem)

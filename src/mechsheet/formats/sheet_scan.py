@@ -15,6 +15,7 @@ from mechsheet.formula.references import CELL, cell_name, column_index
 from .array_areas import ArrayText, array_text, give_arrays
 from .cell_faults import Area, CellFaults
 from .fill_runs import FormulaRuns
+from .filters import give_filters
 from .ods_values import NULL_DATE, NULL_DATE_1904, day_number
 from .package import Package, local_name, unescaped
 from .repeated_rows import RepeatedRows
@@ -35,6 +36,7 @@ class SheetScan:
     ) -> None:
         self.dynamic = dynamic
         self.arrays: list[ArrayText] = []
+        self.filters: list[str] = []
         self.date1904 = date1904
         self.package = package
         self.part = part
@@ -58,6 +60,7 @@ class SheetScan:
         self.sheet.blocks.extend(self.runs.blocks())
         self.sheet.keep(self.runs.kept)
         give_arrays(self.sheet, self.arrays, self.faults)
+        give_filters(self.sheet, self.filters)
         return self.faults.found
 
     def at_row(self, row: int) -> None:
@@ -173,7 +176,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
     """
     columns: dict[str, int] = {}
     row = col = -1
-    row_text = ""
+    row_text = filter_area = ""
     kind = "n"
     cell: dict[str, Any] = {}
     formula: str | None = None
@@ -186,7 +189,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
     put, add_text = scan.sheet.cached.put, scan.runs.text
 
     def start(tag: str, attributes: dict[str, Any]) -> None:
-        nonlocal row, col, row_text, kind, cell, formula, about, value, skipping
+        nonlocal filter_area, row, col, row_text, kind, cell, formula, about, value, skipping
         name = tags.get(tag) or tags.setdefault(tag, local_name(tag))
         if name == "c":
             place = attributes.get("r")
@@ -213,8 +216,14 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
             row_text = str(row + 1)
             col = -1
             scan.at_row(row)
+            if attributes.get("hidden", "0") in ("1", "true"):
+                scan.sheet.hide(row, row + 1)
         elif name == "rPh":
             skipping += 1
+        elif name == "autoFilter":
+            filter_area = attributes.get("ref", "")
+        elif name == "filterColumn":
+            scan.filters.append(filter_area)
 
     def end(tag: str) -> None:
         nonlocal value, formula, skipping

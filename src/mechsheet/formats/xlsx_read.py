@@ -57,7 +57,7 @@ def _read(package: Package) -> Book:
         sheet = BookSheet(title)
         book.sheets.append(sheet)
         scan = SheetScan(package, target, sheet, strings, contents.date1904, dynamic)
-        book.tables += tables_of(package, target, title)
+        book.tables += tables_of(package, target, title, scan.filters)
         faults += scan.run()
         book.remarks += scan.faults.remarks
     if faults:

@@ -10,14 +10,17 @@ from mechsheet.formula.references import parse_cell
 from .package import Package, local_name, relationships, unescaped
 
 
-def tables_of(package: Package, part: str, title: str) -> list[Table]:
-    """The tables of the sheet `title`, whose part is `part`. One without a proper area is left out: it is then unknown."""
+def tables_of(package: Package, part: str, title: str, filters: list[str]) -> list[Table]:
+    """The tables of the sheet `title`, whose part is `part`. One without a proper area is left out: it is then unknown.
+
+    filters  is given the areas in which a filter hides rows
+    """
     targets = sorted(target for kind, target in relationships(package, part).values() if kind == "table")
-    found = [_table(package, target, title) for target in targets if target in package]
+    found = [_table(package, target, title, filters) for target in targets if target in package]
     return [table for table in found if table is not None]
 
 
-def _table(package: Package, part: str, title: str) -> Table | None:
+def _table(package: Package, part: str, title: str, filters: list[str]) -> Table | None:
     about: dict[str, str] = {}
     columns: list[str] = []
 
@@ -27,6 +30,8 @@ def _table(package: Package, part: str, title: str) -> Table | None:
             about.update(attributes)
         elif name == "tableColumn":
             columns.append(unescaped(attributes.get("name", "")))
+        elif name == "filterColumn":
+            filters.append(about.get("ref", ""))
 
     parser = expat.ParserCreate()
     parser.StartElementHandler = start

@@ -192,12 +192,17 @@ def _replace(runs: list[Run], row: int, value: Scalar) -> None:
 
 @dataclass(slots=True)
 class BookSheet:
-    """One sheet: what was typed (`constants`), what is computed (`blocks`), and the values stored for it (`cached`)."""
+    """One sheet: what was typed (`constants`), what is computed (`blocks`), and the values stored for it (`cached`).
+
+    hidden    rows that are not shown, as (first, end) with the end excluded;  filtered  those of them that a filter hides
+    """
 
     title: str
     constants: CellStore = field(default_factory=CellStore)
     blocks: list[Block] = field(default_factory=list)
     cached: CellStore = field(default_factory=CellStore)
+    hidden: list[tuple[int, int]] = field(default_factory=list)
+    filtered: list[tuple[int, int]] = field(default_factory=list)
 
     def constant(self, row: int, col: int, value: Scalar) -> None:
         """A cell that holds a value."""
@@ -210,6 +215,14 @@ class BookSheet:
     def block(self, row: int, col: int, rows: int, cols: int, formula: Node, kind: Kind = "fill") -> None:
         """A rectangle filled with one formula, written as seen from its first cell; or an array formula over it."""
         self.blocks.append(Block(row, col, rows, cols, formula, kind))
+
+    def hide(self, first: int, end: int, by_filter: bool = False) -> None:
+        """Rows first..end-1 are not shown."""
+        for rows in (self.hidden, self.filtered) if by_filter else (self.hidden,):
+            if rows and rows[-1][1] == first:
+                rows[-1] = rows[-1][0], end
+            else:
+                rows.append((first, end))
 
     def keep(self, areas: Iterable[tuple[int, int, int, int]]) -> None:
         """Cells (row, column, rows, columns) hold their stored values as constants: their formulas cannot be computed."""
