@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.exporting.job import Job
+from mechsheet.exporting.position import Position
 from mechsheet.plotting.figures import BESIDE, PIXELS, SIDES
-from mechsheet.plotting.sampling import LEAST, Sample, sample
+from mechsheet.plotting.sampling import LEAST, sample
 from mechsheet.plotting.scenes import Piece, Stage
 from mechsheet.sheet.drawing import SIZE
 from mechsheet.sheet.workbook import Series
@@ -90,33 +91,13 @@ def drawings(job: Job) -> Iterator[Drawn]:
 
 def _drawn(stage: Stage, row: int) -> Drawn:
     found = stage.sample
-    x, y, half = (_cell(found, key) for key in ("x", "y", "half"))
+    position = Position(found, row)
+    x, y, half = (position.number(found.plan.window[key]) for key in ("x", "y", "half"))
     shapes = [shape for piece in stage.drawing(row) for shape in _shapes(piece, np.array([x, y]), half)]
     mechanism, language = found.plan.mechanism, found.plan.language
     names = dict.fromkeys(point for link in mechanism.links for point in link.points)
-    points = {name: (_value(found, f"{name}.x", row), _value(found, f"{name}.y", row)) for name in names}
+    points = {name: (position.value(f"{name}.x"), position.value(f"{name}.y")) for name in names}
     return Drawn(tuple(shapes), points, (x, y), half, mechanism.title.of(language), mechanism.length_unit)
-
-
-def _cell(found: Sample, key: str) -> float:
-    """A number of the drawing's window."""
-    spot = found.plan.window[key]
-    return _number(found, spot.sheet, spot.row, spot.col)
-
-
-def _value(found: Sample, symbol: str, row: int) -> float:
-    """A length in a row of the table, or a fixed one."""
-    spot = found.plan.at.shown[symbol]
-    return _number(found, spot.sheet, found.plan.at.first + row if spot.column else spot.row, spot.col)
-
-
-def _number(found: Sample, title: str, row: int, col: int) -> float:
-    for fill in found.workbook.sheet(title).fills:
-        if fill.row <= row < fill.row + fill.rows and fill.col <= col < fill.col + fill.cols:
-            value = fill.value(row, col)
-            if isinstance(value, float):
-                return value
-    raise ValueError(f"no number at {title} row {row}, column {col}")
 
 
 def _shapes(piece: Piece, middle: Points, half: float) -> Iterator[Shape]:

@@ -2,7 +2,7 @@
 
     sum of r e^(i theta)  (left)  =  sum of r e^(i theta)  (right)
 
-A loop leaves a joint of the ground (the driver's, where the loop passes it) and reaches the dyad's inner joint over the links
+A loop leaves a joint of the ground (the driver's, where it passes that) and reaches the dyad's inner joint over the links
 that are solved and the dyad's first link, on the other side over its second link. Each link gives the vector from one of
 its joints to the next; a sliding joint gives its displacement. Source: Soeylemez, Mechanisms, section 3.6-3.8.
 """

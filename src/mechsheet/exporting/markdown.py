@@ -1,0 +1,36 @@
+"""markdown: the written solution with LaTeX mathematics between dollar signs, as GitHub, Jupyter and pandoc read it."""
+
+from __future__ import annotations
+
+import re
+
+from mechsheet.exporting.job import Job
+from mechsheet.exporting.solution import Block, Display, Heading, Inline, Math, Paragraph, Table, solution
+
+
+def write(job: Job) -> list[bytes]:
+    """The document in UTF-8."""
+    return [("\n\n".join(_block(block) for block in solution(job)) + "\n").encode()]
+
+
+def _block(block: Block) -> str:
+    match block:
+        case Heading(level, text):
+            return f"{'#' * level} {_escaped(text)}"
+        case Paragraph(parts):
+            return _inline(parts)
+        case Display(lines):
+            return "$$\n\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}\n$$"
+        case Table(head, rows, numbers):
+            rule = ["--:" if index in numbers else "---" for index in range(len(head))]
+            written = [f"| {' | '.join(_inline(cell) for cell in row)} |" for row in (head, *rows)]
+            return "\n".join([written[0], f"| {' | '.join(rule)} |", *written[1:]])
+
+
+def _inline(parts: Inline) -> str:
+    return "".join(f"${part.code}$" if isinstance(part, Math) else _escaped(part) for part in parts)
+
+
+def _escaped(text: str) -> str:
+    """Signs that Markdown would read as its own."""
+    return re.sub(r"([\\`*_{}\[\]<>#|$~])", r"\\\1", text)

@@ -1,0 +1,200 @@
+"""Expressions in LaTeX, with symbols and with the numbers of one position; for LaTeX files and for Markdown alike."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from mechsheet.exporting.position import Position
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
+from mechsheet.formula.printer import number_text, print_formula
+from mechsheet.kinematics.loops import Vector
+from mechsheet.sheet.language import Language
+from mechsheet.sheet.positions import places
+from mechsheet.sheet.symbols import GREEK, parts
+
+RAW = "#"
+"""A symbol that begins so is LaTeX already."""
+
+RATIO_PLACES = 4
+DIGITS = 6
+"""Of a number without a unit (an area): significant digits."""
+
+_COMMANDS = {letter: f"\\{name}" for name, letter in GREEK.items()} | {"φ": r"\varphi", "ε": r"\varepsilon"}
+_POINTS = re.compile(r"(?:[A-Z]\d*)+")
+_TRIGONOMETRY = ("SIN", "COS", "TAN")
+
+
+def symbol_math(symbol: str) -> str:
+    """theta13 as \\theta_{13}, A.x as x_{A}, A0B0 as A_{0}B_{0}; other words upright or in italics."""
+    if symbol.startswith(RAW):
+        return symbol.removeprefix(RAW)
+    letter, subscript = parts(symbol)
+    if not subscript:
+        return _letter(letter)
+    return f"{_letter(letter)}_{{{','.join(_subscript(part) for part in subscript.split(','))}}}"
+
+
+def _letter(word: str) -> str:
+    if word in _COMMANDS:
+        return _COMMANDS[word]
+    if len(word) == 1 and word.isascii():
+        return word
+    if _POINTS.fullmatch(word):
+        return point_math(word)
+    return rf"\mathit{{{_plain(word)}}}" if word.isascii() else rf"\text{{{_plain(word)}}}"
+
+
+def _subscript(word: str) -> str:
+    if word.isdigit() or (len(word) == 1 and word.isascii()):
+        return word
+    return point_math(word) if _POINTS.fullmatch(word) else rf"\text{{{_plain(word)}}}"
+
+
+def point_math(name: str) -> str:
+    """A point's name: A0 as A_{0}."""
+    if not _POINTS.fullmatch(name):
+        return rf"\text{{{_plain(name)}}}"
+    return re.sub(r"([A-Z])(\d+)", r"\1_{\2}", name)
+
+
+def _plain(word: str) -> str:
+    return re.sub(r"([_#%&$])", r"\\\1", word)
+
+
+def decimal(text: str, language: Language) -> str:
+    """A number's text with the language's decimal sign; braces keep a comma from being spaced like a list."""
+    return text.replace(".", "{,}") if language == "tr" else text
+
+
+def on_paper(node: Node) -> Node:
+    """As a textbook writes it: the value where the position exists, without the guards against its absence."""
+    match node:
+        case Call("IF", (_, Call("NA"), value)):
+            return value
+        case Call("SQRT", (Call("MAX", (Number(0.0), product)),)):
+            return Call("SQRT", (product,))
+        case Call("RADIANS", (Number(value),)):
+            return Symbol(f"{RAW}{number_text(value)}^\\circ")
+    return node
+
+
+class Pen:
+    """Writes for one position in its language."""
+
+    def __init__(self, position: Position) -> None:
+        self.position = position
+        self.language: Language = position.plan.language
+        self.degrees = position.plan.mechanism.angle_unit == "deg"
+        self.units = _units(position)
+        self.places = {unit: _places(position, unit) for unit in ("length", "angle")}
+
+    # --- with symbols -----------------------------------------------------------------------------------------
+
+    def formula(self, node: Node) -> str:
+        """An expression with its symbols."""
+        return print_formula(self._prepared(node), "latex", lambda part: symbol_math(part.name))
+
+    def _prepared(self, node: Node) -> Node:
+        return transform(transform(node, on_paper), self._constant)
+
+    def _constant(self, node: Node) -> Node:
+        """A number that is no whole one, in the language's spelling."""
+        if not isinstance(node, Number) or (node.value.is_integer() and abs(node.value) < 1e9):
+            return node
+        mantissa, _, exponent = number_text(node.value, "e").partition("e")
+        text = decimal(mantissa, self.language)
+        return Symbol(f"{RAW}{text} \\cdot 10^{{{exponent}}}" if exponent else RAW + text)
+
+    def vector(self, vector: Vector) -> str:
+        """r e^{i theta}; along the axes r and i r."""
+        angle = vector.angle
+        if angle.constant and angle.degrees == 0:
+            return self.formula(vector.length)
+        if angle.constant and angle.degrees == 90:
+            return self.formula(Binary("*", Symbol(f"{RAW}i"), vector.length))
+        turn = self.formula(angle.expression())
+        exponent = turn if isinstance(angle.expression(), Symbol) else f"({turn})"
+        return self.formula(Binary("*", vector.length, Symbol(f"{RAW}e^{{i{exponent}}}")))
+
+    # --- with numbers -----------------------------------------------------------------------------------------
+
+    def substituted(self, node: Node, unit: str) -> str:
+        """An expression of that unit with the position's numbers in place of its symbols."""
+        prepared = self._prepared(node)
+        if self.degrees:
+            prepared = _half_turns(prepared, unit == "angle")
+        return print_formula(prepared, "numbers", self._number)
+
+    def _number(self, part: Symbol | Previous) -> str:
+        if part.name.startswith(RAW):
+            return part.name.removeprefix(RAW)
+        return self.shown(self.position.value(part.name), self.units.get(part.name, ""))
+
+    def shown(self, value: float, unit: str) -> str:
+        """A value in internal units as people read it, rounded; angles with their sign of degree."""
+        if unit == "angle":
+            return self.rounded(math.degrees(value), "angle") + r"^\circ" if self.degrees else self.rounded(value, unit)
+        return self.rounded(value, unit)
+
+    def rounded(self, value: float, unit: str) -> str:
+        """A number with the decimals of its unit; one without a unit with a few significant digits."""
+        if math.isnan(value):
+            return r"\text{–}"
+        if unit == "mode":
+            return f"{value:.0f}"
+        if unit == "ratio":
+            text = f"{value:.{RATIO_PLACES}f}"
+        elif unit in self.places:
+            text = f"{value:.{self.places[unit]}f}"
+        else:
+            text = f"{value:.{DIGITS}g}"
+        if float(text) == 0:
+            text = text.removeprefix("-")
+        mantissa, _, exponent = text.partition("e")
+        mantissa = decimal(mantissa, self.language)
+        return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if exponent else mantissa
+
+    def result(self, symbol: str) -> str:
+        """The value of a symbol with its unit."""
+        unit = self.units.get(symbol, "")
+        return self.shown(self.position.value(symbol), unit) + self.unit_math(unit)
+
+    def unit_math(self, unit: str) -> str:
+        """The unit after a number; degrees stand at the number itself."""
+        word = self.position.plan.unit_shown(unit) if unit != "mode" else ""
+        return rf"\ \mathrm{{{_plain(word)}}}" if word not in ("", "°") else ""
+
+
+def _units(position: Position) -> dict[str, str]:
+    """Symbol -> unit of its value: "length", "angle", "mode", "number" or an output's label."""
+    mechanism = position.plan.mechanism
+    kinds = {"deg": "angle", "rad": "angle", "1": "number"}
+    units = {dim.symbol: kinds.get(dim.unit, "length") for dim in mechanism.dimensions}
+    units |= {equation.symbol: equation.unit for equation in position.equations.all}
+    units |= {group.mode: "mode" for group in position.equations.groups if group.mode}
+    return units | {mechanism.driver.symbol: kinds.get(mechanism.driver.unit, "length")}
+
+
+def _places(position: Position, unit: str) -> int:
+    """Decimals that the tolerances justify: of angles by the tolerances of angles, where there are any."""
+    mechanism = position.plan.mechanism
+    own = "deg" if mechanism.angle_unit == "deg" else "rad"
+    tolerances = [dim.tolerance for dim in mechanism.dimensions if dim.tolerance and dim.unit == own]
+    if unit == "angle" and tolerances:
+        return min(10, max(0, math.ceil(-math.log10(min(tolerances)) - 1e-9)))
+    return places(position.plan, unit)
+
+
+def _half_turns(node: Node, is_angle: bool) -> Node:
+    """pi as 180 degrees, where it is an angle: in a sum that is one, and inside sine, cosine and tangent."""
+
+    def inside(part: Node) -> Node:
+        return Symbol(f"{RAW}180^\\circ") if part == Call("PI") else part
+
+    def arguments(part: Node) -> Node:
+        if isinstance(part, Call) and part.name in _TRIGONOMETRY:
+            return Call(part.name, tuple(transform(arg, inside) for arg in part.args))
+        return part
+
+    return transform(node, inside if is_angle else arguments)

@@ -1,0 +1,308 @@
+"""The solution written out as a textbook would, as a document that LaTeX and Markdown then set.
+
+Given; the driver; for each group of the equations list its loop closure equation, that equation's real and imaginary parts,
+the steps in their order with symbols and with numbers, and the check that the numbers close the loop; the result.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from mechsheet.exporting import solution_words as words
+from mechsheet.exporting.job import Job
+from mechsheet.exporting.mathtext import Pen, point_math, symbol_math
+from mechsheet.exporting.position import Position, position_at
+from mechsheet.exporting.program import one_line, quantity
+from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
+from mechsheet.formula.parser import parse_description
+from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics import algebra as al
+from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.kinematics.loops import Loop, loops_of
+from mechsheet.kinematics.solve import solve_in_full
+from mechsheet.model import Words
+
+LINE = 66
+"""Characters of LaTeX that numbers and their result may share a line with."""
+
+WIDE, TOO_WIDE = 84, 130
+"""Characters seen on a line: from the first on they are set small, from the second on only the result is given."""
+
+
+@dataclass(frozen=True, slots=True)
+class Math:
+    """LaTeX in the middle of a text."""
+
+    code: str
+
+
+Inline = tuple[str | Math, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """A heading; level 1 is the document's title."""
+
+    level: int
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Paragraph:
+    """A text."""
+
+    parts: Inline
+
+
+@dataclass(frozen=True, slots=True)
+class Display:
+    """Equations on lines of their own, aligned at `&`."""
+
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Rows under a head; `numbers` tells which columns are set to the right."""
+
+    head: tuple[Inline, ...]
+    rows: tuple[tuple[Inline, ...], ...]
+    numbers: tuple[int, ...]
+
+
+Block = Heading | Paragraph | Display | Table
+
+
+def solution(job: Job) -> list[Block]:
+    """The document. Raises MechanismError where there is no position."""
+    position = position_at(job.mechanism, job.at)
+    return [*_Writer(position).document()]
+
+
+class _Writer:
+    def __init__(self, position: Position) -> None:
+        self.position = position
+        self.pen = Pen(position)
+        self.mechanism = position.plan.mechanism
+        self.equations = position.equations
+        self.blocks: list[Block] = []
+        modes = {group.mode: group.mode_value for group in self.equations.groups if group.mode}
+        _, poses, dyads = solve_in_full(self.mechanism, modes)
+        self.loops = loops_of(poses, dyads)
+
+    def say(self, text: Words) -> str:
+        return text.of(self.pen.language)
+
+    def heading(self, level: int, text: str) -> None:
+        self.blocks.append(Heading(level, text))
+
+    def paragraph(self, *parts: str | Math) -> None:
+        self.blocks.append(Paragraph(parts))
+
+    def document(self) -> list[Block]:
+        """All of it, in order."""
+        self.opening()
+        self.given()
+        self.driver()
+        for group, loop in zip(self.equations.groups, self.loops, strict=True):
+            self.group(group, loop)
+        outputs = [equation for equation in self.equations.columns if equation.kind == "output"]
+        if outputs:
+            self.heading(2, self.say(words.OUTPUTS))
+            self.steps(outputs)
+        self.result()
+        return self.blocks
+
+    # --- what is given ----------------------------------------------------------------------------------------
+
+    def opening(self) -> None:
+        mechanism = self.mechanism
+        self.heading(1, one_line(self.say(mechanism.title)))
+        source = one_line(self.say(mechanism.source))
+        if source:
+            self.paragraph(f"{self.say(words.SOURCE)}: {source}")
+        units = self.say(words.UNITS).format(unit=one_line(mechanism.length_unit)) if mechanism.length_unit else ""
+        self.paragraph(f"{units} {self.say(words.HOW)}".strip())
+
+    def given(self) -> None:
+        self.heading(2, self.say(words.GIVEN))
+        rows = []
+        for dim in self.mechanism.dimensions:
+            if not dim.derived:
+                label = one_line(self.say(dim.label)) if dim.label else ""
+                node = quantity(dim.value, dim.unit == "deg")
+                rows.append(((Math(symbol_math(dim.symbol)),), (Math(self.exact(node, dim.symbol)),), (label,)))
+        if rows:
+            self.table((words.SYMBOL, words.VALUE, words.MEANING), rows, (1,))
+        lines = []
+        for dim in self.mechanism.dimensions:
+            if isinstance(dim.value, str):
+                unit = self.pen.units[dim.symbol]
+                lines += self.step(dim.symbol, parse_description(dim.value), unit)
+        for equation in self.equations.constants:
+            if equation.symbol != self.equations.tolerance and not al.is_simple(equation.expression):
+                lines += self.step(equation.symbol, equation.expression, equation.unit)
+        if lines:
+            self.paragraph(self.say(words.FOLLOWS) + ":")
+            self.blocks.append(Display(tuple(lines)))
+
+    def exact(self, node: Node, symbol: str) -> str:
+        """A given value as it was written, with its unit: it is not rounded."""
+        if isinstance(node, Number | Call) or al.value_of(node) is not None:
+            return self.pen.formula(node) + self.pen.unit_math(self.pen.units[symbol] if not _degrees(node) else "")
+        return self.pen.result(symbol)
+
+    def driver(self) -> None:
+        symbol = self.mechanism.driver.symbol
+        self.heading(2, self.say(words.DRIVER))
+        self.paragraph(self.say(words.DRIVEN))
+        self.blocks.append(Display((f"{symbol_math(symbol)} &= {self.pen.result(symbol)}",)))
+        self.steps(equation for equation in self.equations.columns if equation.group == 0)
+
+    # --- a group ----------------------------------------------------------------------------------------------
+
+    def group(self, group: Group, loop: Loop) -> None:
+        title = f"{self.say(words.GROUP)} {group.number} ({group.kind}): {one_line(self.say(group.label))}"
+        self.heading(2, title)
+        self.heading(3, self.say(words.LOOP))
+        self.loop(loop, group)
+        self.heading(3, self.say(words.STEPS))
+        points = [f"{name}" for name in group.pins]
+        self.paragraph(self.say(words.KINDS[group.kind]).format(*points))
+        if group.mode:
+            text = one_line(self.say(group.mode_words[group.mode_value < 0]))
+            mode = f"{symbol_math(group.mode)} = {group.mode_value:+d}"
+            self.paragraph(f"{self.say(words.MODE)} ", Math(mode), f": {text}")
+        self.steps(equation for equation in self.equations.columns if equation.group == group.number)
+        self.heading(3, self.say(words.CHECK))
+        self.check(loop)
+
+    def loop(self, loop: Loop, group: Group) -> None:
+        pen = self.pen
+        lines = []
+        named = loop.left_way != loop.right_way
+        if named:
+            lines.append(f"{_way(loop.left_way)} &= {_way(loop.right_way)}")
+        sides = [" + ".join(pen.vector(vector) for vector in side) or "0" for side in (loop.left, loop.right)]
+        lines.append(f"{sides[0]} &= {sides[1]}")
+        self.paragraph(self.say(words.VECTORS if named else words.COMPLEX))
+        self.blocks.append(Display(tuple(lines)))
+        self.paragraph(self.say(words.SCALARS))
+        scalars = []
+        for part in (al.cos, al.sin):
+            left, right = (
+                _sum(al.mul(vector.length, part(vector.angle)) for vector in side) for side in (loop.left, loop.right)
+            )
+            if not (al.is_zero(left) and al.is_zero(right)):
+                scalars.append(f"{pen.formula(left)} &= {pen.formula(right)}")
+        self.blocks.append(Display(tuple(scalars)))
+        solved = [eq.symbol for eq in self.equations.columns if eq.group == group.number and eq.kind == "variable"]
+        unknown = [name for name in loop.reads if name in solved]
+        between = f" {self.say(words.AND)} "
+        parts: list[str | Math] = [f"{self.say(words.UNKNOWNS)} "]
+        for index, name in enumerate(unknown):
+            parts += [between if index else "", Math(symbol_math(name))]
+        self.paragraph(*parts, ".")
+
+    def check(self, loop: Loop) -> None:
+        """Each vector in numbers, and the sums of both sides."""
+        rows: list[tuple[Inline, ...]] = []
+        for side, name in ((loop.left, words.LEFT), (loop.right, words.RIGHT)):
+            total = 0j
+            for vector in side:
+                length, angle = self.number(vector.length), self.number(vector.angle.expression())
+                cosine, sine = self.number(al.cos(vector.angle)), self.number(al.sin(vector.angle))
+                total += complex(length * cosine, length * sine)
+                rows.append(
+                    _cells(
+                        self.pen.vector(vector), self.pen.shown(length, "length"), self.pen.shown(angle, "angle"),
+                        self.pen.rounded(cosine, "ratio"), self.pen.rounded(sine, "ratio"),
+                        self.pen.shown(length * cosine, "length"), self.pen.shown(length * sine, "length"),
+                    )
+                )  # fmt: skip
+            empty: list[Inline] = [()] * 4
+            sums = _cells(self.pen.shown(total.real, "length"), self.pen.shown(total.imag, "length"))
+            rows.append(((self.say(name),), *empty, *sums))
+        self.blocks.append(
+            Table(
+                ((self.say(words.VECTOR),), (self.say(words.LENGTH),), (self.say(words.ANGLE),), (Math(r"\cos"),),
+                 (Math(r"\sin"),), (self.say(words.REAL),), (self.say(words.IMAGINARY),)),
+                tuple(rows), (1, 2, 3, 4, 5, 6),
+            )
+        )  # fmt: skip
+
+    def number(self, node: Node) -> float:
+        """The value of an expression at the position, in internal units."""
+        return evaluate(node, {name: self.position.value(name) for name in symbols(node)})
+
+    # --- steps ------------------------------------------------------------------------------------------------
+
+    def steps(self, equations: Iterable[Equation]) -> None:
+        """Each equation with what it means, with symbols, with numbers."""
+        for equation in equations:
+            label = one_line(self.say(equation.label))
+            if equation.first is not None:
+                if equation.unit == "number":
+                    name = Math(symbol_math(equation.symbol))
+                    value = Math(self.pen.rounded(self.position.value(equation.symbol), "mode"))
+                    self.paragraph(name, f": {self.say(words.TURNS)} ", value)
+                continue
+            self.paragraph(label + ":") if label != equation.symbol else None
+            self.blocks.append(Display(tuple(self.step(equation.symbol, equation.expression, equation.unit))))
+
+    def step(self, symbol: str, node: Node, unit: str) -> list[str]:
+        """symbol = expression = numbers = value, on one, two or three lines."""
+        result = self.pen.result(symbol)
+        lines = [f"{symbol_math(symbol)} &= {self.pen.formula(node)}"]
+        if al.value_of(node) is not None:
+            return [f"{symbol_math(symbol)} &= {result}"]
+        if not symbols(node):
+            return [f"{lines[0]} = {result}"]
+        numbers = self.pen.substituted(node, unit)
+        if isinstance(node, Symbol):
+            return [f"{lines[0]} = {result}"]
+        if len(numbers) + len(result) <= LINE:
+            return [*lines, f"&= {numbers} = {result}"]
+        seen = len(re.sub(r"\\[A-Za-z]+|[{}\\]", "", numbers))
+        if seen > TOO_WIDE:
+            return [f"{lines[0]} = {result}"]
+        if seen > WIDE:  # in the style of a text the parts of a fraction are set small
+            numbers = rf"{{\textstyle {numbers}}}" if numbers.startswith(r"\frac") else rf"{{\scriptstyle {numbers}}}"
+        return [*lines, f"&= {numbers}", f"&= {result}"]
+
+    def result(self) -> None:
+        """All variables, points and outputs at the position."""
+        self.heading(2, self.say(words.RESULT))
+        kinds = ("variable", "point", "output")
+        rows = []
+        for equation in self.equations.columns:
+            if equation.kind in kinds:
+                label = one_line(self.say(equation.label))
+                text = label if label != equation.symbol else ""
+                rows.append(((Math(symbol_math(equation.symbol)),), (Math(self.pen.result(equation.symbol)),), (text,)))
+        self.table((words.SYMBOL, words.VALUE, words.MEANING), rows, (1,))
+
+    def table(self, head: tuple[Words, ...], rows: Sequence[tuple[Inline, ...]], numbers: tuple[int, ...]) -> None:
+        self.blocks.append(Table(tuple((self.say(word),) for word in head), tuple(rows), numbers))
+
+
+def _degrees(node: Node) -> bool:
+    return isinstance(node, Call) and node.name == "RADIANS"
+
+
+def _cells(*codes: str) -> tuple[Inline, ...]:
+    return tuple((Math(code),) for code in codes)
+
+
+def _way(steps: tuple[tuple[str, str], ...]) -> str:
+    """The vectors of a side by the names of their ends."""
+    return " + ".join(rf"\overrightarrow{{{point_math(start)}{point_math(end)}}}" for start, end in steps) or "0"
+
+
+def _sum(terms: Iterable[Node]) -> Node:
+    total: Node = al.ZERO
+    for term in terms:
+        total = al.add(total, term)
+    return total
