@@ -215,7 +215,7 @@ class _Printer:
         depth = max((part.depth for part in parts), default=0) + 1
         texts = [part.text for part in parts]
         if name in self.dialect.short and isinstance(args[0], Symbol):
-            return _Printed(self.dialect.short[name].format(*texts), self.dialect.infix["*"], depth)
+            return _Printed(self.dialect.short[name].format(*texts), self.dialect.infix["*"] + 1, depth)
         return _Printed(self.dialect.calls[name].format(*texts), _ATOM, depth)
 
     def through_sheets(self, first: str, last: str, area: str) -> str:
