@@ -6,14 +6,14 @@ from mechsheet.exporting import dxf, latex, markdown, octave, python, svg, table
 from mechsheet.exporting.job import Kind
 
 _ROWS = (
-    Kind("octave", ".m", "a function file for GNU Octave and MATLAB, with animated drawing", octave.write, identifier=True),
+    Kind("octave", ".m", "arrays, animated drawing and curves: GNU Octave, MATLAB", octave.write, identifier=True),
     Kind("python", ".py", "a numpy module that needs nothing else", python.write, identifier=True),
     Kind("vba", ".bas", "a module of functions for Excel and LibreOffice", vba.write, identifier=True),
-    Kind("latex", ".tex", "the solution as a textbook writes it, with numbers for one position", latex.write, positions=True),
+    Kind("latex", ".tex", "the solution as a textbook writes it, for one position", latex.write, positions=True),
     Kind("markdown", ".md", "the same in Markdown", markdown.write, positions=True),
     Kind("csv", ".csv", "the variables over the sweep, with units", table.write),
-    Kind("svg", ".svg", "drawings of positions, in the mechanism's coordinates", svg.write, positions=True, frames=True),
-    Kind("dxf", ".dxf", "drawings of positions for CAD (needs mechsheet[dxf])", dxf.write, positions=True, frames=True),
+    Kind("svg", ".svg", "drawings of positions, true coordinates", svg.write, positions=True, frames=True),
+    Kind("dxf", ".dxf", "drawings for CAD (needs mechsheet[dxf])", dxf.write, positions=True, frames=True),
 )
 
 KINDS = {kind.name: kind for kind in _ROWS}
