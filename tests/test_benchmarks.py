@@ -1,0 +1,39 @@
+"""What the benchmarks compare gives the same values on all sides."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mechsheet
+from mechsheet.engine import evaluate
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
+
+import bench_engine
+import tables
+
+ROWS = 73
+
+
+@pytest.mark.parametrize("shared", [False, True])
+def test_the_table_that_engines_are_compared_on(tmp_path, shared):
+    path = tmp_path / "table.xlsx"
+    tables.write_table(path, ROWS, shared)
+    book = mechsheet.open_book(path)
+    for a_2 in (tables.INPUTS["a_2"], 34.5):
+        book["a_2"] = a_2
+        found = book[f"Positions!B{tables.FIRST}:M{tables.FIRST + ROWS - 1}"]
+        assert np.allclose(found, np.transpose(tables.by_hand(ROWS, a_2)), rtol=1e-12, atol=1e-12)
+
+
+def test_the_four_bar_and_the_two_way_table():
+    four_bar = evaluate(bench_engine.four_bar(ROWS))
+    for col, column in enumerate(bench_engine.by_hand(ROWS), 1):
+        found = four_bar.arrays("Positions", col, bench_engine.FIRST, bench_engine.FIRST + ROWS - 1)[0]
+        assert np.allclose(found, column, rtol=1e-12, atol=1e-12)
+    pump = evaluate(bench_engine.pump(ROWS))
+    expected = bench_engine.pump_by_hand(ROWS)
+    for col in range(len(bench_engine.ACROSS)):
+        assert np.allclose(pump.arrays("Table", col + 1, 7, ROWS + 6)[0], expected[:, col], rtol=1e-12, atol=1e-12)
