@@ -90,6 +90,8 @@ class Evaluator:
             return self.cell_by_cell(lambda cell: self.result(formula, cell), frame)
         if np.ndim(found.numbers) > 2:
             found = Cells(found.numbers[0, 0], None if found.codes is None else codes_of_all(found)[0, 0])
+            if frame.rows == frame.cols == 1:
+                found = Cells(np.ravel(found.numbers)[0], None if found.codes is None else np.ravel(found.codes)[0])
         return without_blanks(found)
 
     def array(self, formula: Node, frame: Frame) -> Cells:
@@ -172,8 +174,8 @@ class Evaluator:
 
     def operate(self, op: str, left: Cells, right: Cells) -> Cells:
         """An operator between two values."""
-        left, right = fitted(left, right)
         if op in _COMPARISONS:
+            left, right = fitted(left, right)
             return compared(op, left, right, self.texts)
         if op == "&":
             return each(lambda a, b: to_text(a) + to_text(b), (left, right), self.texts)
@@ -214,10 +216,10 @@ class Evaluator:
         for right in range(frame.cols):
             for down in range(frame.rows):
                 found = compute(frame.cell(down, right))
-                if np.ndim(found.numbers):
+                if np.size(found.numbers) > 1 or np.size(found.codes) > 1:
                     raise VaryingSizeError
-                numbers[right, down] = found.numbers
-                codes[right, down] = 0 if found.codes is None else found.codes
+                numbers[right, down] = np.ravel(found.numbers)[0]
+                codes[right, down] = 0 if found.codes is None else np.ravel(found.codes)[0]
         return Cells(numbers.reshape(frame.shape), codes.reshape(frame.shape) if codes.any() else None)
 
     def _over_references(self, node: Call, frame: Frame) -> bool:

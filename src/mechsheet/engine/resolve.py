@@ -40,6 +40,7 @@ from ..formula.parser import parse_formula
 from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
 from .deep import deeply
+from .graph import reads_anywhere
 from .intersections import intersected
 from .kernels import KERNELS
 from .regions import gives_region
@@ -61,12 +62,14 @@ class Resolved:
     functions  what the names that stand for functions mean
     remarks    what is not as it is meant, with its cells
     kept       blocks that keep the values stored in the file
+    moving     blocks that read what is known only when they are computed
     """
 
     formulas: list[Node] = field(default_factory=list)
     functions: dict[FunctionRef, Node] = field(default_factory=dict)
     remarks: list[Fault] = field(default_factory=list)
     kept: set[int] = field(default_factory=set)
+    moving: set[int] = field(default_factory=set)
 
 
 def _same_size(call: Call) -> Call:
@@ -118,11 +121,7 @@ class Resolver:
         """All formulas of the book, ready for evaluation."""
         for sheet in self.book.sheets:
             for block in sheet.blocks:
-                number = len(self.found.formulas)
-                formula = self.formula(block, sheet.title)
-                self.found.formulas.append(formula)
-                if self.is_foreign(formula):
-                    self.found.kept.add(number)
+                self.found.formulas.append(self.formula(block, sheet.title))
         return self.found
 
     def reference(self, text: str, in_a1: bool, sheet: str, row: int, col: int) -> Node | None:
@@ -154,12 +153,20 @@ class Resolver:
         place = f"{sheet}!{area_name(block.row, block.col, block.rows, block.cols)}"
         before = len(self.found.remarks)
         node = self.named(with_locals(block.formula), block, sheet, place, ())
-        for name in dict.fromkeys(part.name for part in walk(node) if isinstance(part, Call)):
+        parts = list(walk(node))
+        kinds = set(map(type, parts))
+        names = dict.fromkeys(part.name for part in parts if isinstance(part, Call)) if Call in kinds else {}
+        for name in names:
             if FUNCTIONS[name].volatile and name not in _STEADY:
                 self.remark(place, f"{name} gives another value at every recalculation")
         said = self.found.remarks[before:]
         self.found.remarks[before:] = dict.fromkeys(said)
-        return intersected(node) if block.kind == "fill" else node
+        number = len(self.found.formulas)
+        if not kinds.isdisjoint((Foreign, FunctionRef)) and self.is_foreign(node):
+            self.found.kept.add(number)
+        elif (Binary in kinds or names or FunctionRef in kinds) and reads_anywhere(node, self.found.functions):
+            self.found.moving.add(number)
+        return intersected(node) if block.kind == "fill" and names and RangeRef in kinds else node
 
     def named(self, node: Node, block: Block, sheet: str, place: str, inside: tuple[str, ...]) -> Node:
         """The tree with its names replaced and its references given their sheet."""

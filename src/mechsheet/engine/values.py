@@ -175,6 +175,8 @@ def choose(mask: Any, then: Cells, otherwise: Cells) -> Cells:
 
 def fitted(*cells: Cells) -> tuple[Cells, ...]:
     """Array values made the same size where they differ: #N/A beyond the edge of the smaller one."""
+    if all(_axes(cell) <= 2 for cell in cells):
+        return cells
     sizes = {cell.shape[:2] for cell in cells if len(cell.shape) > 2}
     if len(sizes) < 2:
         return cells
@@ -182,6 +184,12 @@ def fitted(*cells: Cells) -> tuple[Cells, ...]:
     if all(size[0] in (1, height) and size[1] in (1, width) for size in sizes):
         return cells
     return tuple(_padded(cell, height, width) for cell in cells)
+
+
+def _axes(cells: Cells) -> int:
+    """How many axes cells have; np.ndim and np.shape would cost more than the rest of most operations."""
+    axes: int = getattr(cells.numbers, "ndim", 0)
+    return axes if cells.codes is None else max(axes, getattr(cells.codes, "ndim", 0))
 
 
 def _padded(cells: Cells, height: int, width: int) -> Cells:

@@ -223,15 +223,37 @@ Scalar: TypeAlias = float | str | bool | ErrorValue | None
 """What a cell can hold: a number, a text, a truth value, an error, or nothing."""
 
 
+_LEAVES = frozenset(
+    (
+        Number,
+        Text,
+        Boolean,
+        ErrorValue,
+        Missing,
+        Symbol,
+        Previous,
+        CellRef,
+        NameRef,
+        TableRef,
+        Foreign,
+        Local,
+        FunctionRef,
+    )
+)
+"""Nodes without operands: most of every tree."""
+
+
 def children(node: Node) -> tuple[Node, ...]:
     """The direct operands of a node, in reading order."""
+    if type(node) in _LEAVES:
+        return ()
     match node:
-        case Unary(_, operand) | Arrayed(operand):
-            return (operand,)
         case Binary(_, left, right):
             return (left, right)
         case Call(_, args):
             return args
+        case Unary(_, operand) | Arrayed(operand):
+            return (operand,)
         case Apply(function, args):
             return (function, *args)
         case SheetsRef(_, _, area):
