@@ -132,6 +132,13 @@ BIG = '<row r="1"><c r="A1"><v>1</v></c></row>' * 1_200_000
 """Forty times a megabyte of the same: packs hundreds to one."""
 
 
+def zip_of_tomorrow() -> bytes:
+    """A workbook in a zip file of a version that there is not."""
+    data = bytearray(packed(xlsx()))
+    data[data.find(b"PK\x01\x02") + 6] = 234
+    return bytes(data)
+
+
 def damaged(**parts: str | None) -> Callable[[], bytes]:
     """Makes the small workbook with some parts changed."""
     return lambda: packed(changed(**parts))
@@ -171,6 +178,7 @@ BAD: dict[str, Bad] = {
     "cut-off": Bad(".xlsx", lambda: packed(xlsx())[:-40], "damaged or cut off"),
     "cut-short": Bad(".xlsx", lambda: packed(xlsx())[:200], "damaged or cut off"),
     "wrong-sum": Bad(".xlsx", wrong_sum, f"{SHEET}: the file is damaged (Bad CRC-32"),
+    "zip-of-tomorrow": Bad(".xlsx", zip_of_tomorrow, "damaged or cut off (zip file version 23.4)"),
     "zip-password": Bad(".xlsx", password_of_zip, "the part is encrypted with a password"),
     "no-sheet": Bad(".xlsx", damaged(sheet=None), f'{SHEET}: the sheet "S" has no part in the file'),
     "no-relationships": Bad(".xlsx", damaged(rels=None), 'the sheet "S" has no part in the file'),
