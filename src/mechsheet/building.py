@@ -10,6 +10,8 @@ from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Workbook
 
 FORMATS = ("xlsx", "ods")
+FUNCTIONS = ("basic", "lambda")
+"""Extra workbooks whose tables call functions of their own."""
 
 
 def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
@@ -25,9 +27,15 @@ def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
     return computed(workbook), plan
 
 
-def build(mechanism: Mechanism, folder: str | Path = ".", formats: Sequence[str] = FORMATS[:1]) -> list[Path]:
+def build(
+    mechanism: Mechanism,
+    folder: str | Path = ".",
+    formats: Sequence[str] = FORMATS[:1],
+    functions: Sequence[str] = (),
+) -> list[Path]:
     """Write the mechanism's workbook into `folder`, once for each format, and return the files written.
 
+    functions  extra files: "basic" (`NAME-basic.ods`, needs macros), "lambda" (`NAME-lambda.xlsx`, needs Excel 365)
     The folder is made when it is not there yet (but not its parents: a misspelt path is told).
     A file is written beside its place and moved into it: a failure leaves the old one whole (OutputError).
     """
@@ -39,4 +47,11 @@ def build(mechanism: Mechanism, folder: str | Path = ".", formats: Sequence[str]
     paths = [Path(folder) / f"{mechanism.name}.{suffix}" for suffix in formats]
     for path in paths:
         write(workbook, path)
+    for form in functions:
+        from mechsheet.compute import computed
+        from mechsheet.exporting.workbooks import FORMS, functions_workbook
+
+        extra = Path(folder) / f"{mechanism.name}{FORMS[form].suffix}"
+        write(computed(functions_workbook(mechanism, form)), extra)
+        paths.append(extra)
     return paths

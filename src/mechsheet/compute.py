@@ -23,6 +23,8 @@ def book_of(workbook: Workbook) -> Book:
             target.block(fill.row, fill.col, fill.rows, fill.cols, fill.formula)
     for name in workbook.names:
         builder.name(name.name, CellRef(name.row, name.col, True, True, name.sheet))
+    for function in workbook.functions:
+        builder.name(function.name, function.formula)
     return builder.build()
 
 

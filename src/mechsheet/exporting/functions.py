@@ -141,7 +141,7 @@ def in_degrees(source: Source, symbol: str) -> bool:
 
 def prefix_of(mechanism: Mechanism, language: str) -> str:
     """The title in one word (`AyarlıPompa`), or the mechanism's name where the title is long."""
-    words = re.findall(r"[^\W_]+", mechanism.title.of(language))
+    words = re.findall(r"[^\W_]+", re.sub("['’]", "", mechanism.title.of(language)))
     title = "".join(_capital(word, language) for word in words)
     if title and len(title) <= LONGEST_PREFIX and not title[0].isdigit():
         return title

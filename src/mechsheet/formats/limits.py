@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from mechsheet.diagnostics import Fault, OutputError
 from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
+from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_address
 from mechsheet.sheet.workbook import Rich, Sheet, Workbook
 
@@ -19,6 +20,8 @@ MAX_SERIES = 255
 """Most series of a chart."""
 MAX_CONTROL = 30_000
 """Highest number that a scroll bar or spin button of Excel reaches, from 0."""
+MAX_FORMULA = 8192
+"""Most characters of a formula."""
 MAX_TITLE = 31
 """Most characters of a sheet's name."""
 _NOT_IN_TITLES = ":\\/?*[]"
@@ -48,6 +51,15 @@ def _title_faults(workbook: Workbook) -> Iterator[Fault]:
 def _name_faults(workbook: Workbook) -> Iterator[Fault]:
     seen: dict[str, str] = {}
     titles = {sheet.title for sheet in workbook.sheets}
+    for function in workbook.functions:
+        reason = name_fault(function.name)
+        other = seen.setdefault(folded(function.name), function.name)
+        if not reason and other is not function.name:
+            reason = f'is the same name as "{other}" to some programs'
+        if not reason and (length := len(print_formula(function.formula))) > MAX_FORMULA:
+            reason = f"stands for a formula of {length} characters, {MAX_FORMULA} are allowed"
+        if reason:
+            yield Fault(f'the name of a function "{function.name}" {reason}')
     for name in workbook.names:
         reason = name_fault(name.name)
         other = seen.setdefault(folded(name.name), name.name)

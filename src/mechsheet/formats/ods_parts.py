@@ -27,12 +27,13 @@ _FIELDS = {
 """Codes of headers and footers (&P ...), as in Excel."""
 
 
-def manifest(folders: Iterable[str], chart_type: str) -> str:
-    """META-INF/manifest.xml for the document and the folders of its charts."""
+def manifest(folders: Iterable[str], chart_type: str, macros: Iterable[str] = ()) -> str:
+    """META-INF/manifest.xml for the document, the folders of its charts, and the parts of its macros."""
     entries = [("/", SHEET_TYPE), *((f"{name}.xml", "text/xml") for name in ("content", "styles", "meta", "settings"))]
     for folder in folders:
         entries += [(f"{folder}/", chart_type)]
         entries += [(f"{folder}/{name}.xml", "text/xml") for name in ("content", "styles")]
+    entries += [(part, "text/xml") for part in macros]
     body = "".join(
         f'<manifest:file-entry manifest:full-path="{path}" manifest:media-type="{kind}"'
         + (f' manifest:version="{VERSION}"' if path.endswith("/") else "")

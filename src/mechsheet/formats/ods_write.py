@@ -11,6 +11,7 @@ from .archive import Archive, new_archive
 from .limits import check_workbook
 from .ods_cells import TableRows
 from .ods_charts import MEDIA_TYPE, chart_content, chart_styles
+from .ods_macros import macro_parts
 from .ods_parts import SHEET_TYPE, manifest, meta, settings, styles_part
 from .ods_rules import content_validations, sheet_rules
 from .ods_sheet import cell_extras, enter_columns, table
@@ -71,7 +72,9 @@ class _Document:
         for folder, chart in zip(self.folders, self.charts, strict=True):
             parts[f"{folder}/content.xml"] = chart_content(chart)
             parts[f"{folder}/styles.xml"] = chart_styles()
-        parts["META-INF/manifest.xml"] = manifest(self.folders, MEDIA_TYPE)
+        macros = macro_parts(self.workbook.modules)
+        parts |= macros
+        parts["META-INF/manifest.xml"] = manifest(self.folders, MEDIA_TYPE, macros)
         for name, text in parts.items():
             with archive.text(name) as part:
                 part.write(text)

@@ -17,7 +17,7 @@ from xlsxwriter.core import Core
 from xlsxwriter.packager import Packager
 from xlsxwriter.workbook import Workbook as XlsxWorkbook
 
-from mechsheet.formula.printer import quote_sheet
+from mechsheet.formula.printer import print_formula, quote_sheet
 from mechsheet.formula.references import column_letters
 from mechsheet.sheet.workbook import Cell, Rich, Sheet, Workbook
 
@@ -81,6 +81,8 @@ class _Book(XlsxWorkbook):  # type: ignore[misc]
         for name in source.names:
             cell = f"${column_letters(name.col)}${name.row + 1}"
             self.define_name(name.name, f"={quote_sheet(name.sheet)}!{cell}")
+        for function in source.functions:
+            self.define_name(function.name, f"={print_formula(function.formula)}")
 
     def _fill(self, page: DataWorksheet, sheet: Sheet) -> None:
         strings = {

@@ -308,6 +308,22 @@ class Name:
 
 
 @dataclass(frozen=True, slots=True)
+class NamedFunction:
+    """A name that stands for a function: `formula` is a LAMBDA. An .ods leaves it out; there a `Module` says the same."""
+
+    name: str
+    formula: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Module:
+    """A module of Basic in the document's library Standard, which an .ods holds and an .xlsx leaves out."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Properties:
     """Document properties. The dates are fixed by the writers: the same input gives the same bytes."""
 
@@ -326,6 +342,8 @@ class Workbook:
     sheets: tuple[Sheet, ...]
     names: tuple[Name, ...] = ()
     properties: Properties = Properties()
+    functions: tuple[NamedFunction, ...] = ()
+    modules: tuple[Module, ...] = ()
 
     def sheet(self, title: str) -> Sheet:
         """The sheet with this title."""

@@ -1,0 +1,206 @@
+"""Workbooks whose tables call functions: LAMBDA names in an .xlsx, Basic in an .ods. Extra files beside the default one.
+
+They are the default workbook with other formulas in its two-way tables, a sheet that lists the functions and calls each over
+the sweep beside the table of positions, and a line on the first sheet that says what the file needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from mechsheet.exporting.basic import function_names, module
+from mechsheet.exporting.function_sheet import LIST_TITLE, functions_sheet
+from mechsheet.exporting.functions import TABLE_KEY, Function, functions_of, in_degrees, main_table, variable_key
+from mechsheet.exporting.lambdas import modes_read, named_functions
+from mechsheet.exporting.routines import Source
+from mechsheet.exporting.vba import introduction
+from mechsheet.formula.names import folded
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, Text
+from mechsheet.kinematics.solve import solve
+from mechsheet.model import Mechanism, TableRequest, Words
+from mechsheet.sheet import styles
+from mechsheet.sheet.layout import lay_out
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.tables import CHART_COLUMNS, FIRST, HEAD_ROW
+from mechsheet.sheet.workbook import Area, Conditional, Fill, Module, Sheet, Workbook
+
+NEEDS_ROW = 2
+"""The row of the first sheet, empty otherwise, that says what the file needs."""
+
+MODULE = "Mechsheet"
+"""What the module of Basic is called."""
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """A way of putting functions into a workbook.
+
+    suffix     the file's ending, after the mechanism's name
+    works, fails  what the first sheet says where the functions work, and where they do not
+    """
+
+    name: str
+    suffix: str
+    works: Words
+    fails: Words
+
+
+FORMS = {
+    form.name: form
+    for form in (
+        Form(
+            "basic",
+            "-basic.ods",
+            Words(
+                "This file needs LibreOffice with macros allowed, and has them: the functions work.",
+                "Bu dosya makrolara izin verilmiş LibreOffice ister; izin var, fonksiyonlar çalışıyor.",
+            ),
+            Words(
+                "This file needs LibreOffice with macros ALLOWED: its functions are written in Basic. Without: {name}.ods",
+                "Bu dosya LibreOffice'te makrolara İZİN ister: fonksiyonları Basic dilindedir. Makrosuz: {name}.ods",
+            ),
+        ),
+        Form(
+            "lambda",
+            "-lambda.xlsx",
+            Words(
+                "This file needs Excel 365, 2024 or later, for LAMBDA; this program knows it: the functions work.",
+                "Bu dosya LAMBDA için Excel 365, 2024 ya da sonrasını ister; bu program biliyor, fonksiyonlar çalışıyor.",
+            ),
+            Words(
+                "This file needs Excel 365, 2024 or later: its functions are LAMBDA names. For other programs: {name}.xlsx",
+                "Bu dosya Excel 365, 2024 ya da sonrasını ister: fonksiyonları LAMBDA adlarıdır. Öbürleri için: {name}.xlsx",
+            ),
+        ),
+    )
+}
+"""Name of the option -> form."""
+
+
+def functions_workbook(mechanism: Mechanism, form: str) -> Workbook:
+    """The workbook, its formulas without values yet. An engine computes the functions as LAMBDA in both forms.
+
+    form  "basic" or "lambda"
+    Raises MechanismError when the mechanism cannot be solved.
+    """
+    equations = solve(mechanism)
+    workbook, plan = lay_out(mechanism, equations)
+    source = Source(mechanism, equations)
+    taken = {folded(name.name) for name in workbook.names}
+    functions = functions_of(source, mechanism.language, taken)
+    names = function_names(functions) if form == "basic" else {function.key: function.name for function in functions}
+    work = _Work(plan, source, form, {function.key: function for function in functions}, names)
+    return work.workbook(workbook)
+
+
+class _Work:
+    """The workbook while it is being changed."""
+
+    def __init__(
+        self, plan: Plan, source: Source, form: str, functions: dict[str, Function], names: dict[str, str]
+    ) -> None:
+        self.plan = plan
+        self.source = source
+        self.form = form
+        self.functions = functions
+        self.names = names
+        self.taken = {folded(name.name) for name in plan.names}
+
+    def mode_cell(self, symbol: str) -> Node:
+        """The cell of a configuration, as a name's formula reads it."""
+        return self.plan.at.reference(symbol, "", None)
+
+    def workbook(self, workbook: Workbook) -> Workbook:
+        """The workbook with functions."""
+        plan, language = self.plan, self.plan.language
+        functions = list(self.functions.values())
+        tables = {id(sheet): request for sheet, request in self.tables(workbook)}
+        sheets = [self.first_sheet(workbook.sheets[0])]
+        sheets += [
+            self.table(sheet, tables[id(sheet)]) if id(sheet) in tables else sheet for sheet in workbook.sheets[1:]
+        ]
+        taken = {sheet.title.casefold() for sheet in sheets}
+        base = LIST_TITLE.of(language)
+        title = next(name for name in (base, f"{base} 2", f"{base} 3") if name.casefold() not in taken)
+        calls = {function.key: self.call(function, title) for function in functions if not function.basic}
+        listed = functions_sheet(plan, self.source, functions, self.names, calls, title)
+        sheets.insert(len(plan.mechanism.tables) + 3, listed)
+        modules: tuple[Module, ...] = ()
+        if self.form == "basic":
+            opening = introduction(self.source, tuple(functions), language)
+            modules = (Module(MODULE, module(functions, opening, "", language)),)
+        named = named_functions(functions, self.names, self.mode_cell if self.form == "lambda" else None, self.taken)
+        return replace(workbook, sheets=tuple(sheets), functions=named, modules=modules)
+
+    def tables(self, workbook: Workbook) -> list[tuple[Sheet, TableRequest]]:
+        """The sheets of two-way tables that functions can compute."""
+        derived = {dim.symbol for dim in self.plan.mechanism.dimensions if dim.derived}
+        requests = self.plan.mechanism.tables
+        sheets = workbook.sheets[3 : 3 + len(requests)]
+        return [pair for pair in zip(sheets, requests, strict=True) if pair[1].column not in derived]
+
+    def first_sheet(self, sheet: Sheet) -> Sheet:
+        """The first sheet, with a line that tries a function and says what the file needs."""
+        form, language = FORMS[self.form], self.plan.language
+        fails = form.fails.of(language).format(name=self.plan.mechanism.name)
+        tried = Call("ISNUMBER", (self.checked(Call(self.names["length"], (Number(3.0), Number(4.0)))),))
+        line = Call("IF", (tried, Text(form.works.of(language)), Text(fails)))
+        area = Area(NEEDS_ROW, 0, NEEDS_ROW, 0)
+        warning = Conditional(area, Call("NOT", (tried,)), replace(styles.WARN, name=""))
+        return replace(
+            sheet,
+            fills=(*sheet.fills, Fill(NEEDS_ROW, 0, line, styles.SUBTITLE)),
+            conditionals=(*sheet.conditionals, warning),
+        )
+
+    def table(self, sheet: Sheet, request: TableRequest) -> Sheet:
+        """A two-way table whose cells call a function; it needs no helper cells."""
+        count = len(request.columns)
+        helpers = 1 + count + 1 + CHART_COLUMNS + 1
+        formula = self.cell(request, sheet.title)
+        fills = tuple(
+            replace(fill, formula=formula) if (fill.row, fill.col, fill.cols) == (FIRST, 1, count) else fill
+            for fill in sheet.fills
+            if fill.col < helpers
+        )
+        return replace(
+            sheet,
+            fills=fills,
+            cells=tuple(cell for cell in sheet.cells if cell.col < helpers),
+            columns=tuple(column for column in sheet.columns if column.first < helpers),
+        )
+
+    def cell(self, request: TableRequest, sheet: str) -> Node:
+        """The formula of a table's cell, as its top-left cell has it: `=AyarlıPompa(Krank, …, B$7, $A8)`."""
+        driver = CellRef(FIRST, 0, col_abs=True)
+        column = CellRef(HEAD_ROW, 1, row_abs=True)
+        main = request == main_table(self.plan.mechanism)
+        function = self.functions[TABLE_KEY if main else variable_key(request.value)]
+        value = self.call(function, sheet, {request.column: column})(driver)
+        return Call("DEGREES", (value,)) if not main and in_degrees(self.source, request.value) else value
+
+    def call(self, function: Function, sheet: str, given: dict[str, Node] | None = None) -> Callable[[Node], Node]:
+        """From the driver's cell (as people read it) to a call of the function with the workbook's cells."""
+        plan = self.plan
+        units = {dim.symbol: dim.unit for dim in plan.mechanism.dimensions}
+        left_out = modes_read(function) if self.form == "lambda" else ()
+
+        def argument(symbol: str, unit: str, driver: Node) -> Node:
+            if symbol == plan.mechanism.driver.symbol:
+                in_radians = plan.mechanism.driver.unit == "deg" and unit != "deg"
+                return Call("RADIANS", (driver,)) if in_radians else driver
+            if given and symbol in given:
+                return Call("RADIANS", (given[symbol],)) if units[symbol] == "deg" else given[symbol]
+            return plan.at.reference(symbol, sheet, None)
+
+        def called(driver: Node) -> Node:
+            parts = [part for part in function.routine.parameters if part.symbol not in left_out]
+            arguments = tuple(argument(part.symbol, part.unit, driver) for part in parts)
+            return self.checked(Call(self.names[function.key], arguments))
+
+        return called
+
+    def checked(self, call: Node) -> Node:
+        """A function of Basic cannot give #N/A to LibreOffice, only a text: VALUE of that is an error."""
+        return Call("IFERROR", (Call("VALUE", (call,)), Call("NA"))) if self.form == "basic" else call
