@@ -79,6 +79,10 @@ def _rows(text: str) -> list[Function]:
     return rows
 
 
+_ODF_NAMES = {"FORMULATEXT": "FORMULA"}
+"""Functions with another name in OpenFormula."""
+
+
 def _row(match: re.Match[str], family: str, module: str) -> Function:
     name, kinds, flags = match["name"], match["kinds"] or "", match["flags"] or ""
     fixed, _, group = kinds.partition("(")
@@ -92,7 +96,7 @@ def _row(match: re.Match[str], family: str, module: str) -> Function:
         least=len(needed),
         most=MANY if group else len(letters),
         ooxml=prefix + name,
-        odf=odf + name,
+        odf=odf + _ODF_NAMES.get(name, name),
         kinds=letters,
         repeated=len(group),
         family=family,
