@@ -16,7 +16,7 @@ from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
-from mechsheet.sheet.mechanism import shown_unit
+from mechsheet.sheet.blocks import shown_unit
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Rich, Workbook
 

@@ -17,7 +17,7 @@ from mechsheet.formula.nodes import Call, Number, Symbol
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.solve import CLOSING, solve
 from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
-from mechsheet.sheet.tables import Window
+from mechsheet.sheet.windows import Window
 
 
 @dataclass(frozen=True, slots=True)

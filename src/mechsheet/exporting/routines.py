@@ -16,7 +16,7 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.expansion import definitions, substituted
 from mechsheet.sheet.plan import Plan, plan_of
-from mechsheet.sheet.tables import WINDOWED, with_windows
+from mechsheet.sheet.windows import WINDOWED, with_windows
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,8 +16,9 @@ from mechsheet.kinematics.numeric import Array, evaluate_column
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest
 from mechsheet.sheet import styles
+from mechsheet.sheet.blocks import shown_unit
 from mechsheet.sheet.drawing import SIZE, Drawing, marker
-from mechsheet.sheet.mechanism import CHARTS, ROW_HEIGHT, shown_unit
+from mechsheet.sheet.mechanism import CHARTS, ROW_HEIGHT
 from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Series, SeriesRef, Sheet

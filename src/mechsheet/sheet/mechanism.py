@@ -5,8 +5,9 @@ from __future__ import annotations
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, Unary
 from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Equation, Group
-from mechsheet.model import Dimension, Summary
+from mechsheet.model import Dimension
 from mechsheet.sheet import styles
+from mechsheet.sheet.blocks import Writer, shown_unit, value_style
 from mechsheet.sheet.plan import (
     DRIVER,
     MEANING,
@@ -19,20 +20,17 @@ from mechsheet.sheet.plan import (
     Plan,
     unit_text,
 )
-from mechsheet.sheet.positions import places, shown_number
-from mechsheet.sheet.rows import first_row, fixed_column, last_row
+from mechsheet.sheet.positions import shown_number
+from mechsheet.sheet.rows import fixed_column
 from mechsheet.sheet.stands import write_stands
+from mechsheet.sheet.summaries import write_summaries
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
-    Cell,
     Chart,
     Column,
-    Conditional,
-    Content,
     Control,
-    Fill,
     PrintSetup,
     Sheet,
     Style,
@@ -49,39 +47,6 @@ ROW_HEIGHT = 20
 """Pixels."""
 
 
-class Writer:
-    """Collects the cells of the sheet."""
-
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.validations: list[Validation] = []
-        self.conditionals: list[Conditional] = []
-
-    def put(self, row: int, col: int, content: Content, style: Style) -> None:
-        """A constant."""
-        self.cells.append(Cell(row, col, content, style))
-
-    def formula(self, row: int, col: int, node: Node, style: Style) -> None:
-        """A formula, already bound."""
-        self.fills.append(Fill(row, col, node, style))
-
-    def line(self, row: int, symbol: Content, unit: str, meaning: str | None) -> None:
-        """The fixed parts of an entry: everything but its value (and its meaning, when that is a formula: None)."""
-        self.put(row, SYMBOL, symbol, styles.SYMBOL)
-        self.put(row, UNIT, unit, styles.UNIT)
-        if meaning is not None:
-            self.put(row, MEANING, meaning, styles.LABEL)
-
-    def heading(self, key: str, over_tolerance: str | None = None) -> None:
-        """The heading of a block, across its columns; a block may use the tolerance's column for something else."""
-        row = self.plan.blocks[key].row
-        self.put(row, SYMBOL, self.plan.text(f"block.{key}"), styles.SECTION)
-        for col in range(SYMBOL + 1, MEANING + 1):
-            self.put(row, col, over_tolerance if col == TOLERANCE else None, styles.SECTION)
-
-
 def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[Control, ...] = ()) -> Sheet:
     """The sheet, with the charts and controls that others have made for it."""
     writer = Writer(plan)
@@ -94,7 +59,7 @@ def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[
     _sweep(writer)
     _assembly(writer)
     _variables(writer)
-    _summaries(writer)
+    write_summaries(writer)
     write_stands(writer)
     _derived(writer)
     return Sheet(
@@ -174,13 +139,13 @@ def _derived(writer: Writer) -> None:
         if dim.derived and isinstance(dim.value, str):
             row = rows[dim.symbol]
             writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim) or dim.value)
-            _result(writer, row, parse_description(dim.value), dim.unit == "deg", _style(plan, _kind_of(dim.unit)))
+            _result(writer, row, parse_description(dim.value), dim.unit == "deg", value_style(plan, _kind_of(dim.unit)))
     for equation in plan.equations.constants:
         row = rows[equation.symbol]
         unit = plan.unit_shown(equation.unit)
         writer.line(row, rich(equation.symbol), unit, equation.label.of(plan.language))
         tolerance = equation.symbol == plan.equations.tolerance
-        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else _style(plan, equation.unit)
+        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit)
         _result(writer, row, equation.expression, plan.shown_in_degrees(equation.unit), style)
 
 
@@ -191,10 +156,6 @@ def _result(writer: Writer, row: int, expression: Node, degrees: bool, style: St
 
 def _kind_of(unit: str) -> str:
     return {"deg": "angle", "rad": "angle", "1": "number"}.get(unit, "length")
-
-
-def _style(plan: Plan, unit: str) -> Style:
-    return styles.decimals(styles.RESULT, places(plan, unit) + (1 if unit == "length" else 0))
 
 
 def _sweep(writer: Writer) -> None:
@@ -285,7 +246,10 @@ def _position(writer: Writer) -> None:
     writer.line(rows[driver.symbol], rich(driver.symbol), unit_text(driver.unit), plan.text("position.driver"))
     unit = "angle" if driver.unit in ("deg", "rad") else "length"
     writer.formula(
-        rows[driver.symbol], VALUE, _at_position(plan, plan.at.column(driver.symbol, plan.main)), _style(plan, unit)
+        rows[driver.symbol],
+        VALUE,
+        _at_position(plan, plan.at.column(driver.symbol, plan.main)),
+        value_style(plan, unit),
     )
     writer.line(rows["status"], plan.text("head.status"), "", "")
     column = fixed_column(plan, STATUS)
@@ -299,71 +263,7 @@ def _variables(writer: Writer) -> None:
         equation: Equation = plan.equations.of(symbol)
         writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
-        writer.formula(row, VALUE, node, _style(plan, equation.unit))
-
-
-def shown_unit(plan: Plan, symbol: str) -> str:
-    """The unit in which a column is shown."""
-    for output in plan.mechanism.outputs:
-        if output.symbol == symbol:
-            return unit_text(output.unit)
-    if symbol == plan.mechanism.driver.symbol:
-        return unit_text(plan.mechanism.driver.unit)
-    return plan.unit_shown(plan.equations.of(symbol).unit)
-
-
-def _summaries(writer: Writer) -> None:
-    plan = writer.plan
-    if "summary" not in plan.blocks:
-        return
-    writer.heading("summary", plan.text("head.at"))
-    for summary in plan.mechanism.summaries:
-        row = plan.blocks["summary"].rows[summary.symbol]
-        label = (
-            summary.label.of(plan.language)
-            if summary.label
-            else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
-        )
-        writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), label)
-        driver = plan.mechanism.driver.symbol
-        unit = "angle" if summary.of == driver else plan.equations.of(summary.of).unit
-        writer.formula(row, VALUE, _summary(plan, summary), _style(plan, unit))
-        where = _where(plan, summary, row)
-        if where is not None:
-            writer.formula(row, TOLERANCE, where, _style(plan, "angle"))
-
-
-def _summary(plan: Plan, summary: Summary) -> Node:
-    """The number. Its column holds values or empty texts, which MAX, MIN and AVERAGE pass over."""
-    area = plan.at.area(plan.at.shown[f"#blank {summary.of}"], plan.main)
-    match summary.take:
-        case "max":
-            return Call("MAX", (area,))
-        case "min":
-            return Call("MIN", (area,))
-        case "range":
-            return Binary("-", Call("MAX", (area,)), Call("MIN", (area,)))
-        case "mean":
-            return Call("AVERAGE", (area,))
-        case "first":
-            return Call("INDEX", (area, first_row(plan)))
-        case "last":
-            return Call("INDEX", (area, last_row(plan)))
-
-
-def _where(plan: Plan, summary: Summary, row: int) -> Node | None:
-    """The driver's value where it occurs."""
-    drivers = plan.at.column(plan.mechanism.driver.symbol, plan.main)
-    match summary.take:
-        case "max" | "min":
-            area = plan.at.area(plan.at.shown[f"#rounded {summary.of}"], plan.main)
-            extreme = Call(summary.take.upper(), (area,))
-            return Call("INDEX", (drivers, Call("MATCH", (extreme, area, Number(0.0)))))
-        case "first":
-            return Call("INDEX", (drivers, first_row(plan)))
-        case "last":
-            return Call("INDEX", (drivers, last_row(plan)))
-    return None
+        writer.formula(row, VALUE, node, value_style(plan, equation.unit))
 
 
 def controls(plan: Plan) -> tuple[Control, ...]:

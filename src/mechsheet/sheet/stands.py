@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.kinematics import algebra as al
@@ -11,6 +10,7 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Link
 from mechsheet.sheet import styles
+from mechsheet.sheet.blocks import Writer
 from mechsheet.sheet.checks import ROUNDING
 from mechsheet.sheet.extremes import sweep_of
 from mechsheet.sheet.findings import FourBar, findings
@@ -21,9 +21,6 @@ from mechsheet.sheet.positions import places
 from mechsheet.sheet.rows import exists_column, first_row, last_row
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Area, Conditional, Content, Style
-
-if TYPE_CHECKING:
-    from mechsheet.sheet.mechanism import Writer
 
 POOR = 40.0
 """Angles of transmission [deg] below this are poor: most of the force only loads the joints."""

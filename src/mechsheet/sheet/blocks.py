@@ -1,0 +1,57 @@
+"""What the blocks of the first sheet share: symbol, value, unit, tolerance, meaning side by side."""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Node
+from mechsheet.sheet import styles
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan, unit_text
+from mechsheet.sheet.positions import places
+from mechsheet.sheet.workbook import Cell, Conditional, Content, Fill, Style, Validation
+
+
+class Writer:
+    """Collects the cells of the sheet."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.validations: list[Validation] = []
+        self.conditionals: list[Conditional] = []
+
+    def put(self, row: int, col: int, content: Content, style: Style) -> None:
+        """A constant."""
+        self.cells.append(Cell(row, col, content, style))
+
+    def formula(self, row: int, col: int, node: Node, style: Style) -> None:
+        """A formula, already bound."""
+        self.fills.append(Fill(row, col, node, style))
+
+    def line(self, row: int, symbol: Content, unit: str, meaning: str | None) -> None:
+        """The fixed parts of an entry: everything but its value (and its meaning, when that is a formula: None)."""
+        self.put(row, SYMBOL, symbol, styles.SYMBOL)
+        self.put(row, UNIT, unit, styles.UNIT)
+        if meaning is not None:
+            self.put(row, MEANING, meaning, styles.LABEL)
+
+    def heading(self, key: str, over_tolerance: str | None = None) -> None:
+        """The heading of a block, across its columns; a block may use the tolerance's column for something else."""
+        row = self.plan.blocks[key].row
+        self.put(row, SYMBOL, self.plan.text(f"block.{key}"), styles.SECTION)
+        for col in range(SYMBOL + 1, MEANING + 1):
+            self.put(row, col, over_tolerance if col == TOLERANCE else None, styles.SECTION)
+
+
+def shown_unit(plan: Plan, symbol: str) -> str:
+    """The unit in which a column is shown."""
+    for output in plan.mechanism.outputs:
+        if output.symbol == symbol:
+            return unit_text(output.unit)
+    if symbol == plan.mechanism.driver.symbol:
+        return unit_text(plan.mechanism.driver.unit)
+    return plan.unit_shown(plan.equations.of(symbol).unit)
+
+
+def value_style(plan: Plan, unit: str) -> Style:
+    """The style of a result of this kind: one decimal more than the tolerances justify for lengths."""
+    return styles.decimals(styles.RESULT, places(plan, unit) + (1 if unit == "length" else 0))
