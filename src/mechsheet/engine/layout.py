@@ -131,11 +131,11 @@ class Layout:
         return Area(self.block_sheets[number], block.row, block.col, block.rows, block.cols)
 
     def spill_at(self, sheet: int, row: int, col: int) -> Area | None:
-        """The cells of the dynamic array whose formula stands in a cell, None when there is none."""
+        """The cells of the array whose formula stands in a cell, None when there is none."""
         for producer in self.producers(Area(sheet, row, col, 1, 1)):
             if producer < len(self.blocks):
                 block = self.blocks[producer]
-                if block.kind == "spill" and (block.row, block.col) == (row, col):
+                if block.kind != "fill" and (block.row, block.col) == (row, col):
                     return self.block_area(producer)
         return None
 

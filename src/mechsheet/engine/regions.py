@@ -118,14 +118,20 @@ _OPERATORS: dict[str, Callable[[list[Span], list[Span]], Regions]] = {",": _unio
 # functions
 
 
-def _number(ev: Evaluator, args: Args, place: int, frame: Frame, default: float = 0.0) -> float:
-    """A whole number among the arguments. Raises ReferenceFault for an error, VaryingSizeError for several numbers."""
+def _number(
+    ev: Evaluator, args: Args, place: int, frame: Frame, default: float = 0.0, of_fraction: float = 0.0
+) -> float:
+    """A whole number among the arguments; `of_fraction` is what a number between 0 and 1 means.
+
+    Raises ReferenceFault for an error, VaryingSizeError or ArrayArgumentError for several numbers.
+    """
     if place >= len(args) or isinstance(args[place], Missing):
         return default
     numbers, errors = numbers_of(_one_value(ev, args[place], frame), ev.texts)
     if errors is not None:
         raise ReferenceFault(error(int(np.ravel(errors)[0])))
-    return float(np.trunc(np.ravel(numbers)[0]))
+    number = float(np.ravel(numbers)[0])
+    return of_fraction if 0 < number < 1 else float(np.trunc(number))
 
 
 def _one_value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
@@ -151,7 +157,7 @@ def offset(ev: Evaluator, args: Args, frame: Frame) -> Regions:
         return error(VALUE) if base is None else base
     _same_for_all(base)
     row, col = base.row + _number(ev, args, 1, frame), base.col + _number(ev, args, 2, frame)
-    height, width = _number(ev, args, 3, frame, base.height), _number(ev, args, 4, frame, base.width)
+    height, width = _number(ev, args, 3, frame, base.height, 1), _number(ev, args, 4, frame, base.width, 1)
     if height < 0:
         row, height = row + height + 1, -height
     if width < 0:
@@ -229,7 +235,7 @@ def let(ev: Evaluator, args: Args, frame: Frame) -> Regions:
 
 
 def spilled(ev: Evaluator, args: Args, frame: Frame) -> Regions:
-    """`A1#`: the cells of the dynamic array whose formula stands in A1; #REF! when there is none."""
+    """`A1#`: the cells of the array whose formula stands in A1; #REF! when there is none."""
     anchor = _one(ev, args[0], frame)
     if not isinstance(anchor, Span):
         return error(REF) if anchor is None else anchor

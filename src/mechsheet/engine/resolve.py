@@ -143,7 +143,7 @@ class Resolver:
         block = Block(row, col, 1, 1, node or ErrorValue("#REF!"))
         found = self.named(block.formula, block, sheet, "", ())
         del self.found.remarks[before:]  # #REF! says enough
-        return transform(found, _anchored)
+        return None if isinstance(found, ErrorValue) else transform(found, _anchored)
 
     def formula(self, block: Block, sheet: str) -> Node:
         """The block's formula. Remarks are made with its cells."""

@@ -50,7 +50,7 @@ class Values:
         return np.where((codes == NUMBER) | (codes == BOOLEAN), numbers, np.nan), codes
 
     def spill(self, sheet: str, row: int, col: int) -> tuple[int, int] | None:
-        """Rows and columns of the dynamic array whose formula stands in a cell, None when there is none."""
+        """Rows and columns of the array whose formula stands in a cell, None when there is none."""
         area = self._layout.spill_at(self._sheet(sheet), row, col)
         return None if area is None else (area.rows, area.cols)
 
