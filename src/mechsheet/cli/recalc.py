@@ -15,7 +15,7 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
 
-from .common import JSON, SET, progress, settings_of
+from .common import JSON, progress, settings_of
 
 if TYPE_CHECKING:
     from mechsheet.checking.stored import Stored
@@ -27,7 +27,9 @@ MOST_LINES = 50
 
 @click.command()
 @click.argument("workbook", type=click.Path(path_type=Path))
-@SET
+@click.option(
+    "--set", "settings", multiple=True, metavar="CELL=VALUE", help="Set a named cell or Sheet!B2; may be repeated."
+)
 @click.option(
     "--print", "ranges", multiple=True, metavar="RANGE", help="Print Sheet!A1:C9, tab separated; may be repeated."
 )

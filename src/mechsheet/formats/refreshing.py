@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Protocol
 
 from mechsheet.diagnostics import Fault, OutputError, readable_name
 from mechsheet.formula.book import Book, BookSheet
-from mechsheet.formula.nodes import Scalar
+from mechsheet.formula.nodes import ErrorValue, Scalar
 
 from .archive import new_archive
 from .package import Package, part_key
@@ -74,8 +75,9 @@ class NewValues:
         return not (self._sheet.blocks or self.changes)
 
     def result(self, row: int, col: int) -> Scalar:
-        """The value of a formula's cell."""
-        return self._values.get(self._sheet.title, row, col)
+        """The value of a formula's cell. Files hold finite numbers only."""
+        value = self._values.get(self._sheet.title, row, col)
+        return value if not isinstance(value, float) or math.isfinite(value) else ErrorValue("#NUM!")
 
     def is_stored(self, row: int, col: int, value: Scalar, formula: bool) -> bool:
         """Whether the file holds that value already: then the cell's bytes stay."""
