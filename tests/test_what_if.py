@@ -240,6 +240,42 @@ def test_texts_of_long_loops_are_forgotten(monkeypatch):
         assert len(session._live.texts) < 100
 
 
+def test_inputs_stay_what_they_are_when_texts_are_forgotten(monkeypatch):
+    monkeypatch.setattr(live_module, "MOST_TEXTS", 5)
+    session = Session(columns('A1&"x"', "$B$1*$A$3+SIN(A1)", rows=300))
+    session["S!B1"] = "no number"
+    for number in range(20):
+        session["S!A1"] = float(number)
+        assert session["S!D1"] == f"{number}x"
+        assert session["S!E1"] == ErrorValue("#VALUE!")
+    session.reset("S!B1")
+    session["S!A1"] = 0.0
+    assert session["S!E1"] == 15.0
+
+
+def test_what_is_read_may_depend_on_values():
+    session = Session(columns("OFFSET($A$1,$B$1-5,0)*2", 'INDIRECT("A"&$B$1-4)', "SUM(D1:D3)"))
+    assert (session["S!D1"], session["S!E1"]) == (2.0, 1.0)
+    session["S!B1"] = 7.0
+    assert (session["S!D1"], session["S!E1"], session["S!F1"]) == (6.0, 3.0, 18.0)
+    session["S!A3"] = "text"
+    assert (session["S!D1"], session["S!E1"]) == (ErrorValue("#VALUE!"), "text")
+    session.reset()
+    assert (session["S!D1"], session["S!E1"]) == (2.0, 1.0)
+
+
+def test_remarks_are_those_of_the_values_as_they_are():
+    session = Session(columns("E1+$A$1", "D1", "FOO(1)"))
+    for number in range(3):
+        session["S!A1"] = float(number)
+        messages = [fault.message for fault in session.remarks]
+        assert [text for text in messages if "circular" in text] == [
+            f"circular reference: S!D{row} -> S!E{row} -> S!D{row}" for row in (1, 2, 3)
+        ]
+        assert len([text for text in messages if "FOO" in text]) == 1
+        assert len(messages) == 4
+
+
 def test_the_cells_of_a_circle_are_errors():
     builder = BookBuilder()
     sheet = builder.sheet("S")

@@ -32,7 +32,7 @@ _SHOWN_NAMES = 20
 def open_book(path: str | Path) -> Session:
     """Read a workbook (.xlsx, .xlsm, .ods, .ots) and compute it once.
 
-    Raises WorkbookError as `recalc` does: not a workbook, a function that is not known (with its cell), a circle.
+    What cannot be computed as it is meant is in `remarks`. Raises WorkbookError: not a workbook, a damaged one.
 
     >>> import mechsheet
     >>> book = mechsheet.open_book("four-bar.xlsx")         # doctest: +SKIP
@@ -65,6 +65,11 @@ class Session:
     def names(self) -> tuple[str, ...]:
         """The defined names of the workbook."""
         return tuple(defined.name for defined in self._book.names)
+
+    @property
+    def remarks(self) -> tuple[Fault, ...]:
+        """What to know before trusting the values as they are now, with the cells: as `recalc` gives them. Computes all."""
+        return (*self._book.remarks, *self._live.values().remarks)
 
     # inputs
 

@@ -7,6 +7,7 @@ from math import copysign
 
 import numpy as np
 
+from ..diagnostics import Fault
 from ..formula.nodes import Scalar
 from .careful import Evaluator
 from .layout import Area
@@ -58,8 +59,9 @@ class Live:
         self._settled: Values | None = None
         self._most_texts = len(self.texts) + MOST_TEXTS
         self._stale = (1 << len(self.plan.steps)) - 1
+        self._remarks: dict[int, tuple[Fault, ...]] = {}
         for cell, value in self.inputs.items():
-            self._put(cell, self._constant(cell), *self.texts.encode(value))
+            self._enter(cell, value)
 
     # inputs
 
@@ -69,8 +71,11 @@ class Live:
 
     def set(self, cell: Cell, value: Scalar) -> None:
         """Put a value into a cell that holds a constant; None empties it."""
-        producer = self._constant(cell)
         self.inputs[cell] = value
+        self._enter(cell, value)
+
+    def _enter(self, cell: Cell, value: Scalar) -> None:
+        producer = self._constant(cell)
         number, code = self.texts.encode(value)
         self._set_codes.setdefault(producer, {})[cell] = code
         self._put(cell, producer, number, code)
@@ -130,13 +135,10 @@ class Live:
         if self.plan.settles:
             return self._settle()
         self._run(self._stale)
-        return Values(
-            self.plan.layout,
-            self.numbers,
-            self.codes,
-            self.texts,
-            (*self.plan.remarks, *self._evaluator.around.remarks),
-        )
+        remarks = [*self.plan.remarks]
+        for _, found in sorted(self._remarks.items()):
+            remarks += found
+        return Values(self.plan.layout, self.numbers, self.codes, self.texts, tuple(dict.fromkeys(remarks)))
 
     def _settle(self) -> Values:
         """All values of a book in which order or sizes depend on values: computed as a whole."""
@@ -183,7 +185,7 @@ class Live:
             order = tuple(index for index, bit in enumerate(reversed(f"{todo:b}")) if bit == "1")
             if len(self._orders) < _MOST_KNOWN:
                 self._orders[todo] = order
-        marks, layout = self._marks, self.plan.layout
+        marks, layout, around = self._marks, self.plan.layout, self._evaluator.around
         with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
             for index in order:
                 step = self.plan.steps[index]
@@ -193,7 +195,12 @@ class Live:
                         self.codes[start : start + block.rows * block.cols] = NUMBER
                         marks.dirty.discard(number)
                         marks.texts.discard(number)
+                around.remarks.clear()
                 step.run(self._evaluator, marks)
+                if around.remarks:
+                    self._remarks[index] = tuple(around.remarks)
+                elif index in self._remarks:
+                    del self._remarks[index]
         self._stale &= ~todo
 
 
