@@ -19,13 +19,15 @@ from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Fill, Merg
 
 LIST_TITLE = Words("Functions", "Fonksiyonlar")
 ABOUT = Words(
-    "Every cell of the table below calls a function of this file; the rows marked “difference” compare them with the sheet "
-    "{positions}. Lengths as the workbook's, angles in radians.",
-    "Aşağıdaki tablonun her hücresi bu dosyanın bir fonksiyonunu çağırır; “fark” satırı onları {positions} sayfası ile "
-    "karşılaştırır. Uzunluklar çalışma kitabınınki, açılar radyan.",
+    "Every cell of the table below calls a function of this file; the row over it has the largest difference from the "
+    "sheet {positions}. The functions take angles in radians and give them in radians.",
+    "Aşağıdaki tablonun her hücresi bu dosyanın bir fonksiyonunu çağırır; üstündeki satırda {positions} sayfasından en "
+    "büyük fark durur. Fonksiyonlar açıları radyan alır, radyan verir.",
 )
 HEADS = (Words("Function", "Fonksiyon"), Words("Meaning", "Anlamı"))
 ROW, DIFFERENCE = Words("row", "satır"), Words("largest difference", "en büyük fark")
+
+DIFFERENCES = Words("Differences from the sheet {positions}", "{positions} sayfasından farklar")
 
 MOST_ROWS = 37
 """Rows of the table: of a longer sweep every second, third … row."""
@@ -49,12 +51,13 @@ def functions_sheet(
     cells = [Cell(0, 0, LIST_TITLE.of(language), styles.TITLE)]
     cells.append(Cell(1, 0, ABOUT.of(language).format(positions=plan.table), styles.NOTE_TEXT))
     end = 2 * SPAN + 2
-    merges = [Merge(Area(1, 0, 1, end))]
+    merges = [Merge(Area(1, 0, 1, end)), Merge(Area(DIFFERENCE_ROW, 0, DIFFERENCE_ROW, 1))]
     shown = [function for function in functions if function.key != TABLE_KEY and not function.basic]
     step = math.ceil(plan.rows / MOST_ROWS)
     count = math.ceil(plan.rows / step)
-    cells += _heads(plan, shown, names)
-    fills = _table(plan, source, shown, calls, step, count)
+    behind = max(end, 1 + len(shown)) + 2
+    cells += _heads(plan, shown, behind)
+    fills = _table(plan, source, shown, calls, (step, count), behind)
     area = Area(FIRST, 2, FIRST + count - 1, 1 + len(shown))
     row = FIRST + count + 1
     for col, head in ((0, HEADS[0]), (SPAN, HEADS[1])):
@@ -70,14 +73,19 @@ def functions_sheet(
         title,
         tuple(cells),
         tuple(fills),
-        columns=(Column(0, 0, 8), Column(1, 1, 10), Column(2, max(end, 1 + 2 * len(shown)), 13)),
+        columns=(
+            Column(0, 0, 8),
+            Column(1, 1, 10),
+            Column(2, behind - 1, 13),
+            Column(behind, behind + len(shown) - 1, 13, level=1),
+        ),
         row_heights=((0, 26.0), (1, 30.0)),
         merges=tuple(merges),
         conditionals=(Conditional(area, Call("ISNA", (CellRef(FIRST, 2),)), styles.MISSING),),
         freeze=(FIRST, 2),
         gridlines=False,
         tab_color="C8501E",
-        print_setup=PrintSetup(footer=plan.footer),
+        print_setup=PrintSetup(footer=plan.footer, area=Area(0, 0, row, behind - 1)),
     )
 
 
@@ -86,7 +94,7 @@ FIRST = 6
 """Rows of the sheet."""
 
 
-def _heads(plan: Plan, shown: Sequence[Function], names: Mapping[str, str]) -> list[Cell]:
+def _heads(plan: Plan, shown: Sequence[Function], behind: int) -> list[Cell]:
     driver = plan.mechanism.driver.symbol
     cells = [
         Cell(NAME_ROW, 0, ROW.of(plan.language), styles.HEAD),
@@ -97,8 +105,13 @@ def _heads(plan: Plan, shown: Sequence[Function], names: Mapping[str, str]) -> l
         Cell(DIFFERENCE_ROW, 1, None, styles.NOTE_CELL),
     ]
     for col, function in enumerate(shown, 2):
-        cells.append(Cell(NAME_ROW, col, names[function.key], styles.HEAD))
-        cells.append(Cell(UNIT_ROW, col, shown_unit(plan, _symbol(function)), styles.HEAD))
+        symbol = _symbol(function)
+        for first in (col, behind + col - 2):
+            cells.append(Cell(NAME_ROW, first, rich(symbol), styles.HEAD))
+            cells.append(Cell(UNIT_ROW, first, shown_unit(plan, symbol), styles.HEAD))
+    cells.append(
+        Cell(NAME_ROW - 1, behind, DIFFERENCES.of(plan.language).format(positions=plan.table), styles.NOTE_TEXT)
+    )
     return cells
 
 
@@ -111,10 +124,14 @@ def _table(
     source: Source,
     shown: Sequence[Function],
     calls: Mapping[str, Callable[[Node], Node]],
-    step: int,
-    count: int,
+    rows_shown: tuple[int, int],
+    behind: int,
 ) -> list[Fill]:
-    """The driver read from the table of positions, the functions called, and behind them the differences."""
+    """The driver read from the table of positions, the functions called, and behind them the differences.
+
+    rows_shown  every so many-th row of the sweep, and how many of them
+    """
+    step, count = rows_shown
     number = CellRef(FIRST, 0, col_abs=True)
     driver = CellRef(FIRST, 1, col_abs=True)
     read = Call("INDEX", (plan.at.column(plan.mechanism.driver.symbol, ""), number))
@@ -131,7 +148,6 @@ def _table(
         unit = function.routine.unit
         style = styles.decimals(styles.COLUMN, places(plan, unit))
         fills.append(Fill(FIRST, col, value, style, rows=count))
-        behind = col + len(shown)
         found = CellRef(FIRST, col)
         wanted = Call("INDEX", (plan.at.column(symbol, ""), number))
         gap: Node = Binary("-", found, wanted)
@@ -141,7 +157,8 @@ def _table(
         both = Call("ISNUMBER", (Binary("+", found, wanted),))
         alike = Binary("=", Call("ISNUMBER", (found,)), Call("ISNUMBER", (wanted,)))
         checked = Call("IF", (both, Call("ABS", (gap,)), Call("IF", (alike, Number(0.0), Call("NA")))))
-        fills.append(Fill(FIRST, behind, checked, styles.INNER, rows=count))
-        area = RangeRef(CellRef(FIRST, behind), CellRef(FIRST + count - 1, behind))
+        at = behind + col - 2
+        fills.append(Fill(FIRST, at, checked, styles.INNER, rows=count))
+        area = RangeRef(CellRef(FIRST, at), CellRef(FIRST + count - 1, at))
         fills.append(Fill(DIFFERENCE_ROW, col, Call("MAX", (area,)), SMALL))
     return fills

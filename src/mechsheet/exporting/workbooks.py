@@ -23,10 +23,12 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.tables import CHART_COLUMNS, FIRST, HEAD_ROW
-from mechsheet.sheet.workbook import Area, Conditional, Fill, Module, Sheet, Workbook
+from mechsheet.sheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 
 NEEDS_ROW = 2
 """The row of the first sheet, empty otherwise, that says what the file needs."""
+
+NEEDS = replace(styles.SUBTITLE, name="", bold=True, italic=False, color=styles.INK)
 
 MODULE = "Mechsheet"
 """What the module of Basic is called."""
@@ -36,14 +38,16 @@ MODULE = "Mechsheet"
 class Form:
     """A way of putting functions into a workbook.
 
-    suffix     the file's ending, after the mechanism's name
-    works, fails  what the first sheet says where the functions work, and where they do not
+    suffix  the file's ending, after the mechanism's name
+    needs   what the first sheet says that the file needs
+    works   what it says instead where a function of the file has a value. None where programs that lack something do not
+            even understand the formula that would try it
     """
 
     name: str
     suffix: str
-    works: Words
-    fails: Words
+    needs: Words
+    works: Words | None = None
 
 
 FORMS = {
@@ -53,21 +57,17 @@ FORMS = {
             "basic",
             "-basic.ods",
             Words(
-                "This file needs LibreOffice with macros allowed, and has them: the functions work.",
-                "Bu dosya makrolara izin verilmiş LibreOffice ister; izin var, fonksiyonlar çalışıyor.",
-            ),
-            Words(
                 "This file needs LibreOffice with macros ALLOWED: its functions are written in Basic. Without: {name}.ods",
                 "Bu dosya LibreOffice'te makrolara İZİN ister: fonksiyonları Basic dilindedir. Makrosuz: {name}.ods",
+            ),
+            Words(
+                "This file needs LibreOffice with macros allowed, and has them: the functions work.",
+                "Bu dosya makrolara izin verilmiş LibreOffice ister; izin var, fonksiyonlar çalışıyor.",
             ),
         ),
         Form(
             "lambda",
             "-lambda.xlsx",
-            Words(
-                "This file needs Excel 365, 2024 or later, for LAMBDA; this program knows it: the functions work.",
-                "Bu dosya LAMBDA için Excel 365, 2024 ya da sonrasını ister; bu program biliyor, fonksiyonlar çalışıyor.",
-            ),
             Words(
                 "This file needs Excel 365, 2024 or later: its functions are LAMBDA names. For other programs: {name}.xlsx",
                 "Bu dosya Excel 365, 2024 ya da sonrasını ister: fonksiyonları LAMBDA adlarıdır. Öbürleri için: {name}.xlsx",
@@ -141,17 +141,19 @@ class _Work:
         return [pair for pair in zip(sheets, requests, strict=True) if pair[1].column not in derived]
 
     def first_sheet(self, sheet: Sheet) -> Sheet:
-        """The first sheet, with a line that tries a function and says what the file needs."""
+        """The first sheet, with a line that says what the file needs, and tries a function where that can be tried."""
         form, language = FORMS[self.form], self.plan.language
-        fails = form.fails.of(language).format(name=self.plan.mechanism.name)
+        needs = form.needs.of(language).format(name=self.plan.mechanism.name)
+        warning = replace(styles.WARN, name="")
+        if form.works is None:
+            return replace(sheet, cells=(*sheet.cells, Cell(NEEDS_ROW, 0, needs, NEEDS)))
         tried = Call("ISNUMBER", (self.checked(Call(self.names["length"], (Number(3.0), Number(4.0)))),))
-        line = Call("IF", (tried, Text(form.works.of(language)), Text(fails)))
-        area = Area(NEEDS_ROW, 0, NEEDS_ROW, 0)
-        warning = Conditional(area, Call("NOT", (tried,)), replace(styles.WARN, name=""))
+        line = Call("IF", (tried, Text(form.works.of(language)), Text(needs)))
+        rule = Conditional(Area(NEEDS_ROW, 0, NEEDS_ROW, 0), Call("NOT", (tried,)), warning)
         return replace(
             sheet,
-            fills=(*sheet.fills, Fill(NEEDS_ROW, 0, line, styles.SUBTITLE)),
-            conditionals=(*sheet.conditionals, warning),
+            fills=(*sheet.fills, Fill(NEEDS_ROW, 0, line, NEEDS)),
+            conditionals=(*sheet.conditionals, rule),
         )
 
     def table(self, sheet: Sheet, request: TableRequest) -> Sheet:
