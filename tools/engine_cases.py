@@ -11,26 +11,19 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
-
-import openpyxl
-from openpyxl.worksheet.formula import ArrayFormula
 
 ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
-from engine_cases import COLUMN, FIRST_ROW, FOLDER, answered, book_of, cells, load, same, scalar  # noqa: E402
-from mechsheet.engine import evaluate  # noqa: E402
+from asking import PROGRAMS, agree, asked, code_agrees, ours, outvoted  # noqa: E402
+from engine_cases import FOLDER, cells, load, scalar  # noqa: E402
 from mechsheet.formula.functions import FUNCTIONS  # noqa: E402
 from mechsheet.formula.nodes import Call, ErrorValue, Node, Text, walk  # noqa: E402
 from mechsheet.formula.parser import parse_formula  # noqa: E402
 from mechsheet.formula.printer import print_formula  # noqa: E402
-from mechsheet.programs import answers, convert_with_libreoffice  # noqa: E402
 
-PROGRAMS = ("ironcalc", "gnumeric", "libreoffice")
 SINGLE = "ntbda"
 VARIANTS = ("A3", "A6", "A5", "A7", "A4")
 """What takes the place of a single value: a text, an error, a blank cell, a text that shows a number, a truth value."""
@@ -71,67 +64,6 @@ def variants(formula: str) -> list[str]:
     return found
 
 
-def workbook(formulas: list[str], path: Path, arrays: bool) -> None:
-    """All formulas in one file without stored values."""
-    book = openpyxl.Workbook()
-    sheet = book.active
-    sheet.title = "S"
-    for row, col, value in cells():
-        cell = sheet.cell(row + 1, col + 1)
-        if isinstance(value, ErrorValue):
-            cell.value, cell.data_type = value.code, "e"
-        elif value == "":
-            cell.value = '=""'
-        else:
-            cell.value = value
-            cell.data_type = "s" if isinstance(value, str) else cell.data_type
-    for row, formula in enumerate(formulas, FIRST_ROW):
-        cell = sheet.cell(row + 1, COLUMN + 1)
-        shown = "=" + print_formula(parse_formula(formula))
-        cell.value = ArrayFormula(cell.coordinate, shown) if arrays else shown
-    book.save(path)
-
-
-def asked(formulas: list[str]) -> dict[str, list[object]]:
-    """What each program gives for each formula."""
-    found: dict[str, list[object]] = {}
-    with tempfile.TemporaryDirectory() as folder:
-        for program in PROGRAMS:
-            path = Path(folder) / f"{program}.xlsx"
-            workbook(formulas, path, arrays=program != "ironcalc")
-            rows = range(FIRST_ROW, FIRST_ROW + len(formulas))
-            if program == "ironcalc":
-                given = answers(program, path)
-                found[program] = [given.get("S", row, COLUMN) for row in rows]
-                continue
-            result = Path(folder) / "answers" / f"{program}.xlsx"
-            result.parent.mkdir(exist_ok=True)
-            if program == "gnumeric":
-                subprocess.run(["ssconvert", "--recalc", str(path), str(result)], check=True, capture_output=True)
-            else:
-                convert_with_libreoffice([path], "xlsx", result.parent)
-            sheet = openpyxl.load_workbook(result, data_only=True)["S"]
-            found[program] = [answered(sheet.cell(row + 1, COLUMN + 1).value) for row in rows]
-    return found
-
-
-def ours(formulas: list[str]) -> list[object]:
-    """What the engine gives."""
-    values = evaluate(book_of(formulas))
-    return [values.get("S", row, COLUMN) for row in range(FIRST_ROW, FIRST_ROW + len(formulas))]
-
-
-def agree(mine: object, other: object) -> bool:
-    """Equal values, any errors; an empty text may stand for nothing."""
-    if isinstance(mine, ErrorValue) and isinstance(other, ErrorValue):
-        return True
-    if isinstance(mine, float) and isinstance(other, int) and not isinstance(other, bool):
-        other = float(other)
-    if mine in ("", 0.0) and other in (None, ""):
-        return True
-    return same(mine, other, 1e-9)
-
-
 def spelt(value: object) -> str:
     """A value as TOML."""
     if isinstance(value, bool):
@@ -156,7 +88,7 @@ def main() -> None:
     """Ask, compare, and write."""
     tables = calls()
     formulas = [formula for name in tables for formula in tables[name]]
-    mine, theirs, chosen = ours(formulas), asked(formulas), decided()
+    mine, theirs, chosen = ours(formulas, list(cells())), asked(formulas, list(cells())), decided()
     unknown = {name for formula in formulas for name in _names(parse_formula(formula))} - FUNCTIONS.keys()
     assert not unknown, unknown
     values: dict[str, object] = {}
@@ -176,22 +108,6 @@ def main() -> None:
     print(len(formulas), "formulas,", open_, "open")
     if "--write" in sys.argv:
         write(tables, values, formulas, theirs)
-
-
-def outvoted(value: object, given: dict[str, object]) -> bool:
-    """Whether two programs agree on another value."""
-    others = [other for other in given.values() if not agree(value, other) and str(other) not in ("#NAME?", "#N/IMPL!")]
-    return any(agree(a, b) for i, a in enumerate(others) for b in others[i + 1 :])
-
-
-def code_agrees(value: object, given: dict[str, object]) -> bool:
-    """Whether ironcalc or gnumeric name the same error, where they name one."""
-    if not isinstance(value, ErrorValue):
-        return True
-    codes = {
-        other.code for program, other in given.items() if isinstance(other, ErrorValue) and program != "libreoffice"
-    }
-    return not codes or value.code in codes
 
 
 def _names(node: Node) -> set[str]:

@@ -193,7 +193,7 @@ class _Call:
             found = self.function(*values)
         except Problem as problem:
             return np.nan, error_code(problem.code)
-        except (ValueError, OverflowError, ZeroDivisionError, np.linalg.LinAlgError):
+        except (ValueError, ArithmeticError, np.linalg.LinAlgError):
             found = ErrorValue("#NUM!")
         return self._result(found)
 

@@ -77,7 +77,7 @@ def hypgeom_dist(hits: float, sample: float, good: float, population: float, cum
 def poisson_dist(x: float, mean: float, cumulative: bool) -> float:
     """POISSON.DIST."""
     k = math.trunc(x)
-    need(k >= 0, mean >= 0)
+    need(x >= 0, mean >= 0)
     if not cumulative:
         return poisson_density(k, mean)
     return 1.0 if mean == 0 else gamma_parts(k + 1, mean)[1]

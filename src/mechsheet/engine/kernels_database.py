@@ -10,11 +10,12 @@ import numpy as np
 
 from ..formula.nodes import Missing, Node, Scalar
 from .calling import Problem, table_of, to_number
+from .coerce import to_text
 from .criteria import criterion
 from .frames import Frame, VaryingSizeError
 from .kernels_fold import count, folded, greatest, least, mean, product, total
 from .kernels_statistics import SPREADS
-from .values import BLANK, ERROR, NUMBER, TEXT, Cells, Texts, error, error_code
+from .values import BLANK, ERROR, NUMBER, VALUE, Cells, Texts, error, error_code
 
 if TYPE_CHECKING:
     from .careful import Evaluator
@@ -24,17 +25,15 @@ Args = tuple[Node, ...]
 
 def _headings(table: Cells, texts: Texts) -> list[str]:
     return [
-        texts.text(number).casefold() if code == TEXT else ""
+        to_text(texts.decode(number, code if code < ERROR else BLANK)).casefold()
         for number, code in zip(table.numbers[0].tolist(), table.codes[0].tolist(), strict=True)
     ]
 
 
-def _column(field: Scalar, headings: list[str]) -> int | None:
-    """The column that a heading or a number names; None for none at all."""
-    if field is None:
-        return None
+def _column(field: Scalar, headings: list[str]) -> int:
+    """The column that a heading or a number names."""
     if isinstance(field, str):
-        if field.casefold() not in headings:
+        if not field or field.casefold() not in headings:
             raise Problem("#VALUE!")
         return headings.index(field.casefold())
     place = math.trunc(to_number(field))
@@ -63,25 +62,29 @@ def _chosen(table: Cells, criteria: Cells, headings: list[str], texts: Texts) ->
 
 
 def _picked(ev: Evaluator, args: Args, frame: Frame) -> tuple[Any, Any]:
-    """(numbers, codes) of the field in the rows that fit; without a field, of the first column."""
+    """(numbers, codes) of the field in the rows that fit; without a field, a number for each of them."""
     table, criteria = table_of(ev, args[0], frame), table_of(ev, args[2], frame)
-    field = None
+    headings = _headings(table, ev.texts)
+    place = None
     if not isinstance(args[1], Missing):
         cells = ev.value(args[1], frame)
         if np.ndim(cells.numbers):
             raise VaryingSizeError
-        field = ev.texts.decode(float(cells.numbers), 0 if cells.codes is None else int(cells.codes))
-    headings = _headings(table, ev.texts)
-    place = _column(field, headings)
+        code = 0 if cells.codes is None else int(cells.codes)
+        place = _column(ev.texts.decode(float(cells.numbers), code), headings)
     rows = _chosen(table, criteria, headings, ev.texts)
     if place is None:
         return np.zeros(int(rows.sum())), np.zeros(int(rows.sum()), np.uint8)
     return table.numbers[1:, place][rows], table.codes[1:, place][rows]
 
 
-def _database(function: Callable[[Any, Any], Cells]) -> Any:
+def _database(function: Callable[[Any, Any], Cells], counting: bool = False) -> Any:
+    """A kernel; only those that count may do without a field."""
+
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         del spread
+        if isinstance(args[1], Missing) and not counting:
+            return error(VALUE)
         try:
             return function(*_picked(ev, args, frame))
         except Problem as problem:
@@ -111,6 +114,6 @@ KERNELS: dict[str, Any] = {
     "DSUM": _fold(total), "DAVERAGE": _fold(mean), "DMAX": _fold(greatest), "DMIN": _fold(least),
     "DPRODUCT": _fold(product), "DSTDEV": _fold(SPREADS["STDEV.S"]), "DSTDEVP": _fold(SPREADS["STDEV.P"]),
     "DVAR": _fold(SPREADS["VAR.S"]), "DVARP": _fold(SPREADS["VAR.P"]), "DGET": _database(_get),
-    "DCOUNT": _database(lambda numbers, codes: Cells(np.float64(count(numbers, codes == NUMBER)))),
-    "DCOUNTA": _database(lambda numbers, codes: Cells(np.float64(np.count_nonzero(codes != BLANK)))),
+    "DCOUNT": _database(lambda numbers, codes: Cells(np.float64(count(numbers, codes == NUMBER))), True),
+    "DCOUNTA": _database(lambda numbers, codes: Cells(np.float64(np.count_nonzero(codes != BLANK))), True),
 }  # fmt: skip

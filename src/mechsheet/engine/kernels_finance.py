@@ -258,7 +258,7 @@ def fixed_declining(cost: float, salvage: float, life: float, period: float, mon
 def double_declining(cost: float, salvage: float, life: float, period: float, factor: float = 2.0) -> float:
     """DDB."""
     need(cost >= 0, salvage >= 0, life > 0, 0 < period <= life, factor > 0)
-    share = min(factor / life, 1.0)
+    share, period = min(factor / life, 1.0), max(period, 1.0)
     before = cost * math.pow(1 - share, period - 1) if share < 1 or period > 1 else cost
     after = cost * math.pow(1 - share, period)
     return max(0.0, before - max(after, salvage))
@@ -305,7 +305,7 @@ def periods_needed(rate_: float, present: float, future: float) -> float:
 
 def equal_rate(periods: float, present: float, future: float) -> float:
     """RRI."""
-    need(periods > 0, present != 0, future / present >= 0)
+    need(periods > 0, present != 0)
     return math.pow(future / present, 1 / periods) - 1
 
 
@@ -317,7 +317,7 @@ def interest_linear(rate_: float, period: float, periods: float, present: float)
 def from_fraction(value: float, denominator: float) -> float:
     """DOLLARDE: 1.02 in sixteenths is 1.125."""
     below = math.trunc(denominator)
-    need(below >= 0)
+    need(denominator >= 0)
     if below == 0:
         raise Problem("#DIV/0!")
     whole = math.trunc(value)
@@ -327,7 +327,7 @@ def from_fraction(value: float, denominator: float) -> float:
 def to_fraction(value: float, denominator: float) -> float:
     """DOLLARFR."""
     below = math.trunc(denominator)
-    need(below >= 0)
+    need(denominator >= 0)
     if below == 0:
         raise Problem("#DIV/0!")
     whole = math.trunc(value)

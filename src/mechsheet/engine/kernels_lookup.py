@@ -224,7 +224,7 @@ def _table_lookup(by_rows: bool) -> Any:
         safe = np.where((own != 0) | np.isnan(across), 0, across - 1).astype(np.intp)
         along = found.numbers.astype(np.intp)
         at = (along, safe) if by_rows else (safe, along)
-        errors = first_error(found.codes, place_errors, own if np.any(own) else None)
+        errors = first_error(errors_of(wanted), place_errors, own if np.any(own) else None, found.codes)
         return _or_error(Cells(table.numbers[at], table.codes[at]), errors)
 
     return kernel
@@ -233,6 +233,8 @@ def _table_lookup(by_rows: bool) -> Any:
 def lookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """LOOKUP(value, ascending line, line of results); with one table, its first and last row or column."""
     table = table_of(ev, args[1], frame)
+    if len(args) > 2 and 1 not in table.numbers.shape:
+        return error(NA)
     by_rows = table.numbers.shape[0] >= table.numbers.shape[1]
     found = positions(ev, ev.value(args[0], frame, spread), _line(table, by_rows, 0), 1.0)
     results = table_of(ev, args[2], frame) if len(args) > 2 else table

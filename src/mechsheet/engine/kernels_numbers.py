@@ -167,7 +167,7 @@ def power_series(x: float, first: float, step: float, coefficients: Numbers) -> 
     """SERIESSUM: the sum of a_i x^(first + i step)."""
     if x == 0 and (first == 0 or step == 0):
         raise Problem("#NUM!")  # 0^0
-    return math.fsum(c * x ** (first + i * step) for i, c in enumerate(coefficients.tolist()))
+    return math.fsum(c * math.pow(x, first + i * step) for i, c in enumerate(coefficients.tolist()))
 
 
 def paired(left: Cells, right: Cells) -> tuple[Numbers, Numbers]:

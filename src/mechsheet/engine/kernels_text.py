@@ -13,7 +13,7 @@ from ..formula.nodes import ErrorValue, Missing, Node, Scalar
 from .calling import EPOCHS
 from .coerce import each, text_to_number, to_text
 from .frames import Frame
-from .number_formats import formatted
+from .number_formats import WIDE, formatted
 from .values import Cells, codes_of
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def fixed(value: Scalar, decimals: Scalar = 2.0, plain: Scalar = False) -> Scala
     whole_places = int(places)
     if whole_places < 0:
         scale = Decimal(10) ** -whole_places
-        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP) * scale)
+        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
     comma = "0" if _number(plain) else "#,##0"
     if whole_places > 127:
         return VALUE

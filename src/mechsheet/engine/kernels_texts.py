@@ -14,7 +14,7 @@ from ..formula.printer import quote_sheet
 from ..formula.references import column_letters
 from .calling import Problem, to_number
 from .coerce import to_text
-from .number_formats import formatted
+from .number_formats import WIDE, formatted
 from .wildcards import pattern_of
 
 MOST_CHARACTERS = 32767
@@ -92,13 +92,13 @@ def search(wanted: str, within: str, start: float = 1.0) -> float:
 
 def substitute(text: str, old: str, new: str, instance: float | None = None) -> str:
     """SUBSTITUTE: every occurrence, or one of them."""
+    which = 1 if instance is None else math.trunc(instance)
+    if which < 1:
+        raise Problem("#VALUE!")
     if not old:
         return text
     if instance is None:
         return _fits(text.replace(old, new))
-    which = math.trunc(instance)
-    if which < 1:
-        raise Problem("#VALUE!")
     place = -1
     begin = 0
     for _ in range(which):
@@ -251,7 +251,7 @@ def dollar(number: float, decimals: float = 2.0) -> str:
         raise Problem("#VALUE!")
     if places < 0:
         scale = Decimal(10) ** -places
-        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP) * scale)
+        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
     body = "$#,##0" + ("." + "0" * places if places > 0 else "")
     return formatted(number, f"{body};({body})") or ""
 

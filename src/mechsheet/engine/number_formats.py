@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, field
-from decimal import ROUND_HALF_UP, Decimal
+from decimal import ROUND_HALF_UP, Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
 
@@ -23,6 +23,10 @@ _COLOURS = re.compile(r"(black|blue|cyan|green|magenta|red|white|yellow|color\s*
 _COMPARISONS = {
     "<": float.__lt__, "<=": float.__le__, ">": float.__gt__, ">=": float.__ge__, "=": float.__eq__, "<>": float.__ne__,
 }  # fmt: skip
+
+
+WIDE = Context(prec=700)
+"""All digits of any number, and as many decimals."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,11 +177,11 @@ def _number(section: Section, value: float) -> str:
     if exponent is not None and size:
         step = max(whole.count, 1)
         power = (size.adjusted() // step) * step if step > 1 else size.adjusted()
-        rounded = size.scaleb(-power).quantize(Decimal(1).scaleb(-decimals.count), ROUND_HALF_UP)
+        rounded = size.scaleb(-power).quantize(Decimal(1).scaleb(-decimals.count), ROUND_HALF_UP, WIDE)
         if rounded.adjusted() >= step:
             power += step
         size = size.scaleb(-power)
-    size = size.quantize(Decimal(1).scaleb(-decimals.count), ROUND_HALF_UP)
+    size = size.quantize(Decimal(1).scaleb(-decimals.count), ROUND_HALF_UP, WIDE)
     before, _, after = f"{size:f}".partition(".")
     body = _whole_part(whole, before, thousands) + _rest(tokens, decimals, after, exponent, power)
     return _sign(value) + body
