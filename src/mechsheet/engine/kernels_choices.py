@@ -52,7 +52,9 @@ def _first_true(
 
 
 def _merged(mask: Any, value: Cells, before: Cells | None) -> Cells:
-    return value if before is None else choose(mask, value, before)
+    if before is None:  # as large as the condition, whatever the value's size
+        return choose(mask, value, value) if np.ndim(mask) > 2 else value
+    return choose(mask, value, before)
 
 
 def _truth(ev: Evaluator, arg: Node, frame: Frame, spread: bool) -> Cells:

@@ -143,11 +143,18 @@ def sheets(ev: Evaluator, args: Args, frame: Frame) -> Cells:
 
 
 def cell(ev: Evaluator, args: Args, frame: Frame) -> Cells:
-    """CELL: address, row, col, contents or type of a reference's first cell; other information is not known here."""
+    """CELL: address, row, col, contents or type of a reference's first cell, or "filename": [book.xlsx]Sheet, without the
+    folder. Other information is not known here."""
     what = text_of(ev.value(args[0], frame), ev.texts)
     if isinstance(what, Cells):
         return what
     what = what.strip().lower()
+    if what == "filename":
+        span = _first(ev, args[1], frame) if len(args) > 1 else Span(frame.sheet, 0, 0, 1, 1, False, False)
+        if not isinstance(span, Span):
+            return span
+        name = ev.around.book.source.replace("\\", "/").rpartition("/")[2]
+        return ev.texts.constant(f"[{name}]{ev.layout.titles[span.sheet]}" if name else "")
     if what not in ("address", "row", "col", "contents", "type"):
         raise UnsupportedError(f'CELL("{what[:40]}") is not supported')
     if len(args) < 2:

@@ -37,6 +37,7 @@ from ..formula.nodes import (
     walk,
 )
 from ..formula.parser import parse_formula
+from ..formula.printer import quote_sheet
 from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
 from .deep import deeply
@@ -97,6 +98,20 @@ def _anchored(part: Node) -> Node:
     return replace(part, row_abs=True, col_abs=True) if isinstance(part, CellRef) else part
 
 
+def _typed(text: str) -> Node | None:
+    """A reference as a person types it: "05:05" is a row, and a sheet's name needs no quotation marks."""
+    before, mark, area = text.strip().rpartition("!")
+    spellings = [_ZEROS.sub("", text)]
+    if mark and not before.startswith("'"):
+        spellings.append(f"{quote_sheet(before)}!{_ZEROS.sub('', area)}")
+    for spelling in spellings:
+        try:
+            return parse_formula(spelling)
+        except FormulaError:
+            continue
+    return None
+
+
 def _on_sheet(area: Node, title: str) -> Node:
     return transform(area, lambda ref: replace(ref, sheet=title) if isinstance(ref, CellRef) else ref)
 
@@ -134,11 +149,7 @@ class Resolver:
         return self._read[key]
 
     def _reference(self, text: str, in_a1: bool, sheet: str, row: int, col: int) -> Node | None:
-        try:
-            # As typed, "05:05" is a row as well.
-            node = parse_formula(_ZEROS.sub("", text)) if in_a1 else parse_r1c1(text, row, col)
-        except FormulaError:
-            return None
+        node = _typed(text) if in_a1 else parse_r1c1(text, row, col)
         before = len(self.found.remarks)
         block = Block(row, col, 1, 1, node or ErrorValue("#REF!"))
         found = self.named(block.formula, block, sheet, "", ())
