@@ -6,7 +6,8 @@ import pytest
 from openpyxl.worksheet.formula import ArrayFormula
 
 from engine_cases import COLUMN, FIRST_ROW, FOLDER, array_cases, book_of, cells, load, same
-from mechsheet.engine import compile_book
+from mechsheet.engine import Live, compile_book
+from mechsheet.engine.layout import Area
 from mechsheet.formula.book import BookBuilder, Table
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
@@ -444,3 +445,22 @@ def test_other_workbooks_keep_their_values():
         ("S!C1:C3", "a reference to another workbook"), ("S!E1", "a reference to another workbook"),
         ("S!F1", "NOW gives another value at every recalculation"),
     ]  # fmt: skip
+
+
+def test_values_kept_while_inputs_change():
+    """A book in which sizes and order depend on values, set and read again and again, is what a new evaluation gives."""
+    blocks = [
+        ("D1:D2", "MAKEARRAY(A1,1,LAMBDA(r,c,r))", "spill"), ("E1", "SUM(D1#)", "fill"),
+        ("F1", "SUM(OFFSET(B1,0,0,A1,1))", "fill"), ("G1:G3", "B1*E$1", "fill"),
+    ]  # fmt: skip
+    plan = compile_book(book(NUMBERS, blocks))
+    live = Live(plan)
+    for count, first in ((3.0, 10.0), (1.0, 10.0), (2.0, 7.0), (3.0, 10.0)):
+        live.set((0, 0, 0), count)
+        live.set((0, 0, 1), first)
+        fresh = plan.evaluate({("S", 0, 0): count, ("S", 0, 1): first})
+        assert list(live.values().items("S")) == list(fresh.items("S"))
+        cells = live.read(Area(0, 0, 5, 1, 1))
+        assert cells.numbers[0, 0] == fresh.get("S", 0, 5)
+    live.reset((0, 0, 1))
+    assert live.values().get("S", 0, 6) == 60
