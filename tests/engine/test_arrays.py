@@ -464,3 +464,23 @@ def test_values_kept_while_inputs_change():
         assert cells.numbers[0, 0] == fresh.get("S", 0, 5)
     live.reset((0, 0, 1))
     assert live.values().get("S", 0, 6) == 60
+
+
+def test_long_columns_of_a_book_that_settles():
+    """On the fast path as well: what goes wrong in an array is seen there, and becomes the error it is."""
+    rows = 40_000
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.column_constants(0, 0, [float(row % 7) for row in range(rows)])
+    sheet.block(0, 1, rows, 1, parse_formula("1/A1+OFFSET($D$1,0,0)*0"))
+    sheet.block(0, 2, rows, 1, parse_formula("SQRT(A1-1)"))
+    sheet.block(0, 3, 1, 1, parse_formula('SUM(INDIRECT("A1:A7"))'))
+    sheet.block(0, 4, rows, 1, parse_formula("D$1/A1"))
+    plan = compile_book(builder.build())
+    for _ in range(3):
+        values = plan.evaluate()
+        assert column(values, "C", 1, 3) == [NUM, 0, 1]
+        assert column(values, "E", 7, 9) == [21 / 6, ErrorValue("#DIV/0!"), 21]
+        assert column(values, "B", 1, 2) == [ErrorValue("#DIV/0!"), 1]
+        _, codes = values.arrays("S", 4, 0, rows - 1)
+        assert (codes != 0).sum() == len(range(0, rows, 7))

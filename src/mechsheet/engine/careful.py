@@ -288,17 +288,26 @@ class Evaluator:
 
     def of_span(self, span: Span, frame: Frame, spread: bool) -> Cells:
         """The cells of a rectangle that was only now found: as an array, or the one beside the formula."""
-        if not spread:
-            if span.moves_down or span.moves_right or frame.rows > 1 or frame.cols > 1:
-                raise VaryingSizeError
-            row = span.row if span.height == 1 else frame.row
-            col = span.col if span.width == 1 else frame.col
-            beside = (span.height == 1 or span.width == 1) and row - span.row < span.height and row >= span.row
-            if not beside or not 0 <= col - span.col < span.width:
-                return error(VALUE)
-            span = Span(span.sheet, row, col, 1, 1, False, False)
-        self.around.need(Area(span.sheet, span.row, span.col, span.height, span.width))
-        return self.spread_out(span, frame) if spread else self.at(span.sheet, span.row, span.col)
+        chosen = span if spread else self._beside_in(span, frame)
+        if chosen is None:
+            return error(VALUE)
+        self.around.need(Area(chosen.sheet, chosen.row, chosen.col, chosen.height, chosen.width))
+        return self.spread_out(chosen, frame) if spread else self.at(chosen.sheet, chosen.row, chosen.col)
+
+    @staticmethod
+    def _beside_in(span: Span, frame: Frame) -> Span | None:
+        """The cell of a rectangle that stands in the formula's row or column."""
+        moves = span.moves_down or span.moves_right
+        if span.height == span.width == 1 and not moves:
+            return span
+        if moves or frame.rows > 1 or frame.cols > 1:
+            raise VaryingSizeError
+        row = span.row if span.height == 1 else frame.row
+        col = span.col if span.width == 1 else frame.col
+        inside = span.row <= row < span.row + span.height and span.col <= col < span.col + span.width
+        if not inside or (span.height > 1 and span.width > 1):
+            return None
+        return Span(span.sheet, row, col, 1, 1, False, False)
 
     def joined(self, spans: list[Span], frame: Frame) -> Cells:
         """The cells of several rectangles below one another, as one column."""

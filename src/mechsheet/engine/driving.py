@@ -10,10 +10,10 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ..diagnostics import Fault
+import numpy as np
+
 from ..formula.book import Block, BookSheet, CellStore
 from ..formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
-from ..formula.references import cell_address
 from .careful import Evaluator
 from .frames import NotReadyError
 from .layout import Area, Layout
@@ -41,22 +41,29 @@ def settled(plan: Plan, overrides: Mapping[tuple[str, int, int], Scalar]) -> Val
     """All values, when all steps had what they need and all dynamic arrays have their sizes."""
     first = plan
     for _ in range(_MOST_PASSES):
-        ev, marks = plan.begin(_present(plan, overrides))
-        try:
-            drive(plan, ev, marks)
-        except TangledError as tangle:
-            plan.learn(tangle.reads)
-            continue
+        ev = _driven(plan, overrides)
         sizes = _fitting(plan, ev)
         if sizes == plan.sizes:
-            break
+            return plan.values_of(ev)
         plan = first.resized(sizes)
-    else:
-        block = plan.layout.blocks[plan.sizes[0][0]] if plan.sizes else Block(0, 0, 1, 1, plan.formulas[0])
-        sheet = plan.layout.titles[plan.layout.block_sheets[plan.sizes[0][0]]] if plan.sizes else plan.layout.titles[0]
-        place = cell_address(sheet, block.row, block.col)
-        ev.around.remarks.append(Fault("dynamic arrays whose sizes do not settle", plan.book.source, key=place))
+    ev = _driven(plan, overrides)
+    number = plan.sizes[0][0]
+    block = plan.layout.blocks[number]
+    ev.around.remark("dynamic arrays whose sizes do not settle", plan.layout.block_sheets[number], block.row, block.col)
     return plan.values_of(ev)
+
+
+def _driven(plan: Plan, overrides: Mapping[tuple[str, int, int], Scalar]) -> Evaluator:
+    """An evaluator that has run all steps. The plan learns of blocks that turn out to need each other: finitely many."""
+    while True:
+        ev, marks = plan.begin(_present(plan, overrides))
+        try:
+            with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+                drive(plan, ev, marks)
+        except TangledError as tangle:
+            plan.learn(tangle.reads)
+        else:
+            return ev
 
 
 def _present(plan: Plan, overrides: Mapping[tuple[str, int, int], Scalar]) -> Mapping[tuple[str, int, int], Scalar]:

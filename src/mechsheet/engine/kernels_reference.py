@@ -39,8 +39,6 @@ def _region(name: str) -> Any:
     """A function that gives a reference, as a value."""
 
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-        if frame.rows > 1 or frame.cols > 1:
-            raise VaryingSizeError
         return ev.region(Call(name, args), frame, spread)
 
     return kernel

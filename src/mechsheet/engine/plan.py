@@ -119,6 +119,8 @@ class Plan:
 
     def learn(self, reads: Sequence[tuple[int, int]]) -> None:
         """Take note of (reader, what it reads) that turned up while computing, and find the order again."""
+        if all(producer in self.reads[reader] for reader, producer in reads):
+            raise RuntimeError("blocks that need each other are computed apart")
         for reader, producer in reads:
             self.reads[reader].add(producer)
         self.steps = schedule(self.layout, self.formulas, self.reads, self._special)
