@@ -60,7 +60,8 @@ class Group:
     mode_value    +1 or -1 as the sketch says
     mode_words    what +1 and -1 look like
     closes        symbol that is a number where the group can be assembled, and #N/A where it cannot
-    degenerate    TRUE in a row where the position is undetermined (the outer pins coincide), or None
+    degenerate    TRUE in a row where the group closes but its position is undetermined (pins coincide, so that a link can
+                  turn about them; lines coincide), or None
     open          True when the sketch said nothing about this group
     transmission  angle of the transmission: symbol whose sine measures how well the group transmits force, or ""
     sides         lengths that must form a triangle for the group to close: its three sides; or the hypotenuse and a leg of

@@ -5,11 +5,12 @@
 
 PRP: both links slide on known lines, so both angles are known; the inner pin is where its two lines meet.
 RPP: the outer slide gives the second link's angle, the inner slide the first's; the lines are those of the two slides.
-Parallel lines leave the position undetermined: #N/A. Source: Cramer's rule.
+Parallel lines do not meet, or coincide and leave the position undetermined: #N/A. Source: Cramer's rule.
 """
 
 from __future__ import annotations
 
+from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
@@ -25,8 +26,13 @@ PARALLEL = 1e-12
 """Lines whose directions differ by less [rad] count as parallel."""
 
 
-def meet(ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle) -> tuple[Node, Node, str, Node | None]:
-    """(k1, k2, symbol that is a number where the lines meet, condition for parallel lines)."""
+def meet(
+    ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle, names: tuple[str, str]
+) -> tuple[Node, Node, str, Node | None]:
+    """(k1, k2, symbol that is a number where the lines meet, condition for lines that coincide).
+
+    Raises MechanismError for lines that are parallel whatever the dimensions.
+    """
     sine = al.sin(delta2 - delta1)
     e_x = ledger.hoist(
         "e_x", e[0], "length", Words("from line 1 to line 2, x part", "1. doğrudan 2. doğruya, x bileşeni")
@@ -36,6 +42,14 @@ def meet(ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle) -> 
     )
     fixed = al.value_of(sine)
     parallel: Node | None = None
+    if fixed is not None and abs(fixed) < PARALLEL:
+        raise MechanismError(
+            Fault(
+                f"the lines of {names[0]} and {names[1]} are parallel in every position: they never meet",
+                key="joints",
+                hint="change the angle of one of them",
+            )
+        )
     if fixed is not None:
         d: Node = sine
         closes = ""
@@ -49,6 +63,8 @@ def meet(ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle) -> 
             Words("the same; #N/A where the lines are parallel", "aynısı; doğrular paralelse #N/A"),
         )  # fmt: skip
         d, closes = column, column.name
+        ahead = al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2)))
+        parallel = Call("AND", (parallel, al.less(Call("ABS", (ahead,)), ledger.tolerance)))
     k1 = al.div(al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2))), d)
     k2 = al.div(al.sub(al.mul(e_x, al.sin(delta1)), al.mul(e_y, al.cos(delta1))), d)
     return k1, k2, closes, parallel
@@ -65,7 +81,9 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True)
     ]
     e = (al.sub(starts[1][0], starts[0][0]), al.sub(starts[1][1], starts[0][1]))
-    k1, k2, closes, parallel = meet(poses.ledger, e, guides[0].delta, guides[1].delta)
+    k1, k2, closes, parallel = meet(
+        poses.ledger, e, guides[0].delta, guides[1].delta, (guides[0].symbol, guides[1].symbol)
+    )
     for guide, k in zip(guides, (k1, k2), strict=True):
         poses.displacement(guide.symbol, k if guide.sign > 0 else al.neg(k))
     for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True):
@@ -125,7 +143,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     xp, yp = poses.xy[p]
     e = (al.sub(al.add(xp, x1), al.add(guide.x, x2)), al.sub(al.add(yp, y1), al.add(guide.y, y2)))
     # guide + k1 d1 + (fixed) + sign s d2 = P + (own):  k1 d1 = e - k2 d2 with k2 = sign s, so k2 enters with a minus.
-    k1, k2, closes, parallel = meet(ledger, e, guide.delta, delta)
+    k1, k2, closes, parallel = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
     poses.displacement(guide.symbol, k1 if guide.sign > 0 else al.neg(k1))
     poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
     _fix_by_guide(poses, dyad.second, guide)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.formula.nodes import Call, Node
+from mechsheet.formula.nodes import Binary, Call, Node
 from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
@@ -175,6 +175,16 @@ def arm_of(ledger: Ledger, way: Place, known: Node | None, name: str, label: Wor
     return length, Angle(ledger.direction(f"beta_{name}", u, v, exists=True, label=label))
 
 
+def _gap(a: Node, b: Node, c: Node) -> Node:
+    """By how much the sides of a triangle reach each other, or miss."""
+    return Call("MIN", (al.sub(al.add(a, b), c), al.sub(c, Call("ABS", (al.sub(a, b),)))))
+
+
+def reaching(ledger: Ledger, a: Node, b: Node, c: Node) -> Node:
+    """TRUE where three sides form a triangle, rounding aside."""
+    return Binary(">=", _gap(a, b, c), al.neg(ledger.tolerance))
+
+
 def triangle_area(ledger: Ledger, base: str, a: Node, b: Node, c: Node, label: Words, also: Node | None = None) -> Node:
     """The area of the triangle with sides a, b, c by Heron's formula; #N/A where they do not meet.
 
@@ -182,8 +192,7 @@ def triangle_area(ledger: Ledger, base: str, a: Node, b: Node, c: Node, label: W
     area is 0 there. `also` is a further condition for #N/A. No digits are lost near dead centres, as acos would lose
     them (W. Kahan, "Miscalculating area and angles of a needle-like triangle").
     """
-    gap = Call("MIN", (al.sub(al.add(a, b), c), al.sub(c, Call("ABS", (al.sub(a, b),)))))
-    open_: Node = al.less(gap, al.neg(ledger.tolerance))
+    open_: Node = al.less(_gap(a, b, c), al.neg(ledger.tolerance))
     if also is not None:
         open_ = Call("OR", (also, open_))
     product = al.mul(

@@ -13,7 +13,7 @@ Source: Soeylemez, Mechanisms, section 3.8 (kol-kizak, h = 0) and the inverted s
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Binary, Call, Node
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Dyad, Pin
@@ -66,7 +66,7 @@ def solve_rpr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
             Words(f"{joint.symbol} the smaller of two", f"{joint.symbol} ikisinden küçüğü"),
         ),
         closes=w.name,
-        degenerate=together,
+        degenerate=together if al.is_zero(h) else Call("AND", (together, Binary(">=", r, Call("ABS", (h,))))),
         pins=(p, q),
         label=Words(
             f"{poses.both(dyad).en}: pins {p}, {q}, slide {joint.symbol}",

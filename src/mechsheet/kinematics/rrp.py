@@ -13,6 +13,7 @@ Source: Soeylemez, Mechanisms, section 3.8 (slider-crank): a3 sin(theta13) = a2 
 
 from __future__ import annotations
 
+from mechsheet.formula.nodes import Call
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Dyad, Pin
@@ -54,7 +55,8 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
         Words(f"{p} to the guide's origin, along it", f"{p}'den kızak başlangıcına, kızak boyunca"),
     )
     n = ledger.hoist("n", across, "length", Words(f"{p} to the guide, across it", f"{p}'den kızağa dik uzaklık"))
-    w = leg(ledger, "w", a, n, Words(f"{p}–{r} along the guide", f"kızak boyunca {p}–{r}"))
+    together = al.less(a, ledger.tolerance)  # pins coincide: the link can turn about them
+    w = leg(ledger, "w", a, n, Words(f"{p}–{r} along the guide", f"kızak boyunca {p}–{r}"), also=together)
     psi = ledger.column(
         "psi", al.atan2(w, n), "angle", Words(f"angle of {p}–{r} to the guide", f"{p}–{r} ile kızak arasındaki açı")
     )
@@ -72,7 +74,7 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
             Words(f"{guide.symbol} the smaller of two", f"{guide.symbol} ikisinden küçüğü"),
         ),
         closes=w.name,
-        degenerate=None,
+        degenerate=Call("AND", (together, al.less(Call("ABS", (n,)), ledger.tolerance))),
         pins=(p, r),
         label=Words(
             f"{poses.both(dyad).en}: pins {p}, {r}, slide {guide.symbol}",

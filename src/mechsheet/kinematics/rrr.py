@@ -12,12 +12,12 @@ which keeps its digits at dead centres. Source: Soeylemez, Mechanisms, section 3
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Call, Node
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads import Solved
-from mechsheet.kinematics.places import triangle_area
+from mechsheet.kinematics.places import reaching, triangle_area
 from mechsheet.kinematics.poses import Poses
 from mechsheet.model import Words
 
@@ -37,7 +37,7 @@ def solve_rrr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
         "s", al.sqrt(al.add(al.square(s_x), al.square(s_y))), "length", Words(f"distance {q}–{p}", f"{q}–{p} uzaklığı")
     )
     phi = ledger.direction("phi", s_x, s_y, always, Words(f"direction of {q}→{p}", f"{q}→{p} doğrultusu"))
-    together = al.less(s, ledger.tolerance)
+    together = al.less(al.smallest((a, b, s)), ledger.tolerance)  # pins coincide: some link can turn about them
     area = triangle_area(
         ledger, "Delta", a, b, s, Words(f"area of triangle {p}{q}{r}", f"{p}{q}{r} üçgeninin alanı"), also=together
     )
@@ -61,7 +61,7 @@ def solve_rrr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
             Words(f"{r} right of {p}→{q}", f"{r}, {p}→{q} sağında"),
         ),
         closes=area.name if hasattr(area, "name") else s.name,
-        degenerate=together,
+        degenerate=Call("AND", (together, reaching(ledger, a, b, s))),
         pins=(p, q, r),
         label=Words(
             f"{poses.both(dyad).en}: pins {p}, {q}, {r}",

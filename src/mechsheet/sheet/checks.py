@@ -39,6 +39,9 @@ NUMBER, DRIVER_COL, DATA = range(3)
 VALUE = 2
 """Column of the values that hold for the whole table."""
 
+COUNTED = ("leap", "shared")
+"""Checks that mark rows: their rows are counted."""
+
 NOWHERE = "–"
 """Where there is nothing to point to. Not an empty text: LibreOffice shows 0 for one in an .ods until it recalculates."""
 
@@ -188,7 +191,7 @@ class _Sheet:
             else:
                 self.put(row, col, None, styles.RESULT)
         skip = 1 if check.after else 0
-        style = styles.decimals(styles.COLUMN, 0) if check.unit == "leap" else styles.ERROR
+        style = styles.decimals(styles.COLUMN, 0) if check.unit in COUNTED else styles.ERROR
         if check.unit in ("move", "turn"):
             style = styles.decimals(styles.COLUMN, 4)
         if plan.rows > skip:
@@ -197,7 +200,7 @@ class _Sheet:
 
     def _unit(self, check: Check) -> str:
         """` [mm]`, as it stands behind the head."""
-        if check.unit == "leap":
+        if check.unit in COUNTED:
             return ""
         if check.unit == "turn":
             return f" [{self.plan.unit_shown('angle')}]"
@@ -206,9 +209,9 @@ class _Sheet:
     def _summary(self, col: int, check: Check, style: Style) -> None:
         """The largest value (or the number of leaps), the verdict, and where the error is if there is one."""
         column = self.own_column(col)
-        most = Call("SUM" if check.unit == "leap" else "MAX", (column,))
+        most = Call("SUM" if check.unit in COUNTED else "MAX", (column,))
         self.formula(MOST_ROW, col, most, self._boxed(style))
-        if check.unit in ("move", "turn"):
+        if check.unit in ("move", "turn", "shared"):
             self.put(AT_ROW, col, None, styles.VERDICT_MIDDLE)
             self.put(VERDICT_ROW, col, None, styles.VERDICT_MIDDLE)
             return
@@ -316,6 +319,10 @@ class _Sheet:
         leaps = [col for col, check in enumerate(self.checks, DATA) if check.unit == "leap"]
         if leaps:
             plan.at.spots["#leaps"] = plan.at.shown["#leaps"] = Spot(self.title, MOST_ROW, leaps[0])
+        shared = [col for col, check in enumerate(self.checks, DATA) if check.unit == "shared"]
+        if shared:  # more than one column only in mechanisms of very many groups: the first sheet reads the first
+            plan.at.spots["#shared"] = plan.at.shown["#shared"] = Spot(self.title, MOST_ROW, shared[0])
+            plan.at.shown["#shared rows"] = Spot(self.title, FIRST, shared[0])
         area = Area(CLEAR_ROW, VALUE, CLEAR_ROW, VALUE + 2)
         for key, style in (("clear", styles.GOOD), ("not_clear", styles.BAD)):
             here = CellRef(CLEAR_ROW, VALUE, True, True)

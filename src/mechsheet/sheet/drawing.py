@@ -52,6 +52,10 @@ DRAWING_INNER = (0.01, 0.01, 0.98, 0.98)
 PATH_INNER = (0.08, 0.12, 0.85, 0.85)
 
 
+MOST_SERIES = 255
+"""Series that a chart of a spreadsheet takes: of mechanisms of very many points the last are drawn without their names."""
+
+
 @dataclass(frozen=True, slots=True)
 class Drawing:
     """The sheet, the chart of the mechanism, the charts of paths by their points, and where quantities stand.
@@ -82,8 +86,10 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     shown = _shown(page, requests, cells)
     place_names(page, cells, guides)
     first, last = marks(page, cells)
-    series = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *_shapes(page, cells, guides)]
-    series += [*names_of(page, cells), *frame.series, _caption(page), *last]
+    behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *_shapes(page, cells, guides)]
+    before = [*frame.series, _caption(page), *last]
+    names = names_of(page, cells)[: max(0, MOST_SERIES - len(behind) - len(before))]
+    series = [*behind, *names, *before]
     title = plan.mechanism.title.of(plan.language)
     chart = Chart(
         "", Anchor(0, 0, SIZE, SIZE), tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="", inner=DRAWING_INNER,

@@ -45,6 +45,7 @@ class Findings:
     transmission  groups that have an angle of transmission
     reach         what the first group's closing depends on, where that is one length; then the driver's range is known
     limits        True where some group can stop closing
+    meets         True where some group has two assemblies, which may meet
     """
 
     four_bars: tuple[FourBar, ...]
@@ -54,6 +55,7 @@ class Findings:
     transmission: tuple[Group, ...]
     reach: Reach | None = None
     limits: bool = False
+    meets: bool = False
 
     @property
     def entries(self) -> list[str]:
@@ -61,7 +63,7 @@ class Findings:
         lines = ["rows", "missing"]
         lines += ["limits"] if self.limits else []
         lines += ["input"] if self.reach else []
-        lines += ["closure", "leaps"]
+        lines += ["closure", "leaps", *(["shared"] if self.meets else [])]
         lines += [f"grashof {loop.group}" for loop in self.four_bars]
         lines += [f"swing {link.angle_symbol}" for link in self.swings]
         lines += [f"stroke {joint.symbol}" for joint in self.strokes]
@@ -94,6 +96,7 @@ def findings(mechanism: Mechanism, equations: Equations) -> Findings:
         tuple(group for group in equations.groups if group.transmission in names),
         reach_of(mechanism, equations),
         any(group.sides for group in equations.groups),
+        any(group.mode and group.sides for group in equations.groups),
     )
 
 

@@ -61,6 +61,9 @@ WORDS: dict[str, tuple[str, str]] = {
     "stands.leaps": ("leaps", "sıçrama"),
     "stands.no_leap": ("no leap from row to row", "satırdan satıra sıçrama yok"),
     "stands.some_leaps": ("other branch, or steps too coarse", "başka dal ya da adım çok büyük"),
+    "stands.shared": ("shared", "ortak"),
+    "stands.none_shared": ("the two assemblies never meet", "iki montaj hiç birleşmiyor"),
+    "stands.some_shared": ("both assemblies meet: the mode decides", "iki montaj birleşiyor: işaret belirler"),
     "stands.grashof": ("Grashof", "Grashof"),
     "stands.grashof.one": ("{loop}: crank-rocker, {link} turns", "{loop}: krank-sarkaç, {link} tam döner"),
     "stands.grashof.both": ("{loop}: double crank (drag link)", "{loop}: çift krank"),
@@ -194,6 +197,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.motion": ("From row to row", "Satırdan satıra"),
     "checks.move": ("farthest move", "en büyük ilerleme"),
     "checks.turn": ("largest turn", "en büyük dönme"),
+    "checks.shared": ("both assemblies", "iki montaj"),
     "checks.leap": ("leap", "sıçrama"),
     "notes.use": ("How to use this workbook", "Bu çalışma kitabı nasıl kullanılır"),
     "notes.use.inputs": (

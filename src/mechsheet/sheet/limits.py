@@ -7,7 +7,8 @@ into eight, seven more cut an eighth into eight; from there regula falsi, and in
     f = min over groups (a + b - s, s - |a - b|; or hypotenuse - |leg|) + tol / 2,
 
 lead to the limit. Two last trials, a hair before and behind it, prove it: one exists, the other does not. Where they do not
-(two groups fail within a 64th of a step), the end that exists is given instead, with the width that is left.
+(pins that coincide in one row only; two groups that fail within a 64th of a step), the nearest trial that does not exist is
+given instead, with the width that is left.
 
 By formula, for the first group. Of the lengths that must form a triangle one depends on the driver alone; its square (for a
 leg: itself) is
@@ -176,7 +177,8 @@ class Limits:
         limit, low, width, hair = cells
         nothing = Text(NOTHING)
         number = styles.decimals(styles.RESULT, 6)
-        self._formula(AT, col, Call("IFERROR", (Call("IF", (proved, limit, low)), nothing)), number)
+        beyond = al.add(low, width)  # the missing row itself where only that one is missing: pins that coincide there
+        self._formula(AT, col, Call("IFERROR", (Call("IF", (proved, limit, beyond)), nothing)), number)
         words = Call("IF", (ends, Text(self.text("ends")), Text(self.text("begins"))))
         self._formula(WAY, col, Call("IFERROR", (words, nothing)), styles.VERDICT_MIDDLE)
         missing = Call("IF", (ends, row, al.sub(row, al.ONE)))

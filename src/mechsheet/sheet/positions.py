@@ -292,8 +292,6 @@ def _status_word(plan: Plan, group: Group) -> Node:
     if group.degenerate is None:
         return open_
     undetermined = Text(plan.text("status.undetermined", links=links))
-    if not isinstance(group.degenerate, Binary):
-        return open_
     return Call("IF", (plan.at.bind(group.degenerate, plan.table, plan.at.first), undetermined, open_))
 
 

@@ -21,6 +21,7 @@ from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.naming import link_words
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Joint, Link
+from mechsheet.sheet.gaps import gap_of
 from mechsheet.sheet.geometry import distance, measured_pairs, place
 from mechsheet.sheet.plan import EXISTS, Plan
 from mechsheet.sheet.symbols import plain
@@ -41,7 +42,8 @@ class Check:
 
     group    what stands over it: the link or the joint
     head     what is measured
-    unit     "length", "angle" (radians): errors; "move" (length), "turn" (an angle as people read it); "leap" (0 or 1)
+    unit     "length", "angle" (radians): errors; "move" (length), "turn" (an angle as people read it); "leap" (0 or 1);
+             "shared" (0 or 1): both assemblies of a group meet there
     formula  for the first row of the table, bound; an empty text in rows that do not exist
     given    constants from the description that it is measured against, in cells over the column: a length, or (u, v)
     after    True where the row above is read: the first row has no value
@@ -49,7 +51,7 @@ class Check:
 
     group: str
     head: str
-    unit: Literal["length", "angle", "move", "turn", "leap"]
+    unit: Literal["length", "angle", "move", "turn", "leap", "shared"]
     formula: Node
     given: tuple[Node, ...] = ()
     after: bool = False
@@ -77,6 +79,7 @@ def residuals(plan: Plan, frame: Frame) -> tuple[Check, ...]:
         ruler.slide(joint)
     ruler.driver()
     ruler.motion()
+    ruler.shared()
     return tuple(ruler.found)
 
 
@@ -222,6 +225,19 @@ class _Ruler:
         if motions:
             group, head = self.plan.text("checks.motion"), self.plan.text("checks.leap")
             self.found.append(Check(group, head, "leap", self._leap(motions, self.frame.col + start), after=True))
+
+    def shared(self) -> None:
+        """Whether both assemblies of some group meet in a row: its gap is 0 there, rounding aside."""
+        gaps = [self._in_row(gap_of(group)) for group in self.plan.equations.groups if group.mode and group.sides]
+        group, head = self.plan.text("checks.motion"), self.plan.text("checks.shared")
+        for batch in range(0, len(gaps), BATCH):
+            least = al.smallest(gaps[batch : batch + BATCH])
+            meets = Call("IF", (Binary("<=", least, self.frame.rounding), al.ONE, al.ZERO))
+            self.found.append(Check(group, head, "shared", Call("IF", (self.exists(), meets, Text("")))))
+
+    def _in_row(self, node: Node) -> Node:
+        """An expression over columns, as this sheet reads them in the first row."""
+        return self.plan.at.bind(node, self.frame.title, self.plan.at.first)
 
     def _compared(self, unit: Literal["move", "turn"], changes: list[Node]) -> None:
         """The largest change since the row above, in rows that exist as the row above does."""

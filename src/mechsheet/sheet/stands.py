@@ -37,6 +37,8 @@ def write_stands(writer: Writer) -> None:
     if found.reach is not None:
         block.input_range()
     block.checks()
+    if found.meets:
+        block.shared()
     for loop in found.four_bars:
         block.grashof(loop)
     for link in found.swings:
@@ -201,6 +203,20 @@ class _Block:
         self.line("leaps", self.text("leaps"), "", count, styles.decimals(styles.RESULT, 0), words)
         self.colour("leaps", none, styles.GOOD)
         self.colour("leaps", Call("NOT", (none,)), styles.WARN)
+
+    def shared(self) -> None:
+        """Rows in which both assemblies of a group meet, and the first of them."""
+        cell = CellRef(self.rows["shared"], VALUE, True, True)
+        none = Binary("=", cell, al.ZERO)
+        words = Call("IF", (none, self.said("none_shared"), self.said("some_shared")))
+        self.line("shared", self.text("shared"), "", self.value("#shared"), styles.decimals(styles.RESULT, 0), words)
+        spot = self.plan.at.shown["#shared rows"]
+        first, last = (
+            CellRef(row, spot.col, True, True, spot.sheet) for row in (spot.row, spot.row + self.plan.rows - 1)
+        )
+        where = Call("INDEX", (self.drivers(), Call("MATCH", (al.ONE, RangeRef(first, last), al.ZERO))))
+        self.at("shared", Call("IF", (none, Text(""), where)))
+        self.colour("shared", Call("NOT", (none,)), styles.WARN)
 
     # --- four-bar loops ---------------------------------------------------------------------------------------
 

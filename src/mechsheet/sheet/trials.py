@@ -16,9 +16,10 @@ from dataclasses import dataclass
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, shifted, symbols
 from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.kinematics.equations import Equation
 from mechsheet.sheet import styles
 from mechsheet.sheet.expansion import needed, substituted
+from mechsheet.sheet.gaps import gap_of
 from mechsheet.sheet.plan import Plan, unit_text
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Cell, Content, Fill, Style
@@ -211,18 +212,6 @@ class Trials:
     def column(self, col: int, row: int, count: int) -> RangeRef:
         """The cells of a column in `count` rows."""
         return RangeRef(self.cell(col, row), self.cell(col, row + count - 1))
-
-
-def gap_of(group: Group) -> Node:
-    """By how much a group's links reach each other: positive where it closes, 0 at its limit, negative beyond.
-
-    Of a triangle the smaller of a + b - s and s - |a - b|; of a right triangle the hypotenuse less the leg.
-    """
-    if len(group.sides) == 2:
-        hypotenuse, leg = group.sides
-        return al.sub(hypotenuse, leg if al.is_zero(leg) else Call("ABS", (leg,)))
-    a, b, s = group.sides
-    return Call("MIN", (al.sub(al.add(a, b), s), al.sub(s, Call("ABS", (al.sub(a, b),)))))
 
 
 def _flat_at_limit(gap: Node, tolerance: Node, form: Node) -> Node:
