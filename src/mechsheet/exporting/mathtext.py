@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable, Iterable
 
 from mechsheet.exporting.position import Position
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from mechsheet.formula.printer import number_text, print_formula
+from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.loops import Vector
 from mechsheet.sheet.language import Language
 from mechsheet.sheet.positions import places
@@ -19,6 +21,9 @@ RAW = "#"
 RATIO_PLACES = 4
 DIGITS = 6
 """Of a number without a unit (an area): significant digits."""
+
+EXACT = 12
+"""Digits of a constant of the description: more than anybody writes, fewer than rounding makes of 0.1 + 0.2."""
 
 _COMMANDS = {letter: f"\\{name}" for name, letter in GREEK.items()} | {"φ": r"\varphi", "ε": r"\varepsilon"}
 _POINTS = re.compile(r"(?:[A-Z]\d*)+")
@@ -67,6 +72,24 @@ def decimal(text: str, language: Language) -> str:
     return text.replace(".", "{,}") if language == "tr" else text
 
 
+def seen(code: str) -> int:
+    """About how many characters of LaTeX code are seen."""
+    return len(re.sub(r"\\[A-Za-z]+|[{}\\^_]", "", code))
+
+
+def packed(terms: Iterable[str], width: int) -> list[str]:
+    """Terms joined by their signs, as many on a line as it has room for."""
+    lines = [""]
+    for term in terms:
+        sign, plain = (" - ", term[1:]) if term.startswith("-") else (" + ", term)
+        joined = lines[-1] + sign + plain if lines[-1] else term
+        if lines[-1] and seen(joined) > width:
+            lines.append(sign.lstrip() + plain)
+        else:
+            lines[-1] = joined
+    return lines
+
+
 def on_paper(node: Node) -> Node:
     """As a textbook writes it: the value where the position exists, without the guards against its absence."""
     match node:
@@ -102,9 +125,22 @@ class Pen:
         """A number that is no whole one, in the language's spelling."""
         if not isinstance(node, Number) or (node.value.is_integer() and abs(node.value) < 1e9):
             return node
-        mantissa, _, exponent = number_text(node.value, "e").partition("e")
+        mantissa, _, exponent = f"{node.value:.{EXACT}g}".partition("e")
         text = decimal(mantissa, self.language)
-        return Symbol(f"{RAW}{text} \\cdot 10^{{{exponent}}}" if exponent else RAW + text)
+        return Symbol(f"{RAW}{text} \\cdot 10^{{{int(exponent)}}}" if exponent else RAW + text)
+
+    def terms(self, node: Node, write: Callable[[Node], str]) -> list[str]:
+        """The terms of a sum, each with its sign, written by `write`; of anything else the whole."""
+        found: list[str] = []
+        waiting: list[tuple[int, Node]] = [(1, transform(node, on_paper))]
+        while waiting:
+            sign, part = waiting.pop()
+            match part:
+                case Binary("+" | "-" as op, left, right):
+                    waiting += [(sign if op == "+" else -sign, right), (sign, left)]
+                case _:
+                    found.append(write(part if sign > 0 else al.neg(part)))
+        return found
 
     def vector(self, vector: Vector) -> str:
         """r e^{i theta}; along the axes r and i r."""

@@ -6,13 +6,12 @@ the steps in their order with symbols and with numbers, and the check that the n
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from mechsheet.exporting import solution_words as words
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.mathtext import Pen, point_math, symbol_math
+from mechsheet.exporting.mathtext import Pen, packed, point_math, seen, symbol_math
 from mechsheet.exporting.position import Position, position_at
 from mechsheet.exporting.program import one_line, quantity
 from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
@@ -27,8 +26,11 @@ from mechsheet.model import Words
 LINE = 66
 """Characters of LaTeX that numbers and their result may share a line with."""
 
-WIDE, TOO_WIDE = 84, 130
-"""Characters seen on a line: from the first on they are set small, from the second on only the result is given."""
+WIDE, TOO_WIDE = 76, 130
+"""Characters seen on a line: sums are broken there; what cannot be is set small, or (numbers only) left out."""
+
+MOST_LINES = 3
+"""Of numbers, before they are left out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,19 +186,18 @@ class _Writer:
         lines = []
         named = loop.left_way != loop.right_way
         if named:
-            lines.append(f"{_way(loop.left_way)} &= {_way(loop.right_way)}")
-        sides = [" + ".join(pen.vector(vector) for vector in side) or "0" for side in (loop.left, loop.right)]
-        lines.append(f"{sides[0]} &= {sides[1]}")
+            lines += _equated(_way(loop.left_way), _way(loop.right_way))
+        lines += _equated(*([pen.vector(vector) for vector in side] for side in (loop.left, loop.right)))
         self.paragraph(self.say(words.VECTORS if named else words.COMPLEX))
         self.blocks.append(Display(tuple(lines)))
         self.paragraph(self.say(words.SCALARS))
-        scalars = []
+        scalars: list[str] = []
         for part in (al.cos, al.sin):
             left, right = (
-                _sum(al.mul(vector.length, part(vector.angle)) for vector in side) for side in (loop.left, loop.right)
+                [pen.formula(node) for v in side if not al.is_zero(node := al.mul(v.length, part(v.angle)))]
+                for side in (loop.left, loop.right)
             )
-            if not (al.is_zero(left) and al.is_zero(right)):
-                scalars.append(f"{pen.formula(left)} &= {pen.formula(right)}")
+            scalars += _equated(left, right) if left or right else []
         self.blocks.append(Display(tuple(scalars)))
         solved = [eq.symbol for eq in self.equations.columns if eq.group == group.number and eq.kind == "variable"]
         unknown = [name for name in loop.reads if name in solved]
@@ -254,23 +255,23 @@ class _Writer:
 
     def step(self, symbol: str, node: Node, unit: str) -> list[str]:
         """symbol = expression = numbers = value, on one, two or three lines."""
-        result = self.pen.result(symbol)
-        lines = [f"{symbol_math(symbol)} &= {self.pen.formula(node)}"]
+        pen = self.pen
+        name, result = symbol_math(symbol), pen.result(symbol)
         if al.value_of(node) is not None:
-            return [f"{symbol_math(symbol)} &= {result}"]
-        if not symbols(node):
-            return [f"{lines[0]} = {result}"]
-        numbers = self.pen.substituted(node, unit)
-        if isinstance(node, Symbol):
-            return [f"{lines[0]} = {result}"]
-        if len(numbers) + len(result) <= LINE:
-            return [*lines, f"&= {numbers} = {result}"]
-        seen = len(re.sub(r"\\[A-Za-z]+|[{}\\]", "", numbers))
-        if seen > TOO_WIDE:
-            return [f"{lines[0]} = {result}"]
-        if seen > WIDE:  # in the style of a text the parts of a fraction are set small
-            numbers = rf"{{\textstyle {numbers}}}" if numbers.startswith(r"\frac") else rf"{{\scriptstyle {numbers}}}"
-        return [*lines, f"&= {numbers}", f"&= {result}"]
+            return [f"{name} &= {result}"]
+        lines = _broken(f"{name} &= ", packed(pen.terms(node, pen.formula), WIDE))
+        if not symbols(node) or isinstance(node, Symbol):
+            return [*lines[:-1], f"{lines[-1]} = {result}"]
+        numbers = packed(pen.terms(node, lambda part: pen.substituted(part, unit)), WIDE)
+        widest = max(seen(line) for line in numbers)
+        if widest > TOO_WIDE or len(numbers) > MOST_LINES:
+            return [*lines, f"&= {result}"]
+        if len(numbers) == 1 and len(numbers[0]) + len(result) <= LINE:
+            return [*lines, f"&= {numbers[0]} = {result}"]
+        if widest > WIDE:  # in the style of a text the parts of a fraction are set small
+            style = r"\textstyle" if numbers[0].startswith(r"\frac") else r"\scriptstyle"
+            numbers = [f"{{{style} {line}}}" for line in numbers]
+        return [*lines, *_broken("&= ", numbers), f"&= {result}"]
 
     def result(self) -> None:
         """All variables, points and outputs at the position."""
@@ -296,13 +297,19 @@ def _cells(*codes: str) -> tuple[Inline, ...]:
     return tuple((Math(code),) for code in codes)
 
 
-def _way(steps: tuple[tuple[str, str], ...]) -> str:
+def _way(steps: tuple[tuple[str, str], ...]) -> list[str]:
     """The vectors of a side by the names of their ends."""
-    return " + ".join(rf"\overrightarrow{{{point_math(start)}{point_math(end)}}}" for start, end in steps) or "0"
+    return [rf"\overrightarrow{{{point_math(start)}{point_math(end)}}}" for start, end in steps]
 
 
-def _sum(terms: Iterable[Node]) -> Node:
-    total: Node = al.ZERO
-    for term in terms:
-        total = al.add(total, term)
-    return total
+def _equated(left: Sequence[str], right: Sequence[str]) -> list[str]:
+    """left = right on one line, or each side on lines of its own."""
+    sides = [packed(side or ["0"], WIDE) for side in (left, right)]
+    if len(sides[0]) == len(sides[1]) == 1 and seen(sides[0][0] + sides[1][0]) <= WIDE:
+        return [f"{sides[0][0]} &= {sides[1][0]}"]
+    return [*_broken("& ", sides[0]), *_broken("&= ", sides[1])]
+
+
+def _broken(head: str, lines: Sequence[str]) -> list[str]:
+    """The lines of one side, those after the first a little to the right."""
+    return [head + lines[0], *(rf"&\quad {line}" for line in lines[1:])]
