@@ -1,5 +1,6 @@
 """The case files of the engine: formulas with what they give, over one set of cells."""
 
+import json
 import math
 import tomllib
 from datetime import date, time, timedelta
@@ -40,6 +41,21 @@ def answered(value):
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value) if math.isfinite(value) else ErrorValue("#NUM!")
     return "" if value is None else value
+
+
+def spelt(value):
+    """A value as TOML."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return repr(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
+    text = value.code if isinstance(value, ErrorValue) else "" if value is None else str(value)
+    return quoted(text)
+
+
+def quoted(text):
+    """A text as TOML."""
+    return json.dumps(text, ensure_ascii=False)
 
 
 def cells():

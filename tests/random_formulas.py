@@ -9,8 +9,8 @@ ROWS, COLUMNS = 8, 8
 _LETTERS = "ABCDEFGH"
 
 UNTRIED = {
-    "ANCHORARRAY", "AREAS", "CELL", "FORMULATEXT", "HYPERLINK", "INDIRECT", "INFO", "ISFORMULA", "ISREF", "OFFSET",
-    "SHEET", "SHEETS", "SINGLE", "ENCODEURL", "DGET", "CUMIPMT", "CUMPRINC", "VALUETOTEXT", "ARRAYTOTEXT",
+    "ANCHORARRAY", "AREAS", "CELL", "COLUMN", "ROW", "FORMULATEXT", "HYPERLINK", "INDIRECT", "INFO", "ISFORMULA", "ISREF",
+    "OFFSET", "SHEET", "SHEETS", "SINGLE", "ENCODEURL", "DGET", "CUMIPMT", "CUMPRINC", "VALUETOTEXT", "ARRAYTOTEXT",
 }  # fmt: skip
 """Functions of references and surroundings, which have tests of their own, and some that no other program has."""
 

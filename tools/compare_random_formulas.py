@@ -1,8 +1,9 @@
 """A long differential campaign: random formulas computed here and by other programs.
 
-    python tools/compare_random_formulas.py SEED COUNT
+    python tools/compare_random_formulas.py SEED COUNT [--write]
 
-Prints the formulas whose value no other program confirms, and those on which two others agree otherwise.
+Prints the formulas whose value no other program confirms, and those on which two others agree otherwise. The confirmed ones
+can be written to `tests/cases/engine/random`.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
 from asking import PROGRAMS, agree, asked, code_agrees, ours, outvoted  # noqa: E402
+from engine_cases import FOLDER, quoted, spelt  # noqa: E402
 from mechsheet.formula.nodes import ErrorValue  # noqa: E402
 from random_formulas import Formulas, random_cells  # noqa: E402
 
@@ -57,6 +59,7 @@ def main() -> None:
     texts = [formulas.formula() for _ in range(count)]
     mine, theirs = ours(texts, grid), asked_in_time(texts, grid)
     tally: Counter[str] = Counter()
+    agreed: list[Any] = []
     for place, text in enumerate(texts):
         given = {program: values[place] for program, values in theirs.items()}
         known = {p: v for p, v in given.items() if str(v) not in ("#NAME?", "#N/IMPL!", "#ERROR!", "Err:508")}
@@ -68,8 +71,19 @@ def main() -> None:
         tally[kind] += 1
         if kind != "confirmed":
             print(f"{kind:12s}{text:70s} ours {mine[place]!s:22} " + "  ".join(f"{p} {v!s}" for p, v in known.items()))
+        else:
+            agreed.append((text, mine[place]))
     print(*sorted(tally.items()), sep="\n")
-    print(grid)
+    if "--write" in sys.argv:
+        write(seed, grid, agreed)
+
+
+def write(seed: int, grid: list[Any], agreed: list[Any]) -> None:
+    """The cells, and the formulas whose values are confirmed."""
+    lines = ["# made by tools/compare_random_formulas.py", "cells = ["]
+    lines += [f"  [{row}, {col}, {spelt(value)}]," for row, col, value in grid]
+    lines += ["]", "cases = [", *(f"  [{quoted(text)}, {spelt(value)}]," for text, value in agreed), "]", ""]
+    (FOLDER / "random" / f"seed_{seed}.toml").write_text("\n".join(lines), encoding="utf-8")
 
 
 if __name__ == "__main__":

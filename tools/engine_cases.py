@@ -9,7 +9,6 @@ with the reason. What the programs give where they differ from a table goes to `
 
 from __future__ import annotations
 
-import json
 import re
 import sys
 from pathlib import Path
@@ -18,9 +17,9 @@ ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
 from asking import PROGRAMS, agree, asked, code_agrees, ours, outvoted  # noqa: E402
-from engine_cases import FOLDER, cells, load, scalar  # noqa: E402
+from engine_cases import FOLDER, cells, load, quoted, scalar, spelt  # noqa: E402
 from mechsheet.formula.functions import FUNCTIONS  # noqa: E402
-from mechsheet.formula.nodes import Call, ErrorValue, Node, Text, walk  # noqa: E402
+from mechsheet.formula.nodes import Call, Node, Text, walk  # noqa: E402
 from mechsheet.formula.parser import parse_formula  # noqa: E402
 from mechsheet.formula.printer import print_formula  # noqa: E402
 
@@ -62,21 +61,6 @@ def variants(formula: str) -> list[str]:
             if array:
                 found.append(f"SUMPRODUCT({node.name}({','.join([array, *shown[1:]])}))")
     return found
-
-
-def spelt(value: object) -> str:
-    """A value as TOML."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, float):
-        return repr(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
-    text = value.code if isinstance(value, ErrorValue) else "" if value is None else str(value)
-    return quoted(text)
-
-
-def quoted(formula: str) -> str:
-    """A text as TOML."""
-    return json.dumps(formula, ensure_ascii=False)
 
 
 def decided() -> dict[str, object]:

@@ -97,7 +97,8 @@ def solved(function: Callable[[float], float], guess: float) -> float:
             break
         new = rate - value / slope
         if new <= -1:
-            new = (rate - 1) / 2
+            rate = (rate - 1) / 2
+            continue
         if abs(new - rate) <= 1e-15 * max(1.0, abs(new)):
             return new
         rate = new
