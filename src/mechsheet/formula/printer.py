@@ -161,6 +161,8 @@ class _Printer:
             inner = _inside(operand, self.dialect.postfix)
             return _Printed(inner.text + "%", self.dialect.postfix, inner.depth)
         inner = _inside(operand, self.dialect.prefix)
+        if self.dialect.sets_signs_apart and inner.text.startswith("-"):
+            inner = _Printed(f"({inner.text})", _ATOM, inner.depth + 1)
         return _Printed(op + inner.text, self.dialect.prefix, inner.depth + 1)
 
     def infix(self, op: str, left: _Printed, right: _Printed) -> _Printed:

@@ -94,7 +94,7 @@ PYTHON = Dialect(
 LATEX = Dialect(
     "latex",
     {**COMPARISONS, **MATHEMATICS},
-    prefix=45,
+    prefix=35,
     postfix=0,
     leans_right=frozenset("^"),
     spelling={"<>": r"\ne", "<=": r"\le", ">=": r"\ge", "*": r"\,"},
