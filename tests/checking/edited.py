@@ -3,7 +3,10 @@
 from dataclasses import replace
 from pathlib import Path
 
-from mechsheet.compute import computed
+from mechsheet.checking.audit import Audit, audit
+from mechsheet.checking.expected import expected_for
+from mechsheet.checking.inputs import description_in
+from mechsheet.compute import book_of, computed
 from mechsheet.description import load
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Node, shifted
@@ -75,3 +78,11 @@ def saved(workbook: Workbook, path: Path) -> Path:
     """The file, every formula with its value."""
     write(computed(workbook), path)
     return path
+
+
+def audited(workbook: Workbook) -> Audit:
+    """What an audit finds, without a file and without values."""
+    book = book_of(workbook)
+    text = description_in(book)
+    assert text is not None
+    return audit(book, expected_for(text, "inside"))

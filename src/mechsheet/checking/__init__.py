@@ -12,6 +12,7 @@ from mechsheet.checking.audit import audit
 from mechsheet.checking.cells import Angles, angles_in, compare_cells
 from mechsheet.checking.expected import expected_for, inside
 from mechsheet.checking.inputs import description_in
+from mechsheet.checking.moves import MovedValues
 from mechsheet.checking.mutate import Mutation, mutate
 from mechsheet.checking.perturb import Perturbation, perturb
 from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
@@ -92,7 +93,8 @@ def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say
         found = audit(book, expected)
         edits = found.edits
         say("solving")
-        comparison, of_inputs = against_plan(book, values, expected.plan, shown)
+        placed = MovedValues(values, found.moves) if found.moves else values
+        comparison, of_inputs = against_plan(found.book, placed, expected.plan, shown)
         comparisons.append(comparison)
         remarks += [*found.remarks, *of_inputs]
         angles = angles_in(expected.plan)

@@ -7,13 +7,13 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from mechsheet.checking.expected import Expected, Inputs
+from mechsheet.checking.moves import Moves, moves_between, undone
 from mechsheet.checking.report import Edit, text_of
 from mechsheet.checking.trees import Formulas, alike, formula_of, neutral, stretches
 from mechsheet.formula.book import Book, BookSheet
 from mechsheet.formula.names import folded
 from mechsheet.formula.nodes import NameRef, Node, Number, Scalar, Unary, shifted, transform
 from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import area_name, cell_address, cell_name
 
 SAME = 1e-13
 """Numbers this near (relatively) are one: programs write 15 to 17 digits."""
@@ -24,16 +24,25 @@ MANY = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Audit:
-    """`edits` are faults, `remarks` what a person should know: inputs that were changed, cells that were added."""
+    """What was found in a book.
+
+    edits    faults, told at the places that the cells have now
+    remarks  what a person should know: inputs that were changed, cells that were added, rows that were inserted
+    moves    where cells, rows and sheets went;  book  the same book with all of them back in their places
+    """
 
     edits: tuple[Edit, ...]
     remarks: tuple[str, ...]
+    moves: Moves
+    book: Book
 
 
 def audit(book: Book, expected: Expected) -> Audit:
-    """Compare a book with the one that its description would build; both have their sheets and cells in the same places."""
-    edits = [*_sheets(book, expected), *_names(book, expected)]
-    remarks: list[str] = []
+    """Compare a book with the one that its description would build."""
+    moves = moves_between(expected.book, book)
+    book = undone(book, moves)
+    edits = [*moves.edits(expected.book), *_sheets(book, expected), *_names(book, expected)]
+    remarks = list(moves.remarks())
     inputs = expected.inputs()
     formulas = differing = 0
     for sheet in expected.book.sheets:
@@ -41,15 +50,15 @@ def audit(book: Book, expected: Expected) -> Audit:
         if other is None or sheet.title == expected.description_sheet:
             continue
         found = list(_merged(_changes(sheet, other)))
-        edits += [_edit(change, sheet, other) for change in found]
-        edits += _numbers(sheet, other, inputs)
-        remarks += _constants(sheet, other, inputs, expected)
-        remarks += _added(sheet, other, inputs)
+        edits += [_edit(change, sheet, other, moves) for change in found]
+        edits += _numbers(sheet, other, inputs, moves)
+        remarks += _constants(sheet, other, inputs, expected, moves)
+        remarks += _added(sheet, other, inputs, moves)
         formulas += sum(block.rows * block.cols for block in sheet.blocks)
         differing += sum(change.rows * change.cols for change in found)
     if formulas and differing > MANY * formulas:
         remarks.append(f"{differing} of {formulas} formulas differ: was it built by another version of mechsheet?")
-    return Audit(tuple(edits), tuple(remarks))
+    return Audit(tuple(edits), tuple(remarks), moves, book)
 
 
 # --- sheets and names ----------------------------------------------------------------------------------------------
@@ -152,8 +161,8 @@ def _goes_on(last: _Change, change: _Change, down: bool) -> bool:
     return shifted(last.now, *step) == change.now
 
 
-def _edit(change: _Change, sheet: BookSheet, other: BookSheet) -> Edit:
-    where = f"{sheet.title}!{area_name(change.row, change.col, change.rows, change.cols)}"
+def _edit(change: _Change, sheet: BookSheet, other: BookSheet, moves: Moves) -> Edit:
+    where = moves.area(sheet.title, change.row, change.col, change.rows, change.cols)
     was = _printed(change.was)
     if change.now is None:
         if change.value is None:
@@ -167,7 +176,7 @@ def _edit(change: _Change, sheet: BookSheet, other: BookSheet) -> Edit:
         return Edit("overwritten", where, was, shown)
     run = sheet.formula_at(change.row, change.col)
     if run is not None and (run.rows > change.rows or run.cols > change.cols):
-        around = f" (filled over {area_name(run.row, run.col, run.rows, run.cols)})"
+        around = f" (filled over {moves.area(sheet.title, run.row, run.col, run.rows, run.cols)})"
         return Edit("out of its run", where, was, _printed(change.now), around)
     return Edit("changed", where, was, _printed(change.now))
 
@@ -179,18 +188,18 @@ def _printed(node: Node) -> str:
 # --- constants -----------------------------------------------------------------------------------------------------
 
 
-def _numbers(sheet: BookSheet, other: BookSheet, inputs: Inputs) -> Iterator[Edit]:
+def _numbers(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> Iterator[Edit]:
     """Numbers that are no inputs, and inputs in whose place something else stands."""
     theirs = Formulas(other)
     for row, col, value in sheet.constants.items():
         is_input = (sheet.title, row, col) in inputs
         formula = theirs.at(row, col)
         if formula is not None and (is_input or not isinstance(value, str)):
-            yield Edit("formula", cell_address(sheet.title, row, col), text_of(value), _printed(formula))
+            yield Edit("formula", moves.area(sheet.title, row, col), text_of(value), _printed(formula))
         elif not is_input and isinstance(value, float | int) and formula is None:
             now = other.constants.get(row, col)
             if not same(value, now):
-                yield Edit("value", cell_address(sheet.title, row, col), text_of(value), text_of(now))
+                yield Edit("value", moves.area(sheet.title, row, col), text_of(value), text_of(now))
 
 
 def same(one: Scalar, other: Scalar) -> bool:
@@ -202,14 +211,14 @@ def same(one: Scalar, other: Scalar) -> bool:
     return one == other
 
 
-def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Expected) -> Iterator[str]:
+def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Expected, moves: Moves) -> Iterator[str]:
     """Inputs that were changed, and texts. Not the position shown, which says nothing, nor modes: others tell of them."""
     spots = expected.plan.at.spots
     silent = {
         spots[key] for key in ("#position", *(group.mode for group in expected.plan.equations.groups if group.mode))
     }
     places = {(spot.sheet, spot.row, spot.col) for spot in silent}
-    texts: list[str] = []
+    texts: list[tuple[int, int]] = []
     theirs = Formulas(other)
     for row, col, value in sheet.constants.items():
         now = other.constants.get(row, col)
@@ -217,20 +226,20 @@ def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Exp
         if same(value, now) or theirs.at(row, col) is not None or place in places:
             continue
         if place in inputs:
-            symbol = inputs[place] or cell_address(*place)
+            symbol = inputs[place] or moves.area(*place)
             yield f"{symbol} is {_number(now)}, was {_number(value)}"
         elif isinstance(value, str):
-            texts.append(cell_name(row, col))
+            texts.append((row, col))
     for place, symbol in inputs.items():  # tolerances that were not given
         if place[0] == sheet.title and sheet.constants.get(*place[1:]) is None:
             now = other.constants.get(*place[1:])
             if now is not None and theirs.at(*place[1:]) is None:
                 yield f"{symbol} is {_number(now)}, was not given"
     if texts:
-        yield f"{sheet.title}: texts changed in {_listed(texts)}"
+        yield f"{moves.now(sheet.title)}: texts changed in {_listed(sheet.title, texts, moves)}"
 
 
-def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs) -> Iterator[str]:
+def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> Iterator[str]:
     """Cells of the user's own on free places."""
     ours, theirs = Formulas(sheet), Formulas(other)
 
@@ -242,11 +251,12 @@ def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs) -> Iterator[str]:
     for col, start, stop in stretches(theirs, Formulas(None)):
         cells |= {(row, col) for row in range(start, stop) if theirs.block(row, col) and is_free(row, col)}
     if cells:
-        yield f"{sheet.title}: cells of your own in {_listed([cell_name(*cell) for cell in sorted(cells)])}"
+        yield f"{moves.now(sheet.title)}: cells of your own in {_listed(sheet.title, sorted(cells), moves)}"
 
 
-def _listed(cells: list[str]) -> str:
-    return ", ".join(cells[:8]) + (f" and {len(cells) - 8} more" if len(cells) > 8 else "")
+def _listed(title: str, cells: list[tuple[int, int]], moves: Moves) -> str:
+    shown = ", ".join(moves.area(title, *cell).rpartition("!")[2] for cell in cells[:8])
+    return shown + (f" and {len(cells) - 8} more" if len(cells) > 8 else "")
 
 
 def _number(value: Scalar) -> str:

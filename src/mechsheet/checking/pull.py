@@ -10,6 +10,7 @@ from pathlib import Path
 from mechsheet.checking.audit import same
 from mechsheet.checking.changes import Change, changes_in, input_places
 from mechsheet.checking.expected import Expected, expected_for, inside
+from mechsheet.checking.moves import moves_between, undone
 from mechsheet.checking.perturb import description_or_fault
 from mechsheet.checking.sketching import with_modes
 from mechsheet.description.index import Path as Place
@@ -45,7 +46,7 @@ def pull(workbook: str | Path, into: str | Path | None = None) -> Pulled:
     shown = readable_name(path)
     book = read(path)
     base = expected_for(description_or_fault(book, shown), inside(shown))
-    changes = changes_in(book, base, shown)
+    changes = changes_in(undone(book, moves_between(base.book, book)), base, shown)
     file = inside(shown) if into is None else readable_name(into)
     raw = base.plan.mechanism.text.rstrip("\n") + "\n" if into is None else read_text(into)
     source = parse(raw, file)

@@ -41,7 +41,8 @@ class Edit:
 
     kind   "changed" a formula is another one; "out of its run" so it is in a part of a filled range; "overwritten" a
            constant stands in its place; "emptied" nothing does; "formula" one stands in the place of an input; "value" a
-           number that is no input; "name", "sheet" changed or missing; "deleted" rows or columns
+           number that is no input; "name", "sheet" changed or missing; "deleted" rows or columns,
+           "inserted" so inside a filled range
     where  the range, the name, or the sheet;  was, now  formulas or values there
     note   what else there is to say of the place
     """

@@ -32,6 +32,8 @@ def print_report(report: Any) -> None:
     for edit in report.edits[:EDITS]:
         was, now = focused(edit.was, edit.now)
         click.echo(f"  edited: {edit.where} {_WORDS.get(edit.kind, edit.kind)}{edit.note}")
+        if edit.kind == "inserted":
+            continue
         click.echo(f"          was {was or 'empty'}")
         click.echo(f"          is  {now or 'empty'}")
     if len(report.edits) > EDITS:
@@ -50,6 +52,7 @@ _WORDS = {
     "name": "is a name that was changed",
     "sheet": "is a sheet that is not as it was",
     "deleted": "was deleted",
+    "inserted": "was inserted",
 }
 
 
