@@ -4,7 +4,7 @@
 
 The book has the columns of a built workbook: the driver by start + n*step, the diagonal, its direction made continuous
 by a column that counts turns, the area of the triangle with #N/A where it does not close, the angles, the coupler point,
-degrees. Then a two-way table: one formula of a thousand characters, an adjustable pump's lever over the crank's angle (down)
+degrees. Then a two-way table: one long formula, an adjustable pump's lever over the crank's angle (down)
 and the stroke setting (across). Both sides run in turn, in one process; the figure is the ratio of the best times. "a_2
 changed" is a session in which one dimension is set and the last column read. --check fails where a goal is missed.
 """
