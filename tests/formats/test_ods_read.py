@@ -276,6 +276,32 @@ class TestFaults:
         values = evaluate(book)
         assert (values.get("S", 0, 1), values.get("S", 1, 1)) == (7.0, 8.0)
 
+    def test_as_excel_writes_ods(self, tmp_path):
+        """Errors as the number 0 that shows one, types without a value, the day that its calendar has too many."""
+
+        def computed(formula, value, shown):
+            about = f'office:value-type="float" office:value="{value}" table:formula="of:={formula}"'
+            return cell(about, f"<text:p>{shown}</text:p>")
+
+        day = cell('office:value-type="date" office:date-value="1900-02-29T12:00:00"')
+        first = row(cell('office:value-type="float"'), computed("NA()", 0, "#N/A"), day)
+        divided = [
+            (f"1/([.D{n}]-30)", 0, "#DIV/0!") if n == 30 else (f"1/([.D{n}]-30)", 1 / (n - 30), "0")
+            for n in range(2, 60)
+        ]
+        rows = "".join(row(computed(*one), cell(repeated=2), number(n)) for n, one in enumerate(divided, 2))
+        sheet = book_of(tmp_path, first + rows).sheets[0]
+        assert (sheet.constants.get(0, 0), sheet.cached.get(0, 1), sheet.constants.get(0, 2)) == (
+            None,
+            ErrorValue("#N/A"),
+            60.5,
+        )
+        assert (sheet.cached.get(28, 0), sheet.cached.get(29, 0), sheet.cached.get(30, 0)) == (
+            -1.0,
+            ErrorValue("#DIV/0!"),
+            1.0,
+        )
+
     def test_notations(self, tmp_path):
         def formula(notation, value):
             return cell(f'table:formula="{notation}" office:value-type="float" office:value="{value}"')

@@ -172,6 +172,8 @@ def _cell(
     elif group < 0:
         return None
     elif match[2] is not None:
-        expression.variable(*match.span(2), TEXT)
+        if match[2].startswith(b"#"):
+            return None  # an error as Excel writes it
+        expression.variable(*match.span(2), rb"(?!#)" + TEXT)
     attribute = None if changing is None else changing.decode()
     return Cell(group, col, about, attribute, kind in _NUMBERS, is_formula)

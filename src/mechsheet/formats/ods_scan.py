@@ -189,7 +189,11 @@ class ContentScan:
         words = self.words
         kind = about.get(words.value_type, "string" if text else "")
         if kind in ("float", "percentage", "currency"):
-            return self.number(table, row, col, about.get(words.value, ""), finite)
+            given = about.get(words.value)
+            error = error_of(text or "") if given in (None, "0") else None
+            if error is not None or given is None:
+                return error  # Excel writes its errors so; and a type without a value is an empty cell
+            return self.number(table, row, col, given, finite)
         if kind == "string":
             return self.text(about, text)
         if kind == "boolean":

@@ -43,6 +43,8 @@ def day_number(text: str, null_date: date) -> float | None:
     if match is None:
         return None
     year, month, day, hours, minutes, seconds = match.groups()
+    if (year, month, day) == ("1900", "02", "29"):  # a day of Excel's calendar only
+        month, day = "02", "28"
     try:
         days = (date(int(year), int(month), int(day)) - null_date).days
     except ValueError:
