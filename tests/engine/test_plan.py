@@ -5,6 +5,7 @@ import pytest
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book, evaluate
+from mechsheet.engine.kernels import KERNELS
 from mechsheet.engine.recurrence import Held, RunningSum, recognise
 from mechsheet.engine.sequence import Together
 from mechsheet.formula.book import BookBuilder
@@ -266,3 +267,28 @@ def test_names_nested_deeper_than_the_stack():
                            [*names, ("down", "LAMBDA(n,IF(n<1,0,1+down(n-1)))")]))  # fmt: skip
     assert column(values, "B", 1, 2) == [68, 900]
     assert values.remarks == ()
+
+
+def test_cells_of_a_column_that_cannot_be_computed_leave_the_others_alone():
+    what = ["row", "color", "col", "color"]
+    blocks = {"B1:B4": "CELL(A1,A1)", "C2:C4": "C1+CELL(A1,A$1)", "D1:D4": "A$1:A$2&1", "E2:E4": "E1+F$1:F$3"}
+    values = evaluate(book({"A": what, "C": [0.0], "E": [0.0], "F": [1.0, 2.0, 3.0]}, blocks))
+    assert column(values, "B", 1, 4) == [1, VALUE, 1, VALUE]
+    assert column(values, "C", 1, 4) == [0, 1, VALUE, VALUE]
+    assert column(values, "D", 1, 4) == ["row1", "color1", VALUE, VALUE]
+    assert column(values, "E", 1, 4) == [0, 2, 5, VALUE]
+    assert [fault.key for fault in values.remarks] == ["S!B2", "S!B4", "S!C3"]
+
+
+def test_a_fault_of_a_kernel_takes_one_cell(monkeypatch):
+    def broken(ev, args, frame, spread):
+        if float(np.ravel(ev.value(args[0], frame).numbers)[0]) == 2:
+            raise IndexError("broken")
+        return ev.value(args[0], frame)
+
+    monkeypatch.setitem(KERNELS, "ABS", broken)
+    values = evaluate(book({"A": [1.0, 2.0, 3.0]}, {"B1:B3": "ABS(A1)", "C1": "ABS(2)", "D1": "SUM(B1,B3)"}))
+    assert column(values, "B", 1, 3) == [1, 2, 3]
+    assert values.get("S", 0, 2) == VALUE
+    assert values.get("S", 0, 3) == 4
+    assert "not computed, by a fault of this program: IndexError: broken" in values.remarks[-1].message

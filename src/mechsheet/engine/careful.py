@@ -32,7 +32,7 @@ from ..formula.nodes import (
 from .closures import Bound, Scopes
 from .coerce import compared, each, numbers_of, to_text
 from .deep import deeply
-from .frames import ArrayArgumentError, Frame, Span, UnsupportedError, VaryingSizeError
+from .frames import ArrayArgumentError, Frame, NotReadyError, Span, UnsupportedError, VaryingSizeError
 from .kernels import KERNELS
 from .kernels_math import OPERATORS, snapped
 from .layout import Layout
@@ -89,19 +89,28 @@ class Evaluator(Reading):
         found = self._safely(formula, frame, True)
         shape = found.shape
         if len(shape) > 2:
-            numbers, codes = np.broadcast_to(found.numbers, shape)[:, :, 0, 0], codes_of_all(found)[:, :, 0, 0]
+            numbers = np.broadcast_to(found.numbers, shape)[:, :, 0, 0]
+            codes = np.broadcast_to(codes_of(found), shape)[:, :, 0, 0]
         else:
-            numbers, codes = np.reshape(found.numbers, (1, 1)), np.reshape(codes_of_all(found), (1, 1))
+            numbers, codes = np.reshape(found.numbers, (1, 1)), np.reshape(codes_of(found), (1, 1))
         return without_blanks(Cells(numbers, codes))
 
     def _safely(self, formula: Node, frame: Frame, spread: bool) -> Cells:
-        """The value, #VALUE! with a remark where it cannot be computed."""
+        """The value; of a single cell #VALUE! with a remark where it cannot be computed.
+
+        Raises VaryingSizeError for several cells of which some cannot be: each of them by itself may do better.
+        """
         try:
             return deeply(lambda: self._unsafely(formula, frame, spread))
-        except UnsupportedError as problem:
-            self.around.remark(str(problem), frame.sheet, frame.row, frame.col)
         except RecursionError:
-            self.around.remark("a formula nested too deeply", frame.sheet, frame.row, frame.col)
+            message = "a formula nested too deeply"
+        except NotReadyError:
+            raise
+        except Exception as problem:
+            if frame.rows > 1 or frame.cols > 1:
+                raise VaryingSizeError from problem
+            message = _reason(problem)
+        self.around.remark(message, frame.sheet, frame.row, frame.col)
         return error(VALUE)
 
     def _unsafely(self, formula: Node, frame: Frame, spread: bool) -> Cells:
@@ -264,6 +273,15 @@ class Evaluator(Reading):
         codes = np.array([[0 if cell.codes is None else int(cell.codes) for cell in row] for row in parts], np.uint8)
         shape = (*numbers.shape, 1, 1)
         return Cells(numbers.reshape(shape), codes.reshape(shape) if codes.any() else None)
+
+
+def _reason(problem: Exception) -> str:
+    """Why a cell cannot be computed. One formula that this program gets wrong must not take the others with it."""
+    if isinstance(problem, UnsupportedError):
+        return str(problem)
+    if isinstance(problem, VaryingSizeError | ArrayArgumentError):
+        return "an array where a single value is wanted"
+    return f"not computed, by a fault of this program: {type(problem).__name__}: {problem}"
 
 
 def without_blanks(cells: Cells) -> Cells:

@@ -62,7 +62,7 @@ class ArrayArgumentError(Exception):
 
 
 class NotReadyError(Exception):
-    """A cell that is needed has not been computed yet; what fills it (`Layout.producers`)."""
+    """A cell that is needed has not been computed yet; what fills it (`Layout.producers`), -1 for one of the step itself."""
 
     def __init__(self, producer: int) -> None:
         super().__init__()

@@ -17,7 +17,7 @@ from ..formula.book import Block
 from ..formula.nodes import Binary, Call, CellRef, FunctionRef, Node, walk
 from .careful import Evaluator
 from .coerce import numbers_of, truths_of
-from .frames import Frame
+from .frames import Frame, NotReadyError
 from .graph import area_read, reads_anywhere, references
 from .kernels_math import NEAR
 from .layout import Layout
@@ -85,9 +85,19 @@ def compute(kind: RunningSum | Held, ev: Evaluator, frame: Frame) -> Cells:
         return _held(kind, above, ev, frame)
 
 
+def _value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
+    """The value of a part of the formula; cell by cell where that is asked for, or where some cells cannot be computed."""
+    try:
+        return ev.value(node, frame)
+    except NotReadyError:
+        raise
+    except Exception:  # said of each cell that cannot be computed
+        return ev.cell_by_cell(lambda cell: ev.result(node, cell), frame)
+
+
 def _held(kind: Held, above: Cells, ev: Evaluator, frame: Frame) -> Cells:
-    mask, errors = truths_of(ev.value(kind.condition, frame), ev.texts)
-    value = ev.value(kind.value, frame)
+    mask, errors = truths_of(_value(ev, kind.condition, frame), ev.texts)
+    value = _value(ev, kind.value, frame)
     if not kind.taken:
         mask = ~mask
     if errors is not None:
@@ -106,7 +116,7 @@ def _held(kind: Held, above: Cells, ev: Evaluator, frame: Frame) -> Cells:
 
 def _running_sum(kind: RunningSum, above: Cells, ev: Evaluator, frame: Frame) -> Cells:
     rows = (frame.rows,)
-    steps, step_errors = numbers_of(ev.value(kind.step, frame), ev.texts)
+    steps, step_errors = numbers_of(_value(ev, kind.step, frame), ev.texts)
     start, start_error = numbers_of(above, ev.texts)
     steps = np.broadcast_to(-steps if kind.op == "-" else steps, rows)
     errors = np.zeros(rows, np.uint8) if step_errors is None else np.array(np.broadcast_to(step_errors, rows))

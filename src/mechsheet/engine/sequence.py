@@ -10,7 +10,7 @@ from ..formula.nodes import CellRef, Node, RangeRef
 from ..formula.references import cell_address
 from .arrays import fill_array
 from .careful import Evaluator
-from .frames import Frame
+from .frames import Frame, NotReadyError
 from .graph import Functions, references
 from .layout import Area, Layout
 from .marks import Marks
@@ -24,11 +24,11 @@ _MOST_CIRCLES = 20
 """Cells that are shown of a circle, and circles that are remarked: a column may have thousands."""
 
 
-class _PendingError(Exception):
+class _PendingError(NotReadyError):
     """A cell of the set is needed that has not been computed yet."""
 
     def __init__(self, cell: Cell) -> None:
-        super().__init__()
+        super().__init__(-1)
         self.cell = cell
 
 

@@ -11,6 +11,9 @@ from ..formula.nodes import FunctionRef, Node
 from ..formula.references import cell_address
 from .layout import Area
 
+_MOST = 100
+"""Cells of which the same is remarked."""
+
 
 def _no_reference(text: str, in_a1: bool, sheet: str, row: int, col: int) -> Node | None:
     del text, in_a1, sheet, row, col
@@ -39,6 +42,7 @@ class Surroundings:
     closely: bool = False
     sizes: dict[int, tuple[int, int]] = field(default_factory=dict)
     remarks: list[Fault] = field(default_factory=list)
+    _said: dict[str, int] = field(default_factory=dict)
 
     def need(self, area: Area) -> None:
         """Raise NotReadyError when not all cells of an area have been computed."""
@@ -47,6 +51,9 @@ class Surroundings:
     def remark(self, message: str, sheet: int, row: int, col: int) -> None:
         """Note what could not be computed in a cell."""
         place = cell_address(self.book.sheets[sheet].title, row, col) if sheet < len(self.book.sheets) else ""
-        fault = Fault(message, file=self.book.source, key=place)
-        if fault not in self.remarks:
-            self.remarks.append(fault)
+        said = self._said[message] = self._said.get(message, 0) + 1
+        if said <= _MOST:
+            more = " (and more cells)" if said == _MOST else ""
+            fault = Fault(f"{message}{more}", file=self.book.source, key=place)
+            if fault not in self.remarks:
+                self.remarks.append(fault)
