@@ -177,7 +177,7 @@ def median(numbers: Any, counts: Any) -> Any:
 def ranked(numbers: Any, counts: Any, place: Any, from_top: bool) -> Any:
     """LARGE and SMALL: the `place`-th; #NUM! outside 1..how many there are."""
     many = count(numbers, counts)
-    place = np.ceil(place)
+    place = np.where(np.less(place, 1), 0.0, np.ceil(place))
     ordered = np.sort(np.where(counts, numbers, np.inf), axis=0)
     index = many - place if from_top else place - 1
     outside = ~((place >= 1) & (place <= many))  # also where it is no number

@@ -3,22 +3,19 @@ and is searched for all cells of the frame at once; where it moves, each cell is
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..formula.nodes import Call, Local, Missing, Node
 from .calling import spread_cells, table_of
-from .coerce import compare_numbers, numbers_of, truths_of
+from .coerce import numbers_of, truths_of
 from .frames import Frame
 from .regions import gives_region, regions
+from .searching import WILDCARD, Line
 from .values import (
     BLANK,
-    BOOLEAN,
-    ERROR,
     NA,
-    NUMBER,
     REF,
     VALUE,
     Cells,
@@ -29,7 +26,6 @@ from .values import (
     first_error,
     fitted,
 )
-from .wildcards import pattern_of
 
 if TYPE_CHECKING:
     from .careful import Evaluator
@@ -138,53 +134,28 @@ def match(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
 
 
 def positions(ev: Evaluator, wanted: Cells, line: Cells, kind: float) -> Cells:
-    """Where each wanted value stands in `line` (from 0), #N/A where it stands nowhere; errors of `wanted` first."""
+    """Where each wanted value stands in `line` (from 0), #N/A where it stands nowhere; errors of `wanted` first.
+
+    kind  0 the first equal one, texts with wildcards; 1 the last not above, in ascending order; -1 the last not below, in
+          descending order
+    """
     numbers, codes = np.broadcast_arrays(wanted.numbers, codes_of(wanted))
     flat = list(zip(numbers.ravel().tolist(), codes.ravel().tolist(), strict=True))
+    search = Line(line, ev.texts, backwards=False)
     known: dict[tuple[float, int], int] = {}
-    plain = line.numbers[line.codes == NUMBER]
-    where = np.flatnonzero(line.codes == NUMBER)
     for key in flat:
         if key not in known:
-            known[key] = _position(ev, key, line, kind, plain, where)
+            known[key] = _place(search, *key, kind)
     found = np.array([known[key] for key in flat], np.float64).reshape(numbers.shape)
     missing = np.where(found < 0, np.uint8(NA), np.uint8(0))
     errors = first_error(errors_of(wanted), missing if np.any(missing) else None)
     return Cells(np.where(found < 0, 0.0, found), errors)
 
 
-def _position(ev: Evaluator, key: tuple[float, int], line: Cells, kind: float, plain: Any, where: Any) -> int:
-    number, code = key
-    if code >= ERROR or (code == BLANK and kind == 0):
-        return -1
-    if code in (NUMBER, BLANK):
-        if kind == 0:
-            hits = np.flatnonzero(compare_numbers("=", plain, np.float64(number)))
-            return int(where[hits[0]]) if len(hits) else -1
-        place = int(np.searchsorted(plain, number, "right") if kind > 0 else np.searchsorted(-plain, -number, "right"))
-        return int(where[place - 1]) if place else -1
-    same = np.flatnonzero(line.codes == code)
-    if code == BOOLEAN:
-        return next((int(i) for i in same if line.numbers[i] == number), -1)
-    text = ev.texts.text(number)
-    words = [(int(i), ev.texts.text(line.numbers[i])) for i in same]
-    if kind == 0:
-        fits = wildcard(text)
-        return next((i for i, word in words if fits(word)), -1)
-    folded = text.casefold()
-    place = -1
-    for i, word in words:
-        if (word.casefold() <= folded) if kind > 0 else (word.casefold() >= folded):
-            place = i
-        else:
-            break
-    return place
-
-
-def wildcard(pattern: str) -> Callable[[str], bool]:
-    """Whether a text fits a pattern with wildcards."""
-    compiled = pattern_of(pattern)
-    return lambda text: compiled.fullmatch(text) is not None
+def _place(search: Line, number: float, code: int, kind: float) -> int:
+    if kind != 0:
+        return search.beside(number, code, descending=kind < 0)
+    return -1 if code == BLANK else search.place(number, code, WILDCARD)  # a blank cell equals nothing here
 
 
 def choose_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:

@@ -8,98 +8,24 @@ import numpy as np
 
 from ..formula.nodes import Missing, Node
 from .calling import table_of
-from .coerce import compare_numbers, numbers_of
+from .coerce import numbers_of
 from .frames import Frame
+from .searching import EXACT, LARGER, SMALLER, WILDCARD, Line
 from .values import (
-    BLANK,
-    BOOLEAN,
-    ERROR,
     NA,
-    NUMBER,
-    TEXT,
     VALUE,
     Cells,
-    Texts,
     choose,
     codes_of,
     error,
     errors_of,
     first_error,
 )
-from .wildcards import pattern_of
 
 if TYPE_CHECKING:
     from .careful import Evaluator
 
 Args = tuple[Node, ...]
-
-EXACT, SMALLER, LARGER, WILDCARD = 0, -1, 1, 2
-
-
-class Line:
-    """One row or column that is searched, with what makes that quick."""
-
-    def __init__(self, table: Cells, texts: Texts, backwards: bool) -> None:
-        order = slice(None, None, -1) if backwards else slice(None)
-        self.numbers, self.codes = table.numbers.ravel()[order], table.codes.ravel()[order]
-        self.size = len(self.numbers)
-        self.backwards = backwards
-        self.texts = texts
-        self._words: list[tuple[int, str]] | None = None
-        self._first: dict[str, int] = {}
-
-    def words(self) -> list[tuple[int, str]]:
-        """(place, text without case) of all texts."""
-        if self._words is None:
-            places = np.flatnonzero(self.codes == TEXT).tolist()
-            self._words = [(place, self.texts.text(self.numbers[place]).casefold()) for place in places]
-            for place, word in self._words:
-                self._first.setdefault(word, place)
-        return self._words
-
-    def place(self, number: float, code: int, mode: int) -> int:
-        """Where a value is found, counted from the front; -1 nowhere."""
-        found = self._place(number, code, mode)
-        return self.size - 1 - found if self.backwards and found >= 0 else found
-
-    def _place(self, number: float, code: int, mode: int) -> int:
-        if code >= ERROR:
-            return -1
-        if code == TEXT:
-            return self._text_place(self.texts.text(number), mode)
-        if code == BLANK:
-            hits = np.flatnonzero(self.codes == BLANK)
-            if len(hits) or mode in (EXACT, WILDCARD):
-                return int(hits[0]) if len(hits) else -1
-            code = NUMBER
-        same = self.codes == (BOOLEAN if code == BOOLEAN else NUMBER)
-        hits = np.flatnonzero(same & compare_numbers("=", self.numbers, np.float64(number)))
-        if len(hits):
-            return int(hits[0])
-        if mode in (EXACT, WILDCARD):
-            return -1
-        side = np.flatnonzero(same & ((self.numbers < number) if mode == SMALLER else (self.numbers > number)))
-        if not len(side):
-            return -1
-        values = self.numbers[side]
-        return int(side[np.argmax(values) if mode == SMALLER else np.argmin(values)])
-
-    def _text_place(self, text: str, mode: int) -> int:
-        folded, words = text.casefold(), self.words()
-        if mode == WILDCARD:
-            pattern = pattern_of(folded)
-            return next((place for place, word in words if pattern.fullmatch(word)), -1)
-        found = self._first.get(folded, -1)
-        if found >= 0 or mode == EXACT:
-            return found
-        best = -1
-        nearest = ""
-        for place, word in words:
-            beside = word < folded if mode == SMALLER else word > folded
-            nearer = best < 0 or (word > nearest if mode == SMALLER else word < nearest)
-            if beside and nearer:
-                best, nearest = place, word
-        return best
 
 
 def _mode(ev: Evaluator, args: Args, place: int, frame: Frame, allowed: tuple[int, ...]) -> tuple[int, int]:

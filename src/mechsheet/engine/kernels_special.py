@@ -37,17 +37,21 @@ def _order(number: float) -> int:
     return order
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=16)
 def _downwards(x: float, order: int, sign: int) -> tuple[float, ...]:
     """Miller's algorithm: J (sign -1) or I (sign +1, times e^-x) of x > 0 for the orders 0..; DLMF 3.6(vi)."""
     start = 2 * ((max(order, int(x)) + int(math.sqrt(50 * max(order, x, 1.0))) + 20) // 2)
     values = [0.0] * (start + 2)
     values[start] = 1e-300
+    top = start  # above it, all values have become too small to count
     for n in range(start, 0, -1):
         values[n - 1] = 2 * n / x * values[n] + sign * values[n + 1]
         if abs(values[n - 1]) > 1e200:
-            for k in range(n - 1, start + 1):
+            for k in range(n - 1, top + 1):
                 values[k] *= 1e-250
+            while values[top] == 0 or abs(values[top]) < 1e-290:
+                values[top] = 0.0
+                top -= 1
     whole = 2 * math.fsum(values[1:] if sign > 0 else values[2::2]) + values[0]
     return tuple(value / whole for value in values[:start])
 
