@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from mechsheet.building import build, compile_workbook
     from mechsheet.checking import Comparison, Report, check
     from mechsheet.diagnostics import MechsheetError
+    from mechsheet.exporting import export
     from mechsheet.linkage import Linkage, Motion, load, loads
     from mechsheet.model import Mechanism
     from mechsheet.plotting import plot
@@ -29,6 +30,7 @@ _HOMES = {
     "check": "checking",
     "Comparison": "checking",
     "Report": "checking",
+    "export": "exporting",
     "load": "linkage",
     "loads": "linkage",
     "Linkage": "linkage",
@@ -56,6 +58,7 @@ __all__ = [
     "build",
     "check",
     "compile_workbook",
+    "export",
     "load",
     "loads",
     "open_book",

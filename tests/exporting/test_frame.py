@@ -57,6 +57,24 @@ def test_mistakes(arguments, messages, tmp_path, monkeypatch):
         assert message in result.stderr
 
 
+def test_printed_instead_of_written(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    printed = run("export", FOUR_BAR, "--to", "markdown", "--at", "60", "-o", "-")
+    run("export", FOUR_BAR, "--to", "markdown", "--at", "60")
+    assert printed.stdout == (tmp_path / "four-bar.md").read_text(encoding="utf-8")
+    assert [path.name for path in tmp_path.iterdir()] == ["four-bar.md"]
+
+
+def test_a_failure_leaves_the_old_file(tmp_path):
+    target = tmp_path / "old.svg"
+    target.write_text("precious")
+    result = run("export", TEMPLATES / "cylinder-boom.toml", "--to", "svg", "--at", "1e6", "-o", target)
+    assert result.exit_code == 2
+    assert "no position at" in result.stderr
+    assert target.read_text() == "precious"
+    assert list(tmp_path.iterdir()) == [target]
+
+
 def test_help_lists_the_kinds():
     text = run("export", "--help").stdout
     assert all(kind.about.split()[0] in text for kind in KINDS.values())

@@ -8,6 +8,8 @@ import click
 
 from .common import SET, at_lines_of, described, progress
 
+STANDARD_OUTPUT = Path("-")
+
 
 class WithKinds(click.Command):
     """The command whose help ends with the list of kinds, read only then."""
@@ -23,7 +25,9 @@ class WithKinds(click.Command):
 @click.command(cls=WithKinds)
 @click.argument("description", type=click.Path(path_type=Path))
 @click.option("--to", "kind", required=True, metavar="KIND", help="What to write: see below.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write; with --frames, a folder.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="File to write, or - to print it; with --frames, a folder."
+)
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @click.option("--frames", type=int, metavar="N", help="Draw N positions of the sweep, one file each.")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the file.")
@@ -46,10 +50,15 @@ def export(
     mechsheet export four-bar.toml --to dxf --frames 12  twelve drawings in the folder four-bar
     """
     from mechsheet.exporting import export as write
-    from mechsheet.exporting import kind_of
+    from mechsheet.exporting import exported, kind_of
 
     wanted = kind_of(kind)
     mechanism = described(description, settings, language)
+    if output == STANDARD_OUTPUT and frames is None:
+        with at_lines_of(mechanism, description):
+            content = exported(mechanism, wanted.name, at)
+        click.echo(content, nl=False)
+        return
     with progress(description.name) as say, at_lines_of(mechanism, description):
         say(f"writing {wanted.name}")
         written = write(mechanism, wanted.name, output, at, frames)

@@ -14,7 +14,7 @@ from mechsheet.exporting.kinds import KINDS
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.model import Mechanism
 
-__all__ = ["KINDS", "Job", "Kind", "export", "kind_of"]
+__all__ = ["KINDS", "Job", "Kind", "export", "exported", "kind_of"]
 
 MOST_FRAMES = 10_000
 
@@ -45,10 +45,7 @@ def export(
     cannot be solved or has no position at `at`, MissingProgramError when a package is missing, OutputError when a file
     cannot be written. A failure leaves every old file whole.
     """
-    kind = kind_of(to)
-    faults = _faults(kind, at, frames)
-    if faults:
-        raise MechsheetError(faults)
+    kind = _asked(to, at, frames)
     stem = ascii_word(mechanism.name) if kind.identifier else mechanism.name
     path = Path(path) if path is not None else Path(stem if frames else stem + kind.suffix)
     name = path.name if frames else path.stem
@@ -65,6 +62,22 @@ def export(
     for file, content in zip(files, contents, strict=True):
         replace_file(file, content)
     return files
+
+
+def exported(mechanism: Mechanism, to: str, at: float | None = None) -> bytes:
+    """What `export` would write into one file. Raises as `export` does."""
+    kind = _asked(to, at, None)
+    (content,) = kind.write(Job(mechanism, ascii_word(mechanism.name) if kind.identifier else mechanism.name, at))
+    return content
+
+
+def _asked(to: str, at: float | None, frames: int | None) -> Kind:
+    """The kind of that name, when it takes these options."""
+    kind = kind_of(to)
+    faults = _faults(kind, at, frames)
+    if faults:
+        raise MechsheetError(faults)
+    return kind
 
 
 def _faults(kind: Kind, at: float | None, frames: int | None) -> list[Fault]:
