@@ -16,12 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..formula.nodes import ErrorValue, Scalar
+from .frames import UnsupportedError
 
 Numbers: TypeAlias = NDArray[np.float64]
 Codes: TypeAlias = NDArray[np.uint8]
 Mask: TypeAlias = NDArray[np.bool_]
 
 NUMBER, BLANK, TEXT, BOOLEAN = 0, 1, 2, 3
+MOST_CELLS = 1 << 24
+"""Cells of an array that an operation makes of smaller ones: one column of a sheet sixteen times."""
 ERROR = 16
 """Codes from here on are errors."""
 
@@ -156,9 +159,14 @@ def first_error(*codes: Any) -> Any:
 
 
 def choose(mask: Any, then: Cells, otherwise: Cells) -> Cells:
-    """`then` where the mask holds, else `otherwise`."""
-    if np.ndim(then.numbers) > 2 and np.ndim(otherwise.numbers) > 2:
-        then, otherwise = fitted(then, otherwise)
+    """`then` where the mask holds, else `otherwise`; arrays of different sizes as `fitted` has them."""
+    if max(np.ndim(mask), _axes(then), _axes(otherwise)) > 2:
+        asked, then, otherwise = fitted(Cells(np.asarray(mask, np.float64)), then, otherwise)
+        mask = np.nan_to_num(asked.numbers) != 0
+        if asked.codes is not None:
+            beyond = asked.codes != 0
+            found = choose(mask, then, otherwise)
+            return Cells(np.where(beyond, np.nan, found.numbers), np.where(beyond, asked.codes, codes_of(found)))
     numbers = np.where(mask, then.numbers, otherwise.numbers)
     if then.codes is None and otherwise.codes is None:
         return Cells(numbers)
@@ -174,13 +182,18 @@ def choose(mask: Any, then: Cells, otherwise: Cells) -> Cells:
 
 
 def fitted(*cells: Cells) -> tuple[Cells, ...]:
-    """Array values made the same size where they differ: #N/A beyond the edge of the smaller one."""
+    """Array values made the same size where they differ: #N/A beyond the edge of the smaller one.
+
+    Raises UnsupportedError for what would be more than MOST_CELLS.
+    """
     if all(_axes(cell) <= 2 for cell in cells):
         return cells
     sizes = {cell.shape[:2] for cell in cells if len(cell.shape) > 2}
     if len(sizes) < 2:
         return cells
     height, width = (max(size[axis] for size in sizes) for axis in (0, 1))
+    if height * width > MOST_CELLS:
+        raise UnsupportedError(f"an array of {height} x {width} cells is not computed")
     if all(size[0] in (1, height) and size[1] in (1, width) for size in sizes):
         return cells
     return tuple(_padded(cell, height, width) for cell in cells)
