@@ -64,6 +64,8 @@ CHANGES = {
     "table": (r"^(.*)$", r"\1</table:table><table:table table:name='{n}'>\1"),
     "cache": (r"^(.*)$", r"\1</table:table><table:table table:name=\"'file:///a'#b\">\1\1"),
     "new lines": ("><", ">\n<"),
+    "other digits": (r"^(.*)<table:table-cell ", "\\1<table:table-cell table:number-columns-repeated='\u0661' "),
+    "digits": (r"<table:table-cell ", "<table:table-cell table:number-columns-repeated=\"\u0661\" "),
     "single quotes": (r'value-type="float"', "value-type='float'"),
 }  # fmt: skip
 

@@ -22,6 +22,7 @@ _ROW = re.compile(rb'<table:table-row(?: (?!table:number-rows-repeated|table:vis
 _CELL = re.compile(
     rb'<table:table-cell((?: [a-z:-]+="[^"<\x00-\x1f]*")*)(?:/>|>(?:<text:p>([^<]*)</text:p>)?</table:table-cell>)'
 )
+_COUNT = re.compile(rb"([0-9]{1,7})\"")
 _ATTRIBUTE = re.compile(rb' ([a-z:-]+)="([^"]*)"')
 _STYLE, _REPEATED = b"table:style-name", b"table:number-columns-repeated"
 _TYPE, _FORMULA = b"office:value-type", b"table:formula"
@@ -104,76 +105,74 @@ class OdsRowPattern:
 def ods_row_pattern(scan: ContentScan, data: bytes) -> OdsRowPattern | None:
     """The pattern of a row that has just been parsed, None where it cannot be one (yet)."""
     head = _ROW.match(data)
-    table = scan.current
-    if head is None or table is None or len(data) > LONGEST or scan.words.row.encode() != ROW:
+    if head is None or scan.current is None or len(data) > LONGEST or scan.words.row.encode() != ROW:
         return None
-    expression = RowExpression(data, scan.next_row - 1)
-    cells: list[Cell] = []
-    runs: dict[int, Run] = {}
+    row = _Row(scan.current, data, scan.next_row - 1)
     at, col = head.end(), 0
     while (match := _CELL.match(data, at)) is not None:
         at = match.end()
         attributes = {found[1]: found.span(2) for found in _ATTRIBUTE.finditer(data, *match.span(1))}
-        repeated = int(data[slice(*attributes[_REPEATED])]) if _REPEATED in attributes else 1
-        cell = _cell(scan, table, expression, data, match, attributes, col, runs)
-        if cell is None:
+        repeated = _COUNT.match(data, attributes[_REPEATED][0]) if _REPEATED in attributes else None
+        if (repeated is None) != (_REPEATED not in attributes) or not row.cell(match, attributes, col):
             return None
-        if cell.group >= 0:
-            if repeated > 1 or col >= MAX_COLUMNS:
-                return None
-            cells.append(cell)
-        col += repeated
-    if data[at:] != b"</%s>" % ROW or not cells:
+        col += 1 if repeated is None else int(repeated[1])
+    if data[at:] != b"</%s>" % ROW or not row.cells:
         return None
-    return OdsRowPattern(scan, expression, cells, runs)
+    return OdsRowPattern(scan, row.expression, row.cells, row.runs)
 
 
-def _cell(
-    scan: ContentScan,
-    table: Table,
-    expression: RowExpression,
-    data: bytes,
-    match: re.Match[bytes],
-    attributes: dict[bytes, tuple[int, int]],
-    col: int,
-    runs: dict[int, Run],
-) -> Cell | None:
-    """Write a cell; what it holds (in group -1 for a cell without anything), None where it makes no pattern."""
-    kind = data[slice(*attributes[_TYPE])] if _TYPE in attributes else b""
-    changing = b"office:value" if kind in _NUMBERS else _VALUES.get(kind)
-    group = -1
-    about: dict[str, str] = {}
-    for name, (start, stop) in attributes.items():
-        if name == _STYLE:
-            expression.variable(start, stop, _STYLE_NAME)
-        elif name == _FORMULA:
-            run = table.runs.filled_to(col, scan.next_row - 1, LEAST)
-            text = data[start:stop]
-            if run is None or run.template is None or not text.startswith((b"=", b"of:=")):
-                return None
-            if not expression.formula(start, stop, text.index(b"=") + 1, run.template):
-                return None
-            runs[col] = run
-        elif name == changing:
-            if kind in _NUMBERS and re.fullmatch(NUMBER, data[start:stop]) is None:
-                return None
-            group = expression.group(start, stop, NUMBER if kind in _NUMBERS else _STYLE_NAME)
-        elif name in _LITERAL and b"&" not in data[start:stop]:
-            about[name.decode()] = data[start:stop].decode()
-        else:
-            return None
-    is_formula = _FORMULA in attributes
-    if not kind:
-        return None if is_formula or match[2] else Cell(-1, col, about, None, False, False)
-    if kind == b"string":
-        if match[2] is None or re.fullmatch(_WORDS, match[2]) is None:
-            return None
-        group = expression.group(*match.span(2), _WORDS)
-    elif group < 0:
-        return None
-    elif match[2] is not None:
-        if match[2].startswith(b"#"):
-            return None  # an error as Excel writes it
-        expression.variable(*match.span(2), rb"(?!#)" + TEXT)
-    attribute = None if changing is None else changing.decode()
-    return Cell(group, col, about, attribute, kind in _NUMBERS, is_formula)
+class _Row:
+    """A row on its way to a pattern."""
+
+    def __init__(self, table: Table, data: bytes, row: int) -> None:
+        self.expression = RowExpression(data, row)
+        self.cells: list[Cell] = []
+        self.runs: dict[int, Run] = {}
+        self._table, self._data, self._row = table, data, row
+
+    def cell(self, match: re.Match[bytes], attributes: dict[bytes, tuple[int, int]], col: int) -> bool:
+        """Write a cell, whose attributes stand there; False where it makes no pattern."""
+        kind = self._data[slice(*attributes[_TYPE])] if _TYPE in attributes else b""
+        changing = b"office:value" if kind in _NUMBERS else _VALUES.get(kind)
+        group = -1
+        about: dict[str, str] = {}
+        for name, (start, stop) in attributes.items():
+            text = self._data[start:stop]
+            if name == _STYLE:
+                self.expression.variable(start, stop, _STYLE_NAME)
+            elif name == _FORMULA:
+                if not self._formula(start, stop, col):
+                    return False
+            elif name == changing:
+                values = NUMBER if kind in _NUMBERS else _STYLE_NAME
+                if re.fullmatch(values, text) is None:
+                    return False
+                group = self.expression.group(start, stop, values)
+            elif name in _LITERAL and b"&" not in text:
+                about[name.decode()] = text.decode()
+            else:
+                return False
+        if kind == b"string":
+            if match[2] is None or re.fullmatch(_WORDS, match[2]) is None:
+                return False
+            group = self.expression.group(*match.span(2), _WORDS)
+        elif not kind:
+            return _FORMULA not in attributes and not match[2]  # an empty cell
+        elif match[2] is not None:
+            if match[2].startswith(b"#"):
+                return False  # an error as Excel writes it
+            self.expression.variable(*match.span(2), rb"(?!#)" + TEXT)
+        if group < 0 or _REPEATED in attributes or col >= MAX_COLUMNS:
+            return False
+        attribute = None if changing is None else changing.decode()
+        self.cells.append(Cell(group, col, about, attribute, kind in _NUMBERS, _FORMULA in attributes))
+        return True
+
+    def _formula(self, start: int, stop: int, col: int) -> bool:
+        """Write the text of a formula; False when it is not what filling down would write in the next row."""
+        run = self._table.runs.filled_to(col, self._row, LEAST)
+        text = self._data[start:stop]
+        if run is None or run.template is None or not text.startswith((b"=", b"of:=")):
+            return False
+        self.runs[col] = run
+        return self.expression.formula(start, stop, text.index(b"=") + 1, run.template)
