@@ -259,3 +259,18 @@ def test_a_description_changed_by_hand(tmp_path):
     report = check(tmp_path / "other.xlsx")
     assert not report.agrees
     assert any(edit.kind == "changed" for edit in report.edits)
+
+
+def test_a_sheet_of_ones_own(yoke):
+    workbook, _ = yoke
+    extra = replace(workbook.sheets[0], title="Mine", charts=(), controls=())
+    found = audited(replace(workbook, sheets=(*workbook.sheets, extra)))
+    assert found.edits == ()
+    assert found.remarks == ('the sheet "Mine" is your own',)
+
+
+def test_a_sheet_of_formulas_that_is_gone(yoke):
+    workbook, _ = yoke
+    sheets = tuple(sheet for sheet in workbook.sheets if sheet.title not in ("Drawing", "Notes"))
+    found = audited(replace(workbook, sheets=sheets))
+    assert [(edit.kind, edit.where) for edit in found.edits] == [("sheet", "Drawing")]

@@ -37,6 +37,17 @@ def moved(workbook, title, rows=NOTHING, cols=NOTHING, now=None):
         return transform(transform(node, ranged), change)
 
     def pieces(fill, own):
+        """In one if its first and its last cell, and their references, move alike: one shift begins in one place."""
+        down, right = fill.rows - 1, fill.cols - 1
+        first, last = new_formula(fill.formula, own), new_formula(shifted(fill.formula, down, right), own)
+        corners = [(fill.row, fill.col), (fill.row + down, fill.col + right)]
+        if own == title:
+            corners = [(rows.now(row), cols.now(col)) for row, col in corners]
+        if None not in sum(corners, ()) and shifted(first, down, right) == last:
+            (top, left), (bottom, end) = corners
+            if (bottom - top, end - left) == (down, right):
+                yield replace(fill, row=top, col=left, formula=first)
+                return
         for row in range(fill.row, fill.row + fill.rows):
             for col in range(fill.col, fill.col + fill.cols):
                 formula = new_formula(shifted(fill.formula, row - fill.row, col - fill.col), own)

@@ -56,6 +56,10 @@ def audit(book: Book, expected: Expected) -> Audit:
         remarks += _added(sheet, other, inputs, moves)
         formulas += sum(block.rows * block.cols for block in sheet.blocks)
         differing += sum(change.rows * change.cols for change in found)
+    known = {sheet.title.casefold() for sheet in expected.book.sheets}
+    remarks += [
+        f'the sheet "{sheet.title}" is your own' for sheet in book.sheets if sheet.title.casefold() not in known
+    ]
     if formulas and differing > MANY * formulas:
         remarks.append(f"{differing} of {formulas} formulas differ: was it built by another version of mechsheet?")
     return Audit(tuple(edits), tuple(remarks), moves, book)
@@ -248,8 +252,9 @@ def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> 
         return not taken and (sheet.title, row, col) not in inputs
 
     cells = {(row, col) for row, col, value in other.constants.items() if value not in (None, "") and is_free(row, col)}
-    for col, start, stop in stretches(theirs, Formulas(None)):
-        cells |= {(row, col) for row in range(start, stop) if theirs.block(row, col) and is_free(row, col)}
+    for col, start, stop in stretches(ours, theirs):
+        if theirs.block(start, col) is not None and ours.block(start, col) is None:
+            cells |= {(row, col) for row in range(start, stop) if is_free(row, col)}
     if cells:
         yield f"{moves.now(sheet.title)}: cells of your own in {_listed(sheet.title, sorted(cells), moves)}"
 

@@ -10,9 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from mechsheet.checking.report import Edit
 from mechsheet.formula.book import Block, Book, BookSheet, CellStore
-from mechsheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, Scalar, shifted, transform, walk
+from mechsheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, Scalar, shifted, transform
 from mechsheet.formula.references import area_name, column_letters
 
 MOST = 50
@@ -132,6 +134,7 @@ Signature = tuple[tuple[str, ...], bool]
 """What a row or column is known by: its texts in order, and whether it has numbers or formulas."""
 
 EMPTY: Signature = ((), False)
+VALUES: Signature = ((), True)
 
 
 def moves_between(expected: Book, book: Book) -> Moves:
@@ -166,18 +169,21 @@ def _move(sheet: BookSheet, other: BookSheet) -> Move:
 
 def _signatures(sheet: BookSheet, axis: int) -> list[Signature]:
     texts: dict[int, list[tuple[int, str]]] = {}
-    valued: set[int] = set()
+    spans = [(block.row, block.rows) if axis == 0 else (block.col, block.cols) for block in sheet.blocks]
     for row, col, value in sheet.constants.items():
         place, across = (row, col) if axis == 0 else (col, row)
         if isinstance(value, str):
             texts.setdefault(place, []).append((across, " ".join(value.split())))
         elif value is not None:
-            valued.add(place)
-    for block in sheet.blocks:
-        first, count = (block.row, block.rows) if axis == 0 else (block.col, block.cols)
-        valued.update(range(first, first + count))
-    end = max([*texts, *valued], default=-1) + 1
-    return [(tuple(text for _, text in sorted(texts.get(place, ()))), place in valued) for place in range(end)]
+            spans.append((place, 1))
+    end = max([*(place + 1 for place in texts), *(first + count for first, count in spans)], default=0)
+    valued = np.zeros(end, dtype=bool)  # a table may have a million rows
+    for first, count in spans:
+        valued[first : first + count] = True
+    found = [VALUES if has else EMPTY for has in valued.tolist()]
+    for place, words in texts.items():
+        found[place] = (tuple(text for _, text in sorted(words)), bool(valued[place]))
+    return found
 
 
 def _shift(was: Sequence[Signature], now: Sequence[Signature]) -> Shift:
@@ -232,16 +238,35 @@ def _undone_sheet(sheet: BookSheet, moves: Moves) -> BookSheet:
     move = moves.of(sheet.title)
     new = BookSheet(move.title, _undone_cells(sheet.constants, move), [], _undone_cells(sheet.cached, move))
     for block in sheet.blocks:
-        if move.in_place and _stays(block.formula, sheet.title, moves):
-            new.blocks.append(replace(block, formula=_back(block.formula, sheet.title, moves)))
-            continue
-        for row in range(block.row, block.row + block.rows):
-            for col in range(block.col, block.col + block.cols):
-                place = move.before(row, col)
-                if place is not None:
-                    formula = shifted(block.formula, row - block.row, col - block.col)
-                    new.block(*place, 1, 1, _back(formula, sheet.title, moves))
+        whole = _undone_block(block, sheet.title, move, moves)
+        new.blocks += [whole] if whole is not None else _undone_pieces(block, sheet.title, move, moves)
     return new
+
+
+def _undone_block(block: Block, title: str, move: Move, moves: Moves) -> Block | None:
+    """The block as one, if the shifts leave it one.
+
+    Its first and last cell decide: a shift has one place at which it begins, so what lies between two cells (or two
+    references) that it moves alike is moved alike.
+    """
+    down, right = block.rows - 1, block.cols - 1
+    first, last = move.before(block.row, block.col), move.before(block.row + down, block.col + right)
+    if first is None or last is None or (last[0] - first[0], last[1] - first[1]) != (down, right):
+        return None
+    formula = _back(block.formula, title, moves)
+    if _back(shifted(block.formula, down, right), title, moves) != shifted(formula, down, right):
+        return None
+    return Block(*first, block.rows, block.cols, formula)
+
+
+def _undone_pieces(block: Block, title: str, move: Move, moves: Moves) -> Iterator[Block]:
+    """Cell by cell."""
+    for row in range(block.row, block.row + block.rows):
+        for col in range(block.col, block.col + block.cols):
+            place = move.before(row, col)
+            if place is not None:
+                formula = shifted(block.formula, row - block.row, col - block.col)
+                yield Block(*place, 1, 1, _back(formula, title, moves))
 
 
 def _undone_cells(cells: CellStore, move: Move) -> CellStore:
@@ -253,12 +278,6 @@ def _undone_cells(cells: CellStore, move: Move) -> CellStore:
         if place is not None:
             new.put(*place, value)
     return new
-
-
-def _stays(formula: Node, title: str, moves: Moves) -> bool:
-    """Whether no reference of a formula moves: then a filled range stays one."""
-    refs = [part for part in walk(formula) if isinstance(part, CellRef)]
-    return all(moves.of(ref.sheet or title).in_place for ref in refs)
 
 
 def _back(formula: Node, title: str, moves: Moves) -> Node:

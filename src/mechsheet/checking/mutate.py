@@ -120,6 +120,9 @@ def by_sheet(damage: Damaged) -> str:
 def mutate(path: str | Path, count: int, seed: int = 0, progress: Callable[[str], None] | None = None) -> Mutation:
     """Damage `count` formulas of a workbook (or of what a description builds), one at a time, each so that a value changes.
 
+    Each sheet gets about as many as any other; on it every formula (a filled range is one), and every kind of damage that it
+    can have, is as likely as the others. Half of the damages in a filled range are done to all of it, half to one cell.
+
     Stored values are those that a spreadsheet program would store: they fit the damage, and give nothing away. A value is
     changed when it differs by more than TOLERANCE (angles modulo a turn, as everywhere). The same seed gives the same
     damages. Raises MechsheetError when the file cannot be read or carries no description.
@@ -140,8 +143,8 @@ class _Run:
         self.values = compile_book(self.book).evaluate()
         self.angles = angles_in(self.expected.plan)
         self.names = sorted(name.name for name in self.book.names if name.sheet is None)
-        self.places = [(sheet, block) for sheet in self.book.sheets for block in sheet.blocks]
-        self.kinds: dict[int, dict[str, list[Damage]]] = {}
+        self.sheets = [sheet for sheet in self.book.sheets if sheet.blocks]
+        self.kinds: dict[tuple[str, int], dict[str, list[Damage]]] = {}
         self.harmless = self.circular = 0
 
     def over(self, count: int, say: Callable[[str], None]) -> Mutation:
@@ -149,7 +152,7 @@ class _Run:
         draw = random.Random(self.seed)
         seen: set[tuple[str, Block]] = set()
         found: list[Damaged] = []
-        for _ in range(count * TRIES if self.places else 0):
+        for _ in range(count * TRIES if self.sheets else 0):
             if len(found) == count:
                 break
             sheet, pieces, damaged, kind = self._drawn(draw)
@@ -166,9 +169,10 @@ class _Run:
     def _drawn(self, draw: random.Random) -> tuple[BookSheet, list[Block], Block, str]:
         """(sheet, what its block becomes, the damaged one among these, the kind of damage)."""
         while True:
-            number = draw.randrange(len(self.places))
-            sheet, block = self.places[number]
-            by_kind = self._damages(number, block)
+            sheet = draw.choice(self.sheets)
+            number = draw.randrange(len(sheet.blocks))
+            block = sheet.blocks[number]
+            by_kind = self._damages(sheet, number)
             if not by_kind:
                 continue
             kind = draw.choice(sorted(by_kind))
@@ -181,13 +185,13 @@ class _Run:
             damaged = Block(block.row + down, block.col + right, 1, 1, shifted(formula, down, right))
             return sheet, [*pieces, damaged], damaged, kind
 
-    def _damages(self, number: int, block: Block) -> dict[str, list[Damage]]:
-        if number not in self.kinds:
+    def _damages(self, sheet: BookSheet, number: int) -> dict[str, list[Damage]]:
+        if (sheet.title, number) not in self.kinds:
             by_kind: dict[str, list[Damage]] = {}
-            for damage in damages(block.formula, self.names):
+            for damage in damages(sheet.blocks[number].formula, self.names):
                 by_kind.setdefault(damage.kind, []).append(damage)
-            self.kinds[number] = by_kind
-        return self.kinds[number]
+            self.kinds[sheet.title, number] = by_kind
+        return self.kinds[sheet.title, number]
 
     def _judged(self, sheet: BookSheet, pieces: list[Block], damaged: Block, kind: str) -> Damaged | None:
         old = sheet.formula_at(damaged.row, damaged.col)

@@ -1,0 +1,144 @@
+"""The figures of docs/proof.md: random inputs and damaged formulas over all templates.
+
+python tools/proof.py perturb 20 [--with libreoffice,gnumeric] [--seed S] [TEMPLATE...]
+python tools/proof.py mutate 40 [--seed S] [TEMPLATE...]
+
+Prints a table in Markdown, and puts it between its marks in docs/proof.md when all templates were run. --jobs N runs N
+templates at a time.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from pathlib import Path
+
+from mechsheet.checking import Mutation, Perturbation, mutate, perturb
+from mechsheet.checking.mutate import by_kind
+from mechsheet.description import load
+
+HERE = Path(__file__).parent.parent
+TEMPLATES = HERE / "templates"
+DOCUMENT = HERE / "docs" / "proof.md"
+PLACES = ("positions", "mechanism", "checks", "drawing", "tables")
+
+
+def perturbed(count: int, seed: int, programs: tuple[str, ...], name: str) -> Perturbation:
+    """One template with random inputs."""
+    return perturb(TEMPLATES / f"{name}.toml", count, seed, programs)
+
+
+def mutated(count: int, seed: int, name: str) -> Mutation:
+    """One template with damaged formulas."""
+    return mutate(TEMPLATES / f"{name}.toml", count, seed)
+
+
+def perturb_table(found: dict[str, Perturbation]) -> Iterator[str]:
+    """A row for each template, and how many values were compared."""
+    judges = [item.worst.judge for item in next(iter(found.values())).judged]
+    yield "| template | rows | sets: all rows, some, none | " + " | ".join(f"{judge}, worst" for judge in judges) + " |"
+    yield "|---|---|---|" + "---|" * len(judges)
+    cells: Counter[str] = Counter()
+    for name, one in found.items():
+        worst = [
+            f"{item.worst.worst:.0e}" + (f" ({item.differing} differ)" if item.differing else "") for item in one.judged
+        ]
+        for item in one.judged:
+            cells[item.worst.judge] += item.cells
+        yield f"| {name} | {one.rows} | {one.whole}, {one.partly}, {one.nowhere} | {' | '.join(worst)} |"
+    yield ""
+    yield "Values compared: " + ", ".join(f"{cells[judge]:,} with {judge}" for judge in judges) + "."
+
+
+def place_of(title: str, titles: dict[str, str]) -> str:
+    """What a sheet is; a sheet that is not known is a two-way table."""
+    return titles.get(title, "tables")
+
+
+def mutate_table(found: dict[str, Mutation]) -> Iterator[str]:
+    """A row for each template, their sums, and the kinds of damage."""
+    yield "| template | damages | check | reference alone | sheet alone | " + " | ".join(PLACES) + " |"
+    yield "|---|---|---|---|---|" + "---|" * len(PLACES)
+    whole: dict[str, list[int]] = {}
+    kinds: dict[str, list[int]] = {}
+    totals = Counter[str]()
+    for name, one in found.items():
+        titles = sheet_titles(name)
+        shares = one.tally(lambda damage, titles=titles: place_of(damage.where.rpartition("!")[0], titles))  # type: ignore[misc]
+        for table, part in ((whole, shares), (kinds, one.tally(by_kind))):
+            for key, (number, caught) in part.items():
+                entry = table.setdefault(key, [0, 0])
+                entry[0] += number
+                entry[1] += caught
+        totals += Counter(damages=len(one.damages), check=one.caught("check"), reference=one.caught("reference"))
+        totals += Counter(sheet=one.caught("sheet"), harmless=one.harmless, circular=one.circular)
+        parts = (f"{shares[place][1]}/{shares[place][0]}" if place in shares else "" for place in PLACES)
+        caught = " | ".join(f"{one.share(by):.0%}" for by in ("check", "reference", "sheet"))
+        yield f"| {name} | {len(one.damages)} | {caught} | {' | '.join(parts)} |"
+    shares = " | ".join(f"{totals[by] / totals['damages']:.1%}" for by in ("check", "reference", "sheet"))
+    parts = (f"{whole[place][1]}/{whole[place][0]}" if place in whole else "" for place in PLACES)
+    yield f"| **all** | {totals['damages']} | {shares} | {' | '.join(parts)} |"
+    yield ""
+    yield (
+        "By kind of damage, caught by the sheet alone: "
+        + ", ".join(f"{kind} {caught}/{number}" for kind, (number, caught) in sorted(kinds.items()))
+        + f". Drawn besides: {totals['harmless']} damages that change no value, {totals['circular']} circular ones."
+    )
+
+
+def sheet_titles(name: str) -> dict[str, str]:
+    """Title of a sheet -> what it is."""
+    from mechsheet.kinematics.solve import solve
+    from mechsheet.sheet.plan import plan_of
+
+    mechanism = load(TEMPLATES / f"{name}.toml")
+    return {title: key for key, title in plan_of(mechanism, solve(mechanism)).at.titles.items()}
+
+
+def put(mark: str, lines: list[str]) -> None:
+    """Between `<!-- mark -->` and `<!-- end -->`."""
+    text = DOCUMENT.read_text(encoding="utf-8")
+    new = "\n".join([f"<!-- {mark} -->", *lines, "<!-- end -->"])
+    pattern = re.compile(rf"<!-- {mark} -->.*?<!-- end -->", re.DOTALL)
+    if not pattern.search(text):
+        raise SystemExit(f"docs/proof.md has no place for {mark}")
+    DOCUMENT.write_text(pattern.sub(lambda _: new, text), encoding="utf-8")
+
+
+def main() -> None:
+    """Run, print, and put in its place."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=["perturb", "mutate"])
+    parser.add_argument("count", type=int)
+    parser.add_argument("templates", nargs="*")
+    parser.add_argument("--with", dest="programs", default="")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--jobs", type=int, default=1)
+    given = parser.parse_args()
+    names = given.templates or sorted(path.stem for path in TEMPLATES.glob("*.toml"))
+    programs = tuple(part for part in given.programs.split(",") if part)
+    job: Callable[[str], object] = (
+        partial(perturbed, given.count, given.seed, programs)
+        if given.what == "perturb"
+        else partial(mutated, given.count, given.seed)
+    )
+    found = {}
+    with ProcessPoolExecutor(given.jobs) as pool:
+        for name, one in zip(names, pool.map(job, names), strict=True):
+            found[name] = one
+            print(name, file=sys.stderr, flush=True)
+    table = perturb_table if given.what == "perturb" else mutate_table
+    head = f"{given.count} {'sets' if given.what == 'perturb' else 'damages'} for each template, seed {given.seed}."
+    lines = [head, "", *table(found)]  # type: ignore[arg-type]
+    print("\n".join(lines))
+    if not given.templates:
+        put(given.what + ("-programs" if programs else ""), lines)
+
+
+if __name__ == "__main__":
+    main()
