@@ -18,7 +18,7 @@ from .array_areas import ArrayText, give_arrays
 from .cell_faults import CellFaults
 from .fill_runs import FormulaRuns
 from .ods_row_pattern import ROW, ods_row_pattern
-from .ods_values import NULL_DATE, day_number, error_of, finite, time_number
+from .ods_values import NULL_DATE, day_number, error_of, error_shown, finite, time_number
 from .ods_words import Words, words_of
 from .package import Package
 from .paragraph_text import ParagraphText
@@ -190,7 +190,7 @@ class ContentScan:
         kind = about.get(words.value_type, "string" if text else "")
         if kind in ("float", "percentage", "currency"):
             given = about.get(words.value)
-            error = error_of(text or "") if given in (None, "0") else None
+            error = error_shown(text or "") if given in (None, "0") else None
             if error is not None or given is None:
                 return error  # Excel writes its errors so; and a type without a value is an empty cell
             return self.number(table, row, col, given, finite)

@@ -16,6 +16,7 @@ NULL_DATE_1904 = date(1904, 1, 1)
 _DATE = re.compile(r"([0-9]{4})-([0-9]{2})-([0-9]{2})(?:T([0-9]{2}):([0-9]{2}):([0-9]{2}(?:\.[0-9]+)?))?Z?")
 _DURATION = re.compile(r"(-?)P(?:([0-9]+)D)?(?:T(?:([0-9]+)H)?(?:([0-9]+)M)?(?:([0-9]+(?:[.,][0-9]+)?)S)?)?")
 _LIBREOFFICE = re.compile(r"Err:[0-9]{3}")
+_FOREIGN = re.compile(r"#[^\W\d_]+[!?]|#[A-Z]{2,}")
 _CODES: Mapping[str, str] = {"Err:503": "#NUM!", "Err:521": "#NULL!", "Err:524": "#REF!", "Err:525": "#NAME?"}
 """LibreOffice's numbers of errors that have a code of their own; all others are #VALUE!, as its own .xlsx export has it."""
 _ERRORS = frozenset(("#NULL!", "#DIV/0!", "#VALUE!", "#REF!", "#NAME?", "#NUM!", "#N/A"))
@@ -26,6 +27,11 @@ def error_of(text: str) -> ErrorValue | None:
     if text in _ERRORS:
         return ErrorValue(text)
     return ErrorValue(_CODES.get(text, "#VALUE!")) if _LIBREOFFICE.fullmatch(text) else None
+
+
+def error_shown(text: str) -> ErrorValue | None:
+    """The error that a cell with the number 0 shows, which is how Excel writes errors, in its user's language."""
+    return error_of(text) or (ErrorValue("#VALUE!") if _FOREIGN.fullmatch(text) else None)
 
 
 def finite(text: str) -> float | None:
