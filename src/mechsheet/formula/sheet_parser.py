@@ -68,6 +68,8 @@ class SheetParser(Parser):
             return SheetsRef(left.first, left.last, RangeRef(left.area, right))
         if op == ":" and isinstance(left, CellRef) and isinstance(right, CellRef) and right.sheet in (None, left.sheet):
             return RangeRef(left, CellRef(right.row, right.col, right.row_abs, right.col_abs, left.sheet))
+        if op == ":" and any(isinstance(side, Number | Text | Boolean) for side in (left, right)):
+            raise fail(self.text, self.next.column, 'a constant beside ":", where references stand, before')
         return Binary(op, left, right)
 
     def operand(self) -> Node:
