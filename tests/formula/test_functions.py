@@ -27,7 +27,7 @@ def test_the_page_is_up_to_date():
     [
         ("SIN", 1, 1, "n"),
         ("LOG", 1, 2, "nn"),
-        ("SUM", 0, MANY, "vvvv"),
+        ("SUM", 1, MANY, "vvvv"),
         ("SUMIFS", 3, MANY, "rrqrqrq"),
         ("SORTBY", 2, MANY, "gggggg"),
         ("NOW", 0, 0, ""),
