@@ -155,6 +155,7 @@ def test_stored_values_agree(tmp_path):
     assert (stored.formulas, stored.equal) == (len(FORMULAS) + 2, len(FORMULAS) + 2)
 
 
+@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_what_libreoffice_makes_of_them(tmp_path):
     """Both formats, saved by LibreOffice: our values, and its own."""
@@ -169,6 +170,7 @@ def test_what_libreoffice_makes_of_them(tmp_path):
             assert {name.sheet for name in read(path).names if name.name == "double"} == {"Main", None}
 
 
+@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_written_back_libreoffice_opens_it(tmp_path):
     """Its own files and ours, with another input: LibreOffice computes what was written."""
