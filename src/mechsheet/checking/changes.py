@@ -14,6 +14,7 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.sheet.plan import DRIVER, TOLERANCE, VALUE
+from mechsheet.sheet.tables import table_sheets
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),
@@ -93,11 +94,9 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
 
 
 def _table_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]]]:
-    """The heads of the two-way tables: the input cells of the sheets after the drawing, in the order of the tables."""
-    plan = expected.plan
-    others = set(plan.at.titles.values())
-    sheets = [sheet for sheet in expected.workbook.sheets if sheet.title not in others]
-    for table, (sheet, request) in enumerate(zip(sheets, plan.mechanism.tables, strict=True)):
+    """The heads of the two-way tables: the input cells of their sheets, from left to right."""
+    requests = expected.plan.mechanism.tables
+    for table, (sheet, request) in enumerate(zip(table_sheets(expected.plan), requests, strict=True)):
         cells = sorted(
             (cell.row, cell.col) for cell in sheet.cells if cell.content is not None and not cell.style.locked
         )
