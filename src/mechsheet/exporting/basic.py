@@ -21,22 +21,26 @@ WIDTH = 100
 """Characters of a line; VBA takes 1,023 and 24 continuations."""
 
 _WORDS = """
-abs and any append array as asc atn base boolean byref byte byval call case cbool cbyte ccur cdate cdbl cdec
-chr cint clng close compare const cos createobject csng cstr currency cvar cverr date day declare defbool
-defint deftype dim dir do double each else elseif empty end enum environ eof eqv erase err error event exit
-exp explicit false fix for format friend function get global gosub goto hex hour if iif imp implements in
-input instr int integer is isarray isdate isempty iserror ismissing isnull isnumeric isobject kill lbound
-lcase left len let lib like line lock log long loop lset ltrim me mid minute mod month msgbox name new next
-not nothing now null object oct on open option optional or output paramarray pi preserve print private
-property public put raiseevent randomize read redim rem replace reset resume return right rnd round rset rtrim
-second seek select set sgn shared sin single space spc split sqr static step stop str strconv string sub tab
-tan text then time timer to trim true type typename typeof ubound ucase unlock until val variant vartype wait
-weekday wend while width with withevents write xlerrna xor year modulo maxof minof arcsin arccos pivalue
-noposition
+abs alias and any append application arccos arcsin array as asc atn attribute base boolean byref byte byval
+call case cbool cbyte ccur cdate cdbl cdec cells chr cint circle clng close compare const cos createobject
+csng cstr currency cvar cverr date dateserial day debug decimal declare defbool defint deftype dim dir do
+double each else elseif empty end enum environ eof eqv erase err error event exit exp explicit false fix for
+format friend function get global gosub goto hex hour if iif imp implements in input instr int integer is
+isarray isdate isempty iserror ismissing isnull isnumeric isobject kill lbound lcase left len lenb let lib
+like line lock log long loop lset ltrim maxof me mid minof minute mod modulo month msgbox name new next
+noposition not nothing now null object oct on open option optional or output paramarray pi pivalue preserve
+print private property pset public put raiseevent randomize range read redim rem replace reset resume return
+right rnd round rset rtrim scale second seek select set sgn shared sin single space spc split sqr static step
+stop str strconv string sub tab tan text then time timer timeserial to trim true type typename typeof ubound
+ucase unlock until userform val variant vartype wait weekday wend while width with withevents workbook
+worksheet write xlerrna xor year
 """
 
 KEYWORDS = tuple(_WORDS.split())
 """Words that are taken: of the language, and of what the module brings along."""
+
+DECLARED = 5
+"""Variables declared in one line."""
 
 INFALLIBLE = ("length",)
 """The functions whose value is always a number."""
@@ -211,8 +215,9 @@ class _Writer:
         lines = []
         for kind in ("Double", "Variant"):
             names = [name for name, of in self.types.items() if of == kind]
-            if names:
-                lines += _wrapped("    Dim " + ", ".join(f"{name} As {kind}" for name in names), "        ")
+            for start in range(0, len(names), DECLARED):
+                declared = (f"{name} As {kind}" for name in names[start : start + DECLARED])
+                lines.append(f"    Dim {', '.join(declared)}")
         if self.jumps:
             lines.append("    On Error GoTo NoPosition")
         for symbol, value in self.function.modes.items():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.functions import Function, functions_of
 from mechsheet.exporting.job import Job
@@ -27,12 +28,19 @@ Sonra bir hücrede, örneğin: ={example}""",
 )
 
 
+MOST_ARGUMENTS = 60
+
+
 def write(job: Job) -> list[bytes]:
-    """The module: ASCII, lines ended as Windows does."""
+    """The module: ASCII, lines ended as Windows does. Raises MechanismError for more dimensions than VBA takes arguments."""
     mechanism = job.mechanism
     language = mechanism.language
     source = Source(mechanism, solve(mechanism))
     functions = functions_of(source, language)
+    count = len(source.parameters())
+    if count > MOST_ARGUMENTS:
+        fault = f"functions of {count} arguments (dimensions, driver, configurations): VBA takes {MOST_ARGUMENTS}"
+        raise MechanismError(Fault(fault, key="dimensions", hint="write dimensions that never change as plain numbers"))
     names = function_names(functions)
     taken = {name.casefold() for name in names.values()}
     # Excel does not find a function that has the name of its module.

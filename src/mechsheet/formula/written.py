@@ -209,8 +209,11 @@ def plain_degrees(node: Node) -> Node:
 
 
 def signs_apart(node: Node) -> Node:
-    """As `pairwise`; a power of something with a sign is a function."""
+    """As `pairwise`, but halved: Basic gives up on calls nested deep. A power of something with a sign is a function."""
     match node:
+        case Call("MAX" | "MIN" as name, args) if len(args) > 2:
+            half = len(args) // 2
+            return Call(name, (signs_apart(Call(name, args[:half])), signs_apart(Call(name, args[half:]))))
         case Binary("^", Unary("-") as base, exponent):
             return Call("POWER", (base, exponent))
     return pairwise(node)
