@@ -35,6 +35,8 @@ FILES = {
     "36,001 shared": (36_001, True),
     "361,000 shared": (361_000, True),
 }
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+"""Packages that are installed have their modules compiled."""
 SLOW = 4.0
 """Seconds from which on a process is not run again."""
 MARKS = "<!-- peers -->", "<!-- end of peers -->"
@@ -186,7 +188,7 @@ def measured(name, path, row, expected, runs, folder):
     for _ in range(runs):
         command, table = command_of(name, path, row, folder)
         with tempfile.TemporaryFile("w+") as output:
-            process = subprocess.Popen(command, stdout=output, stderr=subprocess.DEVNULL)
+            process = subprocess.Popen(command, stdout=output, stderr=subprocess.DEVNULL, env=ENVIRONMENT)
             _, status, usage = os.wait4(process.pid, 0)
             process.returncode = status
             output.seek(0)

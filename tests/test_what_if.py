@@ -87,7 +87,7 @@ WARM = compile_book(BOOK)
 WARM.evaluate()
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(CHANGES)
 def test_any_changes_give_what_a_full_recalculation_gives(changes):
     session = Session(BOOK)

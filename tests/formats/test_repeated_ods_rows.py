@@ -91,7 +91,7 @@ def place(tmp_path_factory):
     return tmp_path_factory.mktemp("rows") / "book.ods"
 
 
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(
     st.lists(st.sampled_from(COLUMNS) | st.sampled_from([*COLUMNS, *ODD]), min_size=1, max_size=5),
     st.integers(9, 40),
