@@ -284,7 +284,13 @@ class TestFaults:
             return cell(about, f"<text:p>{shown}</text:p>")
 
         day = cell('office:value-type="date" office:date-value="1900-02-29T12:00:00"')
-        first = row(cell('office:value-type="float"'), computed("NA()", 0, "#N/A"), day, computed("A1", 0, "#WERT!"))
+        first = row(
+            cell('office:value-type="float"'),
+            computed("NA()", 0, "#N/A"),
+            day,
+            computed("A1", 0, "#WERT!"),
+            computed("A2", 0, "#YOK"),
+        )
         divided = [
             (f"1/([.D{n}]-30)", 0, "#DIV/0!") if n == 30 else (f"1/([.D{n}]-30)", 1 / (n - 30), "0")
             for n in range(2, 60)
@@ -296,7 +302,7 @@ class TestFaults:
             ErrorValue("#N/A"),
             60.5,
         )
-        assert sheet.cached.get(0, 3) == ErrorValue("#VALUE!")
+        assert (sheet.cached.get(0, 3), sheet.cached.get(0, 4)) == (ErrorValue("#VALUE!"), ErrorValue("#N/A"))
         assert (sheet.cached.get(28, 0), sheet.cached.get(29, 0), sheet.cached.get(30, 0)) == (
             -1.0,
             ErrorValue("#DIV/0!"),

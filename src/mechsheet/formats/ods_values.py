@@ -16,6 +16,19 @@ NULL_DATE_1904 = date(1904, 1, 1)
 _DATE = re.compile(r"([0-9]{4})-([0-9]{2})-([0-9]{2})(?:T([0-9]{2}):([0-9]{2}):([0-9]{2}(?:\.[0-9]+)?))?Z?")
 _DURATION = re.compile(r"(-?)P(?:([0-9]+)D)?(?:T(?:([0-9]+)H)?(?:([0-9]+)M)?(?:([0-9]+(?:[.,][0-9]+)?)S)?)?")
 _LIBREOFFICE = re.compile(r"Err:[0-9]{3}")
+_LOCAL: Mapping[str, str] = {
+    local: error
+    for error, names in {
+        "#NULL!": "#NUL! #¡NULO! #NULLO! #NULO! #BOŞ! #LEEG!",
+        "#DIV/0!": "#¡DIV/0! #SAYI/0! #DEEL/0!",
+        "#REF!": "#BEZUG! #¡REF! #RIF! #BAŞV! #VERW!",
+        "#NAME?": "#NOM? #¿NOMBRE? #NOME? #AD? #NAAM?",
+        "#NUM!": "#ZAHL! #NOMBRE! #¡NUM! #NÚM! #SAYI! #GETAL!",
+        "#N/A": "#NV #N/D #YOK #N/B",
+    }.items()
+    for local in names.split()
+}
+"""Excel's errors in German, French, Spanish, Italian, Portuguese, Turkish and Dutch, but for those of #VALUE!."""
 _FOREIGN = re.compile(r"#[^\W\d_]+[!?]|#[A-Z]{2,}")
 _CODES: Mapping[str, str] = {"Err:503": "#NUM!", "Err:521": "#NULL!", "Err:524": "#REF!", "Err:525": "#NAME?"}
 """LibreOffice's numbers of errors that have a code of their own; all others are #VALUE!, as its own .xlsx export has it."""
@@ -31,7 +44,10 @@ def error_of(text: str) -> ErrorValue | None:
 
 def error_shown(text: str) -> ErrorValue | None:
     """The error that a cell with the number 0 shows, which is how Excel writes errors, in its user's language."""
-    return error_of(text) or (ErrorValue("#VALUE!") if _FOREIGN.fullmatch(text) else None)
+    error = error_of(text)
+    if error is None and (text in _LOCAL or _FOREIGN.fullmatch(text)):
+        error = ErrorValue(_LOCAL.get(text, "#VALUE!"))
+    return error
 
 
 def finite(text: str) -> float | None:
