@@ -8,15 +8,14 @@ Source of the names and of the order of arguments: Soeylemez, Mechanisms, sectio
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
+from mechsheet.exporting import small_mechanisms as small
 from mechsheet.exporting.routines import Parameter, Routine, Source, Step, with_names, with_values
 from mechsheet.formula.nodes import Call, Number, Symbol
 from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.solve import CLOSING, solve
-from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
+from mechsheet.kinematics.solve import CLOSING
+from mechsheet.model import Words
 from mechsheet.sheet.windows import Window
 
 
@@ -26,175 +25,6 @@ class Basic:
 
     name: Words
     routine: Routine
-
-
-# --- the small mechanisms -------------------------------------------------------------------------------------------
-
-
-def _source(
-    lengths: dict[str, float],
-    links: dict[str, dict[str, tuple[Quantity, Quantity]]],
-    joints: Sequence[Joint] = (),
-    slides: str = "",
-    angles: dict[str, float] | None = None,
-    value: float = 1.0,
-) -> Source:
-    """A mechanism from its dimensions (with sizes at which it closes), links and joints; `slides`: the joint that is driven.
-
-    The driver is the second link, or the sliding joint. The first link is the ground.
-    """
-    dimensions = [Dimension(symbol, size, "mm") for symbol, size in lengths.items()]
-    dimensions += [Dimension(symbol, size, "rad") for symbol, size in (angles or {}).items()]
-    bodies = tuple(
-        Link(name, number, {point: Cartesian(*place) for point, place in points.items()})
-        for number, (name, points) in enumerate(links.items(), 1)
-    )
-    driven = next((joint.symbol for joint in joints if joint.name == slides), "theta12")
-    driver = Driver(driven, "mm" if slides else "rad", "" if slides else bodies[1].name, bodies[0].name, slides)
-    nothing = Words("", "")
-    mechanism = Mechanism(
-        "basic",
-        nothing,
-        nothing,
-        "mm",
-        "rad",
-        tuple(dimensions),
-        bodies,
-        tuple(joints),
-        replace(driver, values=(value,)),
-    )
-    return Source(mechanism, solve(mechanism))
-
-
-def _guide(name: str, link: str, point: str, through: tuple[Quantity, Quantity], angle: Quantity, symbol: str) -> Joint:
-    return Joint(name, "prismatic", link, "ground", point, through, angle, 0.0, symbol)
-
-
-def _pin(height: Quantity, symbol: str, point: str = "P") -> Joint:
-    """The driven slide that brings a pin anywhere: along x at the height given, from x = 0."""
-    return _guide("place", "carrier", point, (0.0, height), 0.0, symbol)
-
-
-@lru_cache(maxsize=1)
-def _four_bar() -> Source:
-    return _source(
-        {"crank": 35.0, "coupler": 62.3, "output": 56.0, "ground": 70.0},
-        {
-            "ground": {"A0": (0.0, 0.0), "B0": ("ground", 0.0)},
-            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
-            "coupler": {"A": (0.0, 0.0), "B": ("coupler", 0.0)},
-            "output": {"B0": (0.0, 0.0), "B": ("output", 0.0)},
-        },
-    )
-
-
-@lru_cache(maxsize=1)
-def _slider_crank() -> Source:
-    return _source(
-        {"crank": 50.0, "coupler": 250.0, "eccentricity": -20.0},
-        {
-            "ground": {"A0": (0.0, 0.0)},
-            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
-            "coupler": {"A": (0.0, 0.0), "B": ("coupler", 0.0)},
-            "slider": {"B": (0.0, 0.0)},
-        },
-        (_guide("guide", "slider", "B", (0.0, "eccentricity"), 0.0, "s"),),
-    )
-
-
-@lru_cache(maxsize=2)
-def _inverted(eccentricity: Quantity) -> Source:
-    lengths = {"crank": 51.0, "ground": 127.0}
-    if isinstance(eccentricity, str):
-        lengths[eccentricity] = -5.0
-    return _source(
-        lengths,
-        {
-            "ground": {"A0": (0.0, 0.0), "B0": ("ground", 0.0)},
-            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
-            "lever": {"B0": (0.0, 0.0)},
-        },
-        (Joint("slot", "pin-slot", "crank", "lever", "A", (0.0, eccentricity), 0.0, 0.0, "s"),),
-    )
-
-
-@lru_cache(maxsize=1)
-def _rrr() -> Source:
-    return _source(
-        {"yP": -10.0, "a": 60.0, "xQ": -70.0, "yQ": -30.0, "b": 50.0},
-        {
-            "ground": {"Q": ("xQ", "yQ")},
-            "carrier": {"P": (0.0, 0.0)},
-            "first": {"P": (0.0, 0.0), "R": ("a", 0.0)},
-            "second": {"Q": (0.0, 0.0), "R": ("b", 0.0)},
-        },
-        (_pin("yP", "xP"),),
-        slides="place",
-        value=-140.0,
-    )
-
-
-@lru_cache(maxsize=1)
-def _rrp() -> Source:
-    return _source(
-        {"yP": -30.0, "a": 60.0, "xL": -5.0, "yL": -10.0},
-        {
-            "ground": {},
-            "carrier": {"P": (0.0, 0.0)},
-            "first": {"P": (0.0, 0.0), "R": ("a", 0.0)},
-            "second": {"R": (0.0, 0.0)},
-        },
-        (_pin("yP", "xP"), _guide("guide", "second", "R", ("xL", "yL"), "delta", "s")),
-        slides="place",
-        angles={"delta": 0.3},
-    )
-
-
-@lru_cache(maxsize=1)
-def _rpr() -> Source:
-    return _source(
-        {"xP": -5.0, "yP": -10.0, "yQ": -30.0, "h": -4.0},
-        {"ground": {"P": ("xP", "yP")}, "carrier": {"Q": (0.0, 0.0)}, "lever": {"P": (0.0, 0.0)}},
-        (
-            _pin("yQ", "xQ", "Q"),
-            Joint("slot", "pin-slot", "carrier", "lever", "Q", (0.0, "h"), 0.0, 0.0, "s"),
-        ),
-        slides="place",
-        value=60.0,
-    )
-
-
-@lru_cache(maxsize=1)
-def _prp() -> Source:
-    return _source(
-        {"x1": 5.0, "y1": 10.0, "x2": 50.0, "y2": 30.0},
-        {
-            "ground": {"O": (0.0, 0.0)},
-            "crank": {"O": (0.0, 0.0)},
-            "first": {"R": (0.0, 0.0)},
-            "second": {"R": (0.0, 0.0)},
-        },
-        (
-            _guide("line1", "first", "R", ("x1", "y1"), "delta1", "s1"),
-            _guide("line2", "second", "R", ("x2", "y2"), "delta2", "s2"),
-        ),
-        angles={"delta1": 0.3, "delta2": 1.3},
-    )
-
-
-@lru_cache(maxsize=1)
-def _rpp() -> Source:
-    return _source(
-        {"yP": 30.0, "xL": 5.0, "yL": 10.0},
-        {"ground": {}, "carrier": {"P": (0.0, 0.0)}, "yoke": {"Y": (0.0, 0.0)}},
-        (
-            _pin("yP", "xP"),
-            _guide("guide", "yoke", "Y", ("xL", "yL"), "delta", "s"),
-            Joint("slot", "pin-slot", "carrier", "yoke", "P", (0.0, 0.0), "gamma", 0.0, "t"),
-        ),
-        slides="place",
-        angles={"delta": 0.3, "gamma": 1.4},
-    )
 
 
 # --- the functions --------------------------------------------------------------------------------------------------
@@ -276,7 +106,7 @@ def _parameters(order: str) -> tuple[Parameter, ...]:
 
 def _elementary() -> list[Basic]:
     """Length, angle, triangle and leg, as the dyads' equations have them."""
-    rrr, rrp = _rrr().rules, _rrp().rules
+    rrr, rrp = small.rrr().rules, small.rrp().rules
     rows = (
         ("length", Words("Mag", "Boy"), rrr["s"], "X Y", {"s_x": "X", "s_y": "Y"}, "length",
          Words("Length of the vector (X, Y)", "(X, Y) vektörünün boyu")),
@@ -324,46 +154,46 @@ def _linkages() -> list[Basic]:
     lever, slot = "crank ground eccentricity mode_1 theta12", "xP yP xQ yQ h mode_1"
     lines, yoke = "x1 y1 delta1 x2 y2 delta2", "xP yP xL yL delta gamma"
     rows = (
-        (Words("FourBar", "DörtÇubuk"), _four_bar(), "theta14", four_bar,
+        (Words("FourBar", "DörtÇubuk"), small.four_bar(), "theta14", four_bar,
          Words("Four-bar: angle of the output link", "Dört-çubuk: çıkış uzvunun açısı")),
-        (Words("FourBarCoupler", "DörtÇubukBiyel"), _four_bar(), "theta13", four_bar,
+        (Words("FourBarCoupler", "DörtÇubukBiyel"), small.four_bar(), "theta13", four_bar,
          Words("Four-bar: angle of the coupler", "Dört-çubuk: biyelin açısı")),
-        (Words("SliderCrank", "KrankBiyel"), _slider_crank(), "s", slider,
+        (Words("SliderCrank", "KrankBiyel"), small.slider_crank(), "s", slider,
          Words("Slider-crank: displacement of the slider from the crank's pivot, along x",
                "Krank-biyel: kızağın krank yatağından ötelenmesi, x boyunca")),
-        (Words("SliderCrankCoupler", "KrankBiyelAçısı"), _slider_crank(), "theta13", slider,
+        (Words("SliderCrankCoupler", "KrankBiyelAçısı"), small.slider_crank(), "theta13", slider,
          Words("Slider-crank: angle of the coupler, from crank pin to slider",
                "Krank-biyel: biyelin açısı, krank mafsalından kızağa")),
-        (Words("InvertedSliderCrank", "KolKızakE"), _inverted("eccentricity"), "theta13", lever,
+        (Words("InvertedSliderCrank", "KolKızakE"), small.inverted("eccentricity"), "theta13", lever,
          Words("Inverted slider-crank: direction of the slot, which passes the lever's pivot at a distance",
                "Kol-kızak: kolun yatağından kaçık geçen kanalın doğrultusu")),
-        (Words("InvertedSliderCrankSlide", "KolKızakÖtelenmesi"), _inverted("eccentricity"), "s", lever,
+        (Words("InvertedSliderCrankSlide", "KolKızakÖtelenmesi"), small.inverted("eccentricity"), "s", lever,
          Words("Inverted slider-crank: displacement of the crank pin along the slot",
                "Kol-kızak: krank mafsalının kanal boyunca ötelenmesi")),
-        (Words(f"{dyad.en}RRR", f"{dyad.tr}RRR"), _rrr(), "theta14", pins,
+        (Words(f"{dyad.en}RRR", f"{dyad.tr}RRR"), small.rrr(), "theta14", pins,
          Words("Dyad RRR: direction of Q-R; Config +1: R left of P-Q",
                "RRR diyadı: Q-R doğrultusu; Config +1: R, P-Q'nun solunda")),
-        (Words(f"{dyad.en}RRRFirst", f"{dyad.tr}RRRBirinci"), _rrr(), "theta13", pins,
+        (Words(f"{dyad.en}RRRFirst", f"{dyad.tr}RRRBirinci"), small.rrr(), "theta13", pins,
          Words("Dyad RRR: direction of P-R", "RRR diyadı: P-R doğrultusu")),
-        (Words(f"{dyad.en}RRP", f"{dyad.tr}RRP"), _rrp(), "s", slide,
+        (Words(f"{dyad.en}RRP", f"{dyad.tr}RRP"), small.rrp(), "s", slide,
          Words("Dyad RRP: displacement of R from L along the guide; Config +1: the larger of two",
                "RRP diyadı: R'nin L'den kızak boyunca ötelenmesi; Config +1: ikisinden büyüğü")),
-        (Words(f"{dyad.en}RRPFirst", f"{dyad.tr}RRPBirinci"), _rrp(), "theta13", slide,
+        (Words(f"{dyad.en}RRPFirst", f"{dyad.tr}RRPBirinci"), small.rrp(), "theta13", slide,
          Words("Dyad RRP: direction of P-R", "RRP diyadı: P-R doğrultusu")),
-        (Words(f"{dyad.en}RPR", f"{dyad.tr}RPR"), _rpr(), "theta13", slot,
+        (Words(f"{dyad.en}RPR", f"{dyad.tr}RPR"), small.rpr(), "theta13", slot,
          Words("Dyad RPR: direction of the slot of the link pinned at P, in which Q slides; Config +1: Q ahead of P",
                "RPR diyadı: P'ye mafsallı uzvun Q'nun kaydığı kanalının doğrultusu; Config +1: Q, P'nin ilerisinde")),
-        (Words(f"{dyad.en}RPRSlide", f"{dyad.tr}RPRÖtelenme"), _rpr(), "s", slot,
+        (Words(f"{dyad.en}RPRSlide", f"{dyad.tr}RPRÖtelenme"), small.rpr(), "s", slot,
          Words("Dyad RPR: displacement of Q along the slot", "RPR diyadı: Q'nun kanal boyunca ötelenmesi")),
-        (Words(f"{dyad.en}PRP", f"{dyad.tr}PRP"), _prp(), "s1", lines,
+        (Words(f"{dyad.en}PRP", f"{dyad.tr}PRP"), small.prp(), "s1", lines,
          Words("Dyad PRP: displacement along line 1 to where it meets line 2",
                "PRP diyadı: 2. doğru ile kesiştiği noktaya kadar 1. doğru boyunca ötelenme")),
-        (Words(f"{dyad.en}PRPSecond", f"{dyad.tr}PRPİkinci"), _prp(), "s2", lines,
+        (Words(f"{dyad.en}PRPSecond", f"{dyad.tr}PRPİkinci"), small.prp(), "s2", lines,
          Words("Dyad PRP: displacement along line 2", "PRP diyadı: 2. doğru boyunca ötelenme")),
-        (Words(f"{dyad.en}RPP", f"{dyad.tr}RPP"), _rpp(), "s", yoke,
+        (Words(f"{dyad.en}RPP", f"{dyad.tr}RPP"), small.rpp(), "s", yoke,
          Words("Dyad RPP: displacement along the guide of a yoke in whose slot P slides",
                "RPP diyadı: kanalında P'nin kaydığı uzvun kızak boyunca ötelenmesi")),
-        (Words(f"{dyad.en}RPPSlot", f"{dyad.tr}RPPKanal"), _rpp(), "t", yoke,
+        (Words(f"{dyad.en}RPPSlot", f"{dyad.tr}RPPKanal"), small.rpp(), "t", yoke,
          Words("Dyad RPP: displacement of P along the slot", "RPP diyadı: P'nin kanal boyunca ötelenmesi")),
     )  # fmt: skip
     found = [_linkage(name, source, symbol, order, about) for name, source, symbol, order, about in rows]
@@ -381,7 +211,7 @@ def _whole_turn() -> Basic:
         "Crank and slotted lever: direction of the lever from its pivot to the crank pin, from 0 to 2 pi",
         "Kol-kızak: kolun, yatağından krank mafsalına doğrultusu, 0 ile 2 pi arasında",
     )
-    source = _inverted(0.0)
+    source = small.inverted(0.0)
     routine = source.routine("lever", "theta13", about, ("crank", "ground", "theta12", CONFIG), windowed=False)
     routine = with_values(routine, {CONFIG: al.ONE})
     result = Window(0, math.pi).taken(routine.result, Symbol("theta12"))

@@ -1,0 +1,188 @@
+"""Small mechanisms, solved as every mechanism is: the basic functions are read from their equations.
+
+Sizes are such that each closes. Where a dimension may be negative, its size here is: the equations then take its magnitude.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+from mechsheet.exporting.routines import Source
+from mechsheet.kinematics.solve import solve
+from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
+
+
+def _source(
+    lengths: dict[str, float],
+    links: dict[str, dict[str, tuple[Quantity, Quantity]]],
+    joints: Sequence[Joint] = (),
+    slides: str = "",
+    angles: dict[str, float] | None = None,
+    value: float = 1.0,
+) -> Source:
+    """A mechanism from its dimensions (with sizes at which it closes), links and joints; `slides`: the joint that is driven.
+
+    The driver is the second link, or the sliding joint. The first link is the ground.
+    """
+    dimensions = [Dimension(symbol, size, "mm") for symbol, size in lengths.items()]
+    dimensions += [Dimension(symbol, size, "rad") for symbol, size in (angles or {}).items()]
+    bodies = tuple(
+        Link(name, number, {point: Cartesian(*place) for point, place in points.items()})
+        for number, (name, points) in enumerate(links.items(), 1)
+    )
+    driven = next((joint.symbol for joint in joints if joint.name == slides), "theta12")
+    driver = Driver(driven, "mm" if slides else "rad", "" if slides else bodies[1].name, bodies[0].name, slides)
+    nothing = Words("", "")
+    mechanism = Mechanism(
+        "basic",
+        nothing,
+        nothing,
+        "mm",
+        "rad",
+        tuple(dimensions),
+        bodies,
+        tuple(joints),
+        replace(driver, values=(value,)),
+    )
+    return Source(mechanism, solve(mechanism))
+
+
+def _guide(name: str, link: str, point: str, through: tuple[Quantity, Quantity], angle: Quantity, symbol: str) -> Joint:
+    return Joint(name, "prismatic", link, "ground", point, through, angle, 0.0, symbol)
+
+
+def _pin(height: Quantity, symbol: str, point: str = "P") -> Joint:
+    """The driven slide that brings a pin anywhere: along x at the height given, from x = 0."""
+    return _guide("place", "carrier", point, (0.0, height), 0.0, symbol)
+
+
+@lru_cache(maxsize=1)
+def four_bar() -> Source:
+    """Crank, coupler, output, ground along +x."""
+    return _source(
+        {"crank": 35.0, "coupler": 62.3, "output": 56.0, "ground": 70.0},
+        {
+            "ground": {"A0": (0.0, 0.0), "B0": ("ground", 0.0)},
+            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
+            "coupler": {"A": (0.0, 0.0), "B": ("coupler", 0.0)},
+            "output": {"B0": (0.0, 0.0), "B": ("output", 0.0)},
+        },
+    )
+
+
+@lru_cache(maxsize=1)
+def slider_crank() -> Source:
+    """A slide along x at the height `eccentricity` over the crank's pivot."""
+    return _source(
+        {"crank": 50.0, "coupler": 250.0, "eccentricity": -20.0},
+        {
+            "ground": {"A0": (0.0, 0.0)},
+            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
+            "coupler": {"A": (0.0, 0.0), "B": ("coupler", 0.0)},
+            "slider": {"B": (0.0, 0.0)},
+        },
+        (_guide("guide", "slider", "B", (0.0, "eccentricity"), 0.0, "s"),),
+    )
+
+
+@lru_cache(maxsize=2)
+def inverted(eccentricity: Quantity) -> Source:
+    """A crank pin in the slot of a lever; the slot passes the lever's pivot at a distance."""
+    lengths = {"crank": 51.0, "ground": 127.0}
+    if isinstance(eccentricity, str):
+        lengths[eccentricity] = -5.0
+    return _source(
+        lengths,
+        {
+            "ground": {"A0": (0.0, 0.0), "B0": ("ground", 0.0)},
+            "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
+            "lever": {"B0": (0.0, 0.0)},
+        },
+        (Joint("slot", "pin-slot", "crank", "lever", "A", (0.0, eccentricity), 0.0, 0.0, "s"),),
+    )
+
+
+@lru_cache(maxsize=1)
+def rrr() -> Source:
+    """Pin P anywhere (driven), pin Q fixed, links a and b."""
+    return _source(
+        {"yP": -10.0, "a": 60.0, "xQ": -70.0, "yQ": -30.0, "b": 50.0},
+        {
+            "ground": {"Q": ("xQ", "yQ")},
+            "carrier": {"P": (0.0, 0.0)},
+            "first": {"P": (0.0, 0.0), "R": ("a", 0.0)},
+            "second": {"Q": (0.0, 0.0), "R": ("b", 0.0)},
+        },
+        (_pin("yP", "xP"),),
+        slides="place",
+        value=-140.0,
+    )
+
+
+@lru_cache(maxsize=1)
+def rrp() -> Source:
+    """Pin P anywhere (driven), a guide through L in the direction delta."""
+    return _source(
+        {"yP": -30.0, "a": 60.0, "xL": -5.0, "yL": -10.0},
+        {
+            "ground": {},
+            "carrier": {"P": (0.0, 0.0)},
+            "first": {"P": (0.0, 0.0), "R": ("a", 0.0)},
+            "second": {"R": (0.0, 0.0)},
+        },
+        (_pin("yP", "xP"), _guide("guide", "second", "R", ("xL", "yL"), "delta", "s")),
+        slides="place",
+        angles={"delta": 0.3},
+    )
+
+
+@lru_cache(maxsize=1)
+def rpr() -> Source:
+    """Pin P fixed, pin Q anywhere (driven), a slot at the distance h from P."""
+    return _source(
+        {"xP": -5.0, "yP": -10.0, "yQ": -30.0, "h": -4.0},
+        {"ground": {"P": ("xP", "yP")}, "carrier": {"Q": (0.0, 0.0)}, "lever": {"P": (0.0, 0.0)}},
+        (
+            _pin("yQ", "xQ", "Q"),
+            Joint("slot", "pin-slot", "carrier", "lever", "Q", (0.0, "h"), 0.0, 0.0, "s"),
+        ),
+        slides="place",
+        value=60.0,
+    )
+
+
+@lru_cache(maxsize=1)
+def prp() -> Source:
+    """Two fixed lines (the crank only drives)."""
+    return _source(
+        {"x1": 5.0, "y1": 10.0, "x2": 50.0, "y2": 30.0},
+        {
+            "ground": {"O": (0.0, 0.0)},
+            "crank": {"O": (0.0, 0.0)},
+            "first": {"R": (0.0, 0.0)},
+            "second": {"R": (0.0, 0.0)},
+        },
+        (
+            _guide("line1", "first", "R", ("x1", "y1"), "delta1", "s1"),
+            _guide("line2", "second", "R", ("x2", "y2"), "delta2", "s2"),
+        ),
+        angles={"delta1": 0.3, "delta2": 1.3},
+    )
+
+
+@lru_cache(maxsize=1)
+def rpp() -> Source:
+    """Pin P anywhere (driven) in the slot of a yoke that slides along a guide."""
+    return _source(
+        {"yP": 30.0, "xL": 5.0, "yL": 10.0},
+        {"ground": {}, "carrier": {"P": (0.0, 0.0)}, "yoke": {"Y": (0.0, 0.0)}},
+        (
+            _pin("yP", "xP"),
+            _guide("guide", "yoke", "Y", ("xL", "yL"), "delta", "s"),
+            Joint("slot", "pin-slot", "carrier", "yoke", "P", (0.0, 0.0), "gamma", 0.0, "t"),
+        ),
+        slides="place",
+        angles={"delta": 0.3, "gamma": 1.4},
+    )
