@@ -139,7 +139,8 @@ class Ledger:
             last = Previous(held.name)
             step: Node = Call("IF", (number, _turns(last, raw, turn), al.ZERO))
         else:
-            step = _turns(last, raw, turn)
+            # Pins that coincide have no direction: ATAN2(0, 0) is an error in most programs, which must not spread.
+            step = Call("IF", (Call("ISNUMBER", (al.sub(last, raw),)), _turns(last, raw, turn), al.ZERO))
         turns_name = self.reserve("turns")
         turns = self.define(
             turns_name,

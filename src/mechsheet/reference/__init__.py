@@ -3,6 +3,7 @@
 It knows nothing of equations, formulas, cells or the groups that the workbook is solved by; it judges them.
 """
 
+from .continuity import leaps
 from .geometry import dimension_values, driver_values
 from .poses import Solution, assemblies, solve, variables
 from .residual import residuals, worst
@@ -12,6 +13,7 @@ __all__ = [
     "assemblies",
     "dimension_values",
     "driver_values",
+    "leaps",
     "residuals",
     "solve",
     "variables",

@@ -1,0 +1,119 @@
+"""Branches that meet and degenerate geometry: right numbers, or #N/A with a word, or a clear message.
+
+Engine and reference agree on which rows exist, to the last row at a limit, and on rows to which the mechanism leaps.
+"""
+
+import numpy as np
+import pytest
+from degenerate_cases import cases
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from laid import Laid, template_text
+
+from judging import judged
+from mechsheet.description import loads
+from mechsheet.description.schema import MOST_ROWS
+from mechsheet.diagnostics import MechsheetError
+from mechsheet.formula.nodes import MAX_ROWS
+from mechsheet.kinematics.solve import solve
+from mechsheet.reference import leaps as reference_leaps
+from mechsheet.reference import solve as refer
+from mechsheet.sheet.checks import FIRST
+from mechsheet.sheet.plan import EXISTS, STATUS, plan_of
+from random_mechanisms import Grower
+
+ALL = [pytest.param(case, id=case.name) for folder in ("branches", "degenerate") for case in cases(folder)]
+BUILT = [param for param in ALL if not param.values[0].refused]
+REFUSED = [param for param in ALL if param.values[0].refused]
+
+
+def column(laid, col):
+    """A column of the table of positions."""
+    first = laid.plan.at.first
+    return [laid.values.get(laid.plan.table, first + row, col) for row in range(laid.plan.rows)]
+
+
+def flagged(laid, key):
+    """The rows that a column of the sheet of checks marks with 1."""
+    if key not in laid.plan.at.shown:
+        return set()
+    spot = laid.plan.at.shown[key]
+    cells = [laid.values.get(spot.sheet, FIRST + row, spot.col) for row in range(laid.plan.rows)]
+    return {row for row, cell in enumerate(cells) if cell == 1}
+
+
+@pytest.mark.parametrize("case", BUILT)
+def test_what_must_happen(case):
+    laid = Laid(case.description)
+    exists, status = column(laid, EXISTS), column(laid, STATUS)
+    assert {row for row, there in enumerate(exists) if there == 0} == case.missing
+    for row in case.missing:
+        assert case.says in status[row]
+        assert ("undetermined" in status[row]) == (row in case.undetermined)
+    assert flagged(laid, "#shared") == case.shared
+    assert flagged(laid, "#leaps") == case.leaps
+    if "#shared" in laid.plan.at.spots:
+        assert laid.stands("shared") == len(case.shared)
+    assert laid.stands("leaps") == len(case.leaps)
+    assert (laid.spot("#clear") == "all clear") == case.clear
+    for symbol, rows in case.values.items():
+        spot = laid.plan.at.shown[symbol]
+        for row, value in rows.items():
+            assert laid.values.get(spot.sheet, spot.row + row, spot.col) == pytest.approx(value, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("case", BUILT)
+def test_reference_agrees(case):
+    mechanism = loads(case.description)
+    solution = refer(mechanism)
+    assert set(np.flatnonzero(~solution.exists)) == case.missing
+    assert set(np.flatnonzero(solution.undetermined)) == case.undetermined
+    assert set(np.flatnonzero(reference_leaps(solution))) == case.leaps
+    comparison = judged(mechanism)
+    assert comparison.agrees, comparison
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_refused_with_a_message(case):
+    with pytest.raises(MechsheetError) as error:
+        solve(loads(case.description))
+    assert case.says in str(error.value)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_through_and_beyond_limits(seed):
+    """Dimensions changed by up to a quarter in the cells: some rows do not exist; engine and reference agree on which."""
+    mechanism = loads(Grower(9_000 + seed, 1 + seed % 4).text(25, 15.0))
+    random = np.random.default_rng(seed)
+    changes = {dim.symbol: dim.shown * (1 + 0.25 * random.uniform(-1, 1)) for dim in mechanism.dimensions}
+    comparison = judged(mechanism, changes)
+    assert comparison.agrees, (seed, comparison)
+
+
+@settings(max_examples=15, derandomize=True, deadline=None, database=None)
+@given(st.floats(1.0, 153.2), st.floats(0.05, 40.0))
+def test_rows_around_a_limit(ground, step):
+    """Any ground and any step: the last row before the limit and the first one behind it are the reference's."""
+    text = template_text("four-bar").partition("[outputs]")[0]
+    text = text.replace("a1 = { value = 70", f"a1 = {{ value = {ground!r}").replace("step = 15", f"step = {step!r}")
+    text = text.replace("stop = 360", f"stop = {12 * step!r}").partition("[assembly]")[0]
+    mechanism = loads(text)
+    try:
+        solve(mechanism)
+    except MechsheetError:
+        assert not refer(mechanism).exists.any()
+        return
+    comparison = judged(mechanism)
+    assert comparison.agrees, (ground, step, comparison)
+
+
+def test_as_many_rows_as_a_sheet_holds():
+    """Only laid out: the plan has an address for every row, and the sheet of checks has room; one row more is refused."""
+    text = template_text("scotch-yoke").replace("step = 5", "step = 0.001")
+    most = loads(text.replace("stop = 360", f"stop = {0.001 * (MOST_ROWS - 1)!r}"))
+    plan = plan_of(most, solve(most))
+    assert plan.rows == MOST_ROWS
+    assert plan.at.last < MAX_ROWS
+    assert FIRST + plan.rows <= MAX_ROWS
+    with pytest.raises(MechsheetError, match="rows"):
+        loads(text.replace("stop = 360", f"stop = {0.001 * MOST_ROWS!r}"))
