@@ -23,7 +23,7 @@ from mechsheet.formula.nodes import Call, Node, Text, walk  # noqa: E402
 from mechsheet.formula.parser import parse_formula  # noqa: E402
 from mechsheet.formula.printer import print_formula  # noqa: E402
 
-SINGLE = "ntbda"
+SINGLE = "npytbda"
 VARIANTS = ("A3", "A6", "A5", "A7", "A4")
 """What takes the place of a single value: a text, an error, a blank cell, a text that shows a number, a truth value."""
 
@@ -39,7 +39,10 @@ def calls() -> dict[str, list[str]]:
         elif line and not line.startswith("#"):
             current.extend(variants(line))
     left_out = set(load(FOLDER / "decided.toml")["left_out"])
-    return {name: [f for f in dict.fromkeys(formulas) if f not in left_out] for name, formulas in tables.items()}
+    for name, formulas in tables.items():
+        tables[name] = [formula for formula in dict.fromkeys(formulas) if formula not in left_out]
+        left_out.update(tables[name])
+    return tables
 
 
 def variants(formula: str) -> list[str]:

@@ -9,7 +9,8 @@ from mechsheet.formula.functions import FUNCTIONS, MANY, Function
 PATH = Path(__file__).parent.parent / "docs" / "functions.md"
 
 KINDS = {
-    "n": "number", "t": "text", "b": "truth value", "d": "date", "a": "value", "e": "value or error", "v": "numbers",
+    "n": "number", "p": "number", "y": "date", "t": "text",
+    "b": "truth value", "d": "date", "a": "value", "e": "value or error", "v": "numbers",
     "m": "matrix", "r": "range", "l": "values", "g": "array", "q": "criterion", "f": "formula",
 }  # fmt: skip
 

@@ -21,7 +21,7 @@ from .values import BLANK, ERROR, ERROR_NAMES, NUMBER, Cells, Numbers, Texts, co
 if TYPE_CHECKING:
     from .careful import Evaluator
 
-LIFTED = frozenset("ntbdae")
+LIFTED = frozenset("npytbdae")
 """Kinds of single values: an array there means one result for each of its cells."""
 
 EPOCHS = 1462.0
@@ -68,8 +68,16 @@ def _to_day(value: Scalar) -> float:
     return to_number(value)
 
 
+def _strict(value: Scalar) -> float:
+    if isinstance(value, bool):
+        raise Problem("#VALUE!")
+    return to_number(value)
+
+
 _CONVERSIONS: dict[str, Callable[[Scalar], Any]] = {
     "n": to_number,
+    "p": _strict,
+    "y": _strict,
     "t": to_text,
     "b": to_truth,
     "d": _to_day,
@@ -206,7 +214,7 @@ class _Call:
         if isinstance(value, ErrorValue) and kind != "e":
             raise Problem(value.code)
         converted = _CONVERSIONS[kind](value)
-        return converted + self.offset if kind == "d" and not isinstance(value, str) else converted
+        return converted + self.offset if kind in "dy" and not isinstance(value, str) else converted
 
     def _result(self, found: Any) -> Any:
         if isinstance(found, list):

@@ -25,7 +25,7 @@ def text_to_number(text: str) -> float | None:
     if "," in body and re.fullmatch(r"[+-]?[0-9]{1,3}(?:,[0-9]{3})+(?:\.[0-9]*)?", body):
         body = body.replace(",", "")
     if not _NUMBER.fullmatch(body):
-        return None if percent else shown_number(body)
+        return None if percent else shown_number(text)
     value = float(body)
     if not np.isfinite(value):
         return None

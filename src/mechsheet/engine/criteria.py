@@ -55,12 +55,14 @@ def _number(op: str, number: float, texts: Texts) -> Test:
         if op not in ("=", "<>"):
             return (codes == NUMBER) & compare_numbers(op, cells.numbers, number)
         found = (codes == NUMBER) & compare_numbers("=", cells.numbers, number)
+        if op == "<>":
+            return ~found
         is_text = codes == TEXT
         for key in np.unique(cells.numbers[is_text]) if np.any(is_text) else ():
             shown = text_to_number(texts.text(key))
             if shown is not None and compare_numbers("=", np.float64(shown), number):
                 found = found | (is_text & (cells.numbers == key))
-        return ~found if op == "<>" else found
+        return found
 
     return test
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from ..formula.functions import FUNCTIONS
 from ..formula.nodes import Arrayed, Binary, Call, Node, RangeRef, TableRef, Unary, children, rebuilt
 
-SINGLES = frozenset("ntbdae")
+SINGLES = frozenset("npytbdae")
 """Kinds of arguments that are single values."""
 _LISTS = frozenset("v")
 """Kinds of arguments that are lists of values: a range is taken whole, an expression of ranges is a single value."""

@@ -9,6 +9,7 @@ from typing import Any
 
 from ..formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from .calling import Problem, to_number, to_truth
+from .values import error_code
 
 Grid = list[list[Scalar]]
 NA = ErrorValue("#N/A")
@@ -55,7 +56,8 @@ def compared(a: Scalar, b: Scalar) -> int:
     if first != second:
         return -1 if first < second else 1
     if first >= 3:
-        return 0
+        codes = [error_code(value.code) if isinstance(value, ErrorValue) else 0 for value in (a, b)]
+        return int(codes[0] > codes[1]) - int(codes[0] < codes[1])
     left: Any = a.casefold() if isinstance(a, str) else a
     right: Any = b.casefold() if isinstance(b, str) else b
     return int(left > right) - int(left < right)
@@ -125,9 +127,10 @@ def unique(grid: Grid, across: bool = False, once: bool = False) -> Grid:
     return _turned(found) if across else found
 
 
-def sequence(rows: float, cols: float = 1.0, start: float = 1.0, step: float = 1.0) -> Grid:
-    """SEQUENCE."""
-    height, width = math.trunc(rows), math.trunc(cols)
+def sequence(*sizes: Scalar) -> Grid:
+    """SEQUENCE(rows, columns, start, step): what is left out is 1."""
+    given = [1.0 if value is None else to_number(value) for value in (*sizes, None, None, None)[:4]]
+    height, width, start, step = math.trunc(given[0]), math.trunc(given[1]), given[2], given[3]
     if height < 0 or width < 0 or height > MAX_ROWS or width > MAX_COLUMNS or height * width > _MOST_CELLS:
         raise Problem("#VALUE!")
     if not height or not width:

@@ -135,21 +135,7 @@ def _parity(value: Scalar) -> int:
     return math.floor(abs(to_number(value))) % 2
 
 
-def exclusive_or(*lists: list[Scalar]) -> bool:
-    """XOR: whether an odd number of values are true; texts and blanks in ranges are ignored."""
-    found = []
-    for value in (value for values in lists for value in values):
-        if isinstance(value, ErrorValue):
-            raise Problem(value.code)
-        if isinstance(value, bool | float | int):
-            found.append(bool(value))
-    if not found:
-        raise Problem("#VALUE!")
-    return sum(found) % 2 == 1
-
-
 PLAIN: dict[str, Callable[..., Any]] = {
-    "XOR": exclusive_or,
     "ERROR.TYPE": error_type,
     "ISEVEN": lambda value: _parity(value) == 0,
     "ISODD": lambda value: _parity(value) == 1,

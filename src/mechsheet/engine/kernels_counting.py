@@ -23,7 +23,7 @@ def binom_dist(hits: float, trials: float, p: float, cumulative: bool) -> float:
     """BINOM.DIST."""
     k, n = math.trunc(hits), math.trunc(trials)
     _share(p)
-    need(0 <= k <= n)
+    need(0 <= k <= n < 2**31)
     if not cumulative:
         return binomial_density(k, n, p, 1 - p)
     return 1.0 if k == n else beta_parts(n - k, k + 1, 1 - p, p)[0]
@@ -43,8 +43,7 @@ def binom_range(trials: float, p: float, first: float, last: float | None = None
 def binom_inv(trials: float, p: float, alpha: float) -> float:
     """BINOM.INV: the least count whose cumulative probability reaches alpha."""
     n = math.trunc(trials)
-    need(n >= 0, 0 < alpha < 1)
-    _share(p)
+    need(n >= 0, 0 < alpha < 1, 0 <= p < 1)
     low, high = -1, n
     while high - low > 1:
         middle = (low + high) // 2
@@ -58,8 +57,7 @@ def binom_inv(trials: float, p: float, alpha: float) -> float:
 def negbinom_dist(failures: float, hits: float, p: float, cumulative: bool = False) -> float:
     """NEGBINOM.DIST: so many failures before the last hit."""
     f, s = math.trunc(failures), math.trunc(hits)
-    _share(p)
-    need(f >= 0, s >= 1)
+    need(f >= 0, s >= 1, 0 < p < 1)
     if cumulative:
         return beta_parts(s, f + 1, p, 1 - p)[0]
     return binomial_density(s, f + s, p, 1 - p) * s / (f + s)

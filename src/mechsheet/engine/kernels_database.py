@@ -50,8 +50,11 @@ def _chosen(table: Cells, criteria: Cells, headings: list[str], texts: Texts) ->
     for number_row, code_row in zip(criteria.numbers[1:], criteria.codes[1:], strict=True):
         fits = np.ones(len(rows.numbers), bool)
         for name, number, code in zip(names, number_row.tolist(), code_row.tolist(), strict=True):
-            if code == BLANK or name not in headings:
+            if code == BLANK:
                 continue
+            if name not in headings:
+                fits[:] = False
+                break
             value = texts.decode(number, code)
             if isinstance(value, str) and value[:1] not in ("=", "<", ">"):
                 value += "*"  # a text alone stands for its beginning here
@@ -65,6 +68,8 @@ def _picked(ev: Evaluator, args: Args, frame: Frame) -> tuple[Any, Any]:
     """(numbers, codes) of the field in the rows that fit; without a field, a number for each of them."""
     table, criteria = table_of(ev, args[0], frame), table_of(ev, args[2], frame)
     headings = _headings(table, ev.texts)
+    if len(table.numbers) < 2:
+        raise Problem("#VALUE!")
     place = None
     if not isinstance(args[1], Missing):
         cells = ev.value(args[1], frame)

@@ -172,9 +172,7 @@ def beta_dist(x: float, a: float, b: float, cumulative: bool, low: float = 0.0, 
 
 def beta_inv(p: float, a: float, b: float, low: float = 0.0, high: float = 1.0) -> float:
     """BETA.INV."""
-    need(a > 0, b > 0, low < high, 0 < p <= 1)
-    if p == 1:
-        return high
+    need(a > 0, b > 0, low < high, 0 < p < 1)
     part = crossing(lambda x: beta_parts(a, b, x, 1 - x)[0] - p, 1e-300, 1.0)
     return low + part * (high - low)
 

@@ -70,10 +70,10 @@ def write_base(number: int, base: int, places: Scalar) -> str:
         rest, digit = divmod(rest, base)
         text = "0123456789ABCDEF"[digit] + text
     text = text or "0"
-    if places == _NO_PLACES or number < 0:
+    if places == _NO_PLACES:
         return text
     least = math.trunc(_plain_number(places))
-    if not len(text) <= least <= _DIGITS or least <= 0:
+    if not 0 < least <= _DIGITS or (number >= 0 and len(text) > least):
         raise Problem("#NUM!")
     return text.rjust(least, "0")
 
@@ -89,7 +89,7 @@ def _to_decimal(base: int) -> Callable[[Scalar], float]:
 
 
 def _from_decimal(base: int) -> Callable[..., str]:
-    return lambda value, places=_NO_PLACES: write_base(math.floor(_plain_number(value)), base, places)
+    return lambda value, places=_NO_PLACES: write_base(math.trunc(_plain_number(value)), base, places)
 
 
 def _between(source: int, target: int) -> Callable[..., str]:

@@ -30,16 +30,21 @@ def _factor(rate: float, periods: float) -> float:
 
 def future_value(rate: float, periods: float, payment: float, present: float = 0.0, due: float = 0.0) -> float:
     """FV."""
+    if rate == -1 and periods < 0:
+        raise Problem("#DIV/0!")
     return -(present * growth(rate, periods) + payment * (1 + rate * bool(due)) * _factor(rate, periods))
 
 
 def present_value(rate: float, periods: float, payment: float, future: float = 0.0, due: float = 0.0) -> float:
     """PV."""
+    if rate == -1 and periods > 0:
+        raise Problem("#DIV/0!")
     return -(future + payment * (1 + rate * bool(due)) * _factor(rate, periods)) / growth(rate, periods)
 
 
 def payment(rate: float, periods: float, present: float, future: float = 0.0, due: float = 0.0) -> float:
     """PMT."""
+    need(rate > -1)
     return -(future + present * growth(rate, periods)) / ((1 + rate * bool(due)) * _factor(rate, periods))
 
 
@@ -58,7 +63,7 @@ def interest_part(
 ) -> float:
     """IPMT."""
     need(1 <= period < periods + 1)
-    if rate == 0 or (due and period < 2):
+    if rate == 0 or (due and period == 1):
         return 0.0
     found = -_balance(rate, period - 1, periods, present, future) * rate
     return found / (1 + rate) if due else found
@@ -185,9 +190,10 @@ def modified_rate(values: Numbers, finance: float, reinvest: float) -> float:
     """MIRR."""
     n = len(values)
     times = np.arange(n, dtype=float)
-    costs = float(np.sum(np.where(values < 0, values, 0) / (1 + finance) ** times))
-    gains = float(np.sum(np.where(values > 0, values, 0) * (1 + reinvest) ** (n - 1 - times)))
-    if costs == 0 or gains == 0:
+    paid, gained = values < 0, values > 0
+    costs = float(np.sum(values[paid] / (1 + finance) ** times[paid]))
+    gains = float(np.sum(values[gained] * (1 + reinvest) ** (n - 1 - times[gained])))
+    if costs == 0:
         raise Problem("#DIV/0!")
     return math.pow(gains / -costs, 1 / (n - 1)) - 1
 
@@ -208,7 +214,7 @@ def _dated(values: Cells, dates: Cells) -> tuple[Numbers, Numbers]:
 def dated_value(discount: float, values: Cells, dates: Cells) -> float:
     """XNPV."""
     amounts, years = _dated(values, dates)
-    need(discount > -1)
+    need(discount >= 0)
     return float(np.sum(amounts / (1 + discount) ** years))
 
 

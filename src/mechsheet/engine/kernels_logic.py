@@ -87,7 +87,15 @@ iferror = _instead(lambda codes: codes >= ERROR)
 ifna = _instead(lambda codes: codes == NA)
 
 
+_JOINS: dict[str, tuple[Any, bool]] = {
+    "AND": (np.logical_and, True), "OR": (np.logical_or, False), "XOR": (np.logical_xor, False),
+}  # fmt: skip
+"""How truth values are joined, and the one that changes nothing."""
+
+
 def _joined(name: str) -> Any:
+    join, neutral = _JOINS[name]
+
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         del spread
         masks: list[Any] = []
@@ -98,18 +106,18 @@ def _joined(name: str) -> Any:
             codes = codes_of(cells)
             inside = np.ndim(cells.numbers) > 2 or isinstance(arg, CellRef)
             # Texts and blanks that stand in cells are passed over; a text written as an argument must be a truth value.
-            counts = (codes != TEXT) & (codes != BLANK) if inside else codes != BLANK
+            empty = (codes == TEXT) & (cells.numbers == ev.texts.number(""))
+            counts = (codes != TEXT) & (codes != BLANK) if inside else (codes != BLANK) & ~empty
             mask, errors = truths_of(cells, ev.texts)
-            if inside and errors is not None:
-                errors = np.where(codes == TEXT, np.uint8(0), errors)
-            flat = _flat(np.where(counts, mask, name == "AND"))
-            masks.append(np.logical_and.reduce(flat) if name == "AND" else np.logical_or.reduce(flat))
+            if errors is not None:
+                errors = np.where((codes == TEXT) if inside else empty, np.uint8(0), errors)
+            masks.append(join.reduce(_flat(np.where(counts, mask, neutral))))
             counted.append(np.logical_or.reduce(_flat(np.broadcast_to(counts, np.shape(cells.numbers)))))
             faults.append(None if errors is None else _first_of(_flat(errors)))
         total = masks[0]
         any_counted = counted[0]
         for mask, counts in zip(masks[1:], counted[1:], strict=True):
-            total = (total & mask) if name == "AND" else (total | mask)
+            total = join(total, mask)
             any_counted = any_counted | counts
         nothing = np.where(any_counted, np.uint8(0), np.uint8(VALUE))
         errors = first_error(*faults, nothing if np.any(nothing) else None)
@@ -141,7 +149,7 @@ def _first_of(errors: Any) -> Any:
     return np.take_along_axis(errors, np.expand_dims(index, 0), axis=0)[0]
 
 
-and_, or_ = _joined("AND"), _joined("OR")
+and_, or_, xor = _joined("AND"), _joined("OR"), _joined("XOR")
 
 
 def not_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -256,7 +264,7 @@ def _size(axis: int) -> Any:
 rows, columns = _size(0), _size(1)
 
 KERNELS: dict[str, Any] = {
-    "IF": if_, "IFERROR": iferror, "IFNA": ifna, "AND": and_, "OR": or_, "NOT": not_, "NA": na,
+    "IF": if_, "IFERROR": iferror, "IFNA": ifna, "AND": and_, "OR": or_, "XOR": xor, "NOT": not_, "NA": na,
     "ISNUMBER": isnumber, "ISTEXT": istext, "ISLOGICAL": islogical, "ISBLANK": isblank, "ISNA": isna,
     "ISERR": iserr, "ISERROR": iserror, "N": n, "T": t, "PI": pi, "ROW": row, "COLUMN": column,
     "ROWS": rows, "COLUMNS": columns,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..formula.nodes import Call, Local, Missing, Node
+from ..formula.nodes import Call, CellRef, Local, Missing, Node, RangeRef
 from .calling import spread_cells, table_of
 from .coerce import numbers_of, truths_of
 from .frames import Frame
@@ -17,6 +17,7 @@ from .values import (
     BLANK,
     NA,
     REF,
+    TEXT,
     VALUE,
     Cells,
     choose,
@@ -182,11 +183,14 @@ def _line(cells: Cells, by_rows: bool, place: int) -> Cells:
 def _table_lookup(by_rows: bool) -> Any:
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         table = table_of(ev, args[1], frame)
+        if table.codes.shape == (1, 1) and table.codes[0, 0] == TEXT and not isinstance(args[1], CellRef | RangeRef):
+            return error(VALUE)
         wanted = ev.value(args[0], frame, spread)
         place, place_errors = numbers_of(ev.value(args[2], frame, spread), ev.texts)
         near: Any = np.True_
+        near_errors: Any = None
         if len(args) > 3:
-            near, _ = truths_of(ev.value(args[3], frame, spread), ev.texts)
+            near, near_errors = truths_of(ev.value(args[3], frame, spread), ev.texts)
         found = positions(ev, wanted, _line(table, by_rows, 0), 1.0 if np.all(near) else 0.0)
         found, (place, place_errors) = fitted(found, Cells(place, place_errors))
         across = np.trunc(place)
@@ -195,7 +199,7 @@ def _table_lookup(by_rows: bool) -> Any:
         safe = np.where((own != 0) | np.isnan(across), 0, across - 1).astype(np.intp)
         along = found.numbers.astype(np.intp)
         at = (along, safe) if by_rows else (safe, along)
-        errors = first_error(errors_of(wanted), place_errors, own if np.any(own) else None, found.codes)
+        errors = first_error(errors_of(wanted), place_errors, near_errors, own if np.any(own) else None, found.codes)
         return _or_error(Cells(table.numbers[at], table.codes[at]), errors)
 
     return kernel

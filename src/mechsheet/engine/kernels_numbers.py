@@ -117,7 +117,8 @@ def all_whole(lists: tuple[list[Scalar], ...]) -> list[int]:
 
 def least_multiple(*parts: list[Scalar]) -> float:
     """LCM."""
-    found = math.lcm(*all_whole(parts))
+    values = all_whole(parts)
+    found = math.lcm(*values) if values else 0
     if found >= MOST_WHOLE:
         raise Problem("#NUM!")
     return float(found)

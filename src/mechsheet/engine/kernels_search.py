@@ -10,7 +10,7 @@ from ..formula.nodes import Missing, Node
 from .calling import table_of
 from .coerce import numbers_of
 from .frames import Frame
-from .searching import EXACT, LARGER, SMALLER, WILDCARD, Line
+from .searching import EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
 from .values import (
     NA,
     VALUE,
@@ -42,8 +42,10 @@ def _mode(ev: Evaluator, args: Args, place: int, frame: Frame, allowed: tuple[in
 def _places(ev: Evaluator, args: Args, modes: int, frame: Frame, spread: bool) -> tuple[Any, Any, Any] | Cells:
     """(places with -1 for nowhere, errors or None, the array searched), or the error instead."""
     table = table_of(ev, args[1], frame)
-    mode, fault = _mode(ev, args, modes, frame, (EXACT, SMALLER, LARGER, WILDCARD))
+    mode, fault = _mode(ev, args, modes, frame, (EXACT, SMALLER, LARGER, WILDCARD, EXPRESSION))
     direction, other = _mode(ev, args, modes + 1, frame, (1, -1, 2, -2))
+    if mode == WILDCARD and direction in (2, -2):
+        other = VALUE
     if fault or other:
         return error(fault or other)
     if 1 not in table.numbers.shape:

@@ -248,6 +248,8 @@ def probability(places: Cells, shares: Cells, low: float, high: float | None = N
     raise_first(places.codes)
     raise_first(shares.codes)
     p = np.where(shares.codes.ravel() == NUMBER, shares.numbers.ravel(), 0.0)
+    if not np.any((places.codes.ravel() == NUMBER) & (shares.codes.ravel() == NUMBER)):
+        raise Problem("#DIV/0!")
     need(bool(np.all((p >= 0) & (p <= 1))), abs(float(p.sum()) - 1) < 1e-7)
     x = places.numbers.ravel()
     inside = (x == low) if high is None else (x >= low) & (x <= high)

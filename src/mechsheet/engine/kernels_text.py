@@ -14,7 +14,7 @@ from .calling import EPOCHS
 from .coerce import each, text_to_number, to_text
 from .frames import Frame
 from .number_formats import WIDE, formatted
-from .values import Cells, codes_of
+from .values import BLANK, Cells, codes_of
 
 if TYPE_CHECKING:
     from .careful import Evaluator
@@ -103,7 +103,8 @@ def value_(shown: Scalar) -> Scalar:
 def _each(function: Callable[..., Scalar]) -> Any:
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         cells = tuple(
-            Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread) for arg in args
+            Cells(np.float64(0), np.uint8(BLANK)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
+            for arg in args
         )
         return each(function, cells, ev.texts)
 

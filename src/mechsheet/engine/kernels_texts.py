@@ -20,6 +20,8 @@ from .wildcards import pattern_of
 MOST_CHARACTERS = 32767
 """As many characters as a cell can hold."""
 
+_LONGEST_PATTERN = 1000
+
 
 def character(number: float) -> str:
     """CHAR: of the code page 1252, as Excel for Windows has it."""
@@ -123,6 +125,44 @@ def _fits(text: str) -> str:
     return text
 
 
+# --- regular expressions ---------------------------------------------------------------------------------------------
+
+
+def _expression(pattern: str, ignore_case: float) -> re.Pattern[str]:
+    if len(pattern) > _LONGEST_PATTERN or ignore_case not in (0, 1):
+        raise Problem("#VALUE!")
+    try:
+        return re.compile(pattern, re.IGNORECASE if ignore_case else 0)
+    except re.error:
+        raise Problem("#VALUE!") from None
+
+
+def regex_extract(text: str, pattern: str, mode: float = 0.0, ignore_case: float = 0.0) -> Any:
+    """REGEXEXTRACT: the first match (0), all matches in a row (1), the groups of the first one in a row (2)."""
+    matches = list(_expression(pattern, ignore_case).finditer(text))
+    if not matches:
+        raise Problem("#N/A")
+    if mode == 0:
+        return matches[0].group()
+    if mode == 1:
+        return [[match.group() for match in matches]]
+    if mode != 2 or not matches[0].groups():
+        raise Problem("#VALUE!" if mode != 2 else "#N/A")
+    return [[group or "" for group in matches[0].groups()]]
+
+
+def regex_replace(text: str, pattern: str, new: str, which: float = 0.0, ignore_case: float = 0.0) -> str:
+    """REGEXREPLACE: all matches (0), one of them from the front, or from the end; $1 stands for a group."""
+    matches = list(_expression(pattern, ignore_case).finditer(text))
+    place = math.trunc(which)
+    chosen = matches if place == 0 else matches[place - 1 : place] if place > 0 else matches[place : place + 1 or None]
+    out, end = "", 0
+    for match in chosen:
+        shown = re.sub(r"\$(\d+)", lambda found, match=match: match.group(int(found[1])) or "", new)  # type: ignore[misc]
+        out, end = out + text[end : match.start()] + shown, match.end()
+    return _fits(out + text[end:])
+
+
 # --- joining and splitting -------------------------------------------------------------------------------------------
 
 
@@ -163,8 +203,12 @@ def _divided(before: bool) -> Callable[..., Scalar]:
         end: float = 0.0,
         otherwise: Scalar = ErrorValue("#N/A"),  # noqa: B008 - an immutable value
     ) -> Scalar:
-        which = math.trunc(instance)
+        which = math.floor(instance)
+        if mode not in (0, 1) or end not in (0, 1):
+            raise Problem("#VALUE!")
         if which == 0 or abs(which) > len(text) > 0:
+            raise Problem("#VALUE!")
+        if all(len(word) > len(text) for word in _texts(delimiters)):
             raise Problem("#VALUE!")
         pattern = _any_of(delimiters, mode)
         if pattern.fullmatch("") and "" in _texts(delimiters):
@@ -189,7 +233,7 @@ def text_split(
     pad: Scalar = ErrorValue("#N/A"),  # noqa: B008 - an immutable value
 ) -> list[list[Scalar]]:
     """TEXTSPLIT: into columns, and into rows; rows that are too short are padded."""
-    if columns is None and rows is None:
+    if (columns is None and rows is None) or any("" in _texts(part) for part in (columns, rows) if part is not None):
         raise Problem("#VALUE!")
     lines = [text] if rows is None else _any_of(rows, mode).split(text)
     table: list[list[Scalar]] = []
@@ -280,6 +324,9 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "SEARCH": search,
     "SUBSTITUTE": substitute,
     "REPLACE": replace,
+    "REGEXTEST": lambda text, pattern, ignore_case=0.0: _expression(pattern, ignore_case).search(text) is not None,
+    "REGEXEXTRACT": regex_extract,
+    "REGEXREPLACE": regex_replace,
     "TEXTJOIN": text_join,
     "TEXTBEFORE": _divided(True),
     "TEXTAFTER": _divided(False),
@@ -289,6 +336,6 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "NUMBERVALUE": number_value,
     "DOLLAR": dollar,
     "ADDRESS": address,
-    "HYPERLINK": lambda link, shown=None: link if shown is None else shown,
+    "HYPERLINK": lambda link, *shown: (0.0 if shown[0] is None else shown[0]) if shown else link,
     "ENCODEURL": lambda text: quote(text, safe="-_.~"),
 }

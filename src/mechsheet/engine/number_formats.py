@@ -119,14 +119,28 @@ def formatted(value: float | str, pattern: str, epochs: float = 0.0) -> str | No
     section, size = _chosen(value, found)
     if section is None:
         return "#" * 10
+    if section.has("date", "elapsed") and section.has("digit", "exponent"):
+        return None
     if section.has("date", "elapsed"):
         return moment(section.tokens, value + epochs)
     if section.has("general"):
-        shown = number_to_text(abs(size))
+        shown = general(abs(size))
         return _sign(size) + "".join(shown if kind == "general" else text for kind, text in section.tokens)
     if section.has("mark") and not section.has("digit") and ("mark", "@") in section.tokens:
         return _sign(size) + _with_text(section, number_to_text(abs(size)))
     return _number(section, size)
+
+
+def general(size: float) -> str:
+    """A number as a cell shows it that has no format: in eleven characters."""
+    if size == 0:
+        return "0"
+    if 1e-4 <= size < 99999999999.5 or (size < 1 and float(f"{size:.9f}") == size):
+        whole = len(str(int(size)))
+        text = f"{Decimal(f'{size:.15g}').quantize(Decimal(1).scaleb(-max(0, 10 - whole)), ROUND_HALF_UP, WIDE):f}"
+        return text.rstrip("0").rstrip(".") if "." in text else text
+    mantissa, _, power = f"{size:.5E}".partition("E")
+    return f"{mantissa.rstrip('0').rstrip('.')}E{power[0]}{power[1:].lstrip('0').rjust(2, '0')}"
 
 
 def _sign(size: float) -> str:
@@ -184,7 +198,7 @@ def _number(section: Section, value: float) -> str:
     size = size.quantize(Decimal(1).scaleb(-decimals.count), ROUND_HALF_UP, WIDE)
     before, _, after = f"{size:f}".partition(".")
     body = _whole_part(whole, before, thousands) + _rest(tokens, decimals, after, exponent, power)
-    return _sign(value) + body
+    return (_sign(value) if size else "") + body
 
 
 def _parts(tokens: list[tuple[str, str]]) -> tuple[_Digits, _Digits, str | None, bool, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from itertools import takewhile
 from typing import Any
@@ -12,7 +13,7 @@ from .coerce import compare_numbers
 from .values import BLANK, BOOLEAN, ERROR, NUMBER, TEXT, Cells, Texts
 from .wildcards import pattern_of
 
-EXACT, SMALLER, LARGER, WILDCARD = 0, -1, 1, 2
+EXACT, SMALLER, LARGER, WILDCARD, EXPRESSION = 0, -1, 1, 2, 3
 _OFTEN = 4
 
 
@@ -52,7 +53,7 @@ class Line:
             return self._text_place(self.texts.text(number), mode)
         if code == BLANK:
             hits = np.flatnonzero(self.codes == BLANK)
-            if len(hits) or mode in (EXACT, WILDCARD):
+            if len(hits) or mode in (EXACT, WILDCARD, EXPRESSION):
                 return int(hits[0]) if len(hits) else -1
             code = NUMBER
         if code == NUMBER and number in self._first_numbers():
@@ -61,11 +62,11 @@ class Line:
         hits = np.flatnonzero(same & compare_numbers("=", self.numbers, np.float64(number)))
         if len(hits):
             return int(hits[0])
-        if mode in (EXACT, WILDCARD):
+        if mode in (EXACT, WILDCARD, EXPRESSION):
             return -1
         side = np.flatnonzero(same & ((self.numbers < number) if mode == SMALLER else (self.numbers > number)))
         if not len(side):
-            return -1
+            return self._in_next_kind(BOOLEAN if code == BOOLEAN else NUMBER, mode)
         values = self.numbers[side]
         return int(side[np.argmax(values) if mode == SMALLER else np.argmin(values)])
 
@@ -101,6 +102,8 @@ class Line:
         return self._numbers
 
     def _text_place(self, text: str, mode: int) -> int:
+        if mode == EXPRESSION:
+            return self._matched(text)
         folded, words = text.casefold(), self.words()
         if mode == WILDCARD and any(mark in text for mark in "*?~"):
             pattern = pattern_of(folded)
@@ -115,4 +118,28 @@ class Line:
             nearer = best < 0 or (word > nearest if mode == SMALLER else word < nearest)
             if beside and nearer:
                 best, nearest = place, word
-        return best
+        return best if best >= 0 else self._in_next_kind(TEXT, mode)
+
+    def _matched(self, expression: str) -> int:
+        """The first text in which a regular expression is found."""
+        try:
+            pattern = re.compile(expression)
+        except re.error:
+            return -1
+        return next((place for place, _ in self.words() if pattern.search(self.texts.text(self.numbers[place]))), -1)
+
+    def _in_next_kind(self, code: int, mode: int) -> int:
+        """The largest value of the kinds before, or the smallest of the kinds after: numbers, texts, truth values."""
+        kinds = (NUMBER, TEXT, BOOLEAN)
+        place = kinds.index(code)
+        others = kinds[:place][::-1] if mode == SMALLER else kinds[place + 1 :]
+        for kind in others:
+            places = self._places_of(kind)
+            if not len(places):
+                continue
+            if kind == TEXT:
+                words = self.words()
+                return (max if mode == SMALLER else min)(words, key=lambda pair: pair[1])[0]
+            values = self.numbers[places]
+            return int(places[np.argmax(values) if mode == SMALLER else np.argmin(values)])
+        return -1

@@ -30,8 +30,9 @@ _TIME = re.compile(
     r"|(?P<hour12>\d{1,2})\s+(?P<half12>[ap]m?)",
     re.IGNORECASE,
 )
+_MONEY = "$€£¥"
 _AMOUNT = re.compile(
-    r"(?P<open>\()?(?P<sign>[-+])?\s*(?P<dollar>\$)?\s*(?P<inner>[-+])?(?P<number>[\d.,]+)\s*(?P<close>\))?"
+    rf"(?P<open>\()?(?P<sign>[-+])?\s*[{_MONEY}]?\s*(?P<inner>[-+])?(?P<number>[\d.,]+)\s*€?\s*(?P<close>\))?"
 )
 _FRACTION = re.compile(r"(?P<sign>[-+])?(?P<whole>\d+) (?P<above>\d{1,5})/(?P<below>\d{1,5})")
 _GROUPED = re.compile(r"(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d*)?|\.\d+")
@@ -40,16 +41,18 @@ _ZERO = date(1899, 12, 30).toordinal()
 
 @lru_cache(maxsize=4096)
 def shown_number(text: str) -> float | None:
-    """The number of a text that shows a date, a time, both, an amount of dollars or a mixed fraction; else None."""
+    """The number of a text that shows a date, a time, both, an amount of money or a mixed fraction; else None."""
     body = text.strip()
     if (
         not body
-        or not (body[0] in "($+-." or body[0].isalnum())
+        or not (body[0] in f"(+-.{_MONEY}" or body[0].isalnum())
         or not any(c.isdigit() for c in body)
         or len(body) > 64
     ):
         return None
     for kind in (amount, fraction, date_and_time):
+        if kind is date_and_time and body != text:
+            return None  # Excel takes no date with spaces around it
         found = kind(body)
         if found is not None:
             return found

@@ -49,7 +49,7 @@ _TABLE: dict[str, list[tuple[str, float, int]]] = {
     "magnetic flux density": [("T", 1.0, 1), ("ga", 1e-4, 1)],
     "volume": [
         ("tsp", _GALLON / 768, 0), ("tspm", 0.005, 0), ("tbs", _GALLON / 256, 0), ("oz", _GALLON / 128, 0),
-        ("cup", _GALLON / 16, 0), ("pt us_pt", _GALLON / 8, 0), ("uk_pt", _UK_GALLON / 8, 0), ("qt", _GALLON / 4, 0),
+        ("cup", _GALLON / 16, 0), ("pt us_pt", _GALLON / 8, 0), ("uk_pt", _UK_GALLON / 8, 1), ("qt", _GALLON / 4, 0),
         ("uk_qt", _UK_GALLON / 4, 0), ("gal", _GALLON, 0), ("uk_gal", _UK_GALLON, 0), ("l L lt", 1.0, 1),
         ("ang3 ang^3", 1e-27, 3), ("barrel", 42 * _GALLON, 0), ("bushel", 35.23907016688, 0),
         ("ft3 ft^3", _FOOT**3 * 1000, 0), ("in3 in^3", _INCH**3 * 1000, 0), ("ly3 ly^3", _LIGHT_YEAR**3 * 1000, 0),
@@ -66,7 +66,7 @@ _TABLE: dict[str, list[tuple[str, float, int]]] = {
     "information": [("bit", 1.0, 1), ("byte", 8.0, 1)],
     "speed": [
         ("admkn", 0.514773333333333, 0), ("kn", 1852 / 3600, 0), ("m/h m/hr", 1 / 3600, 1), ("m/s m/sec", 1.0, 1),
-        ("mph", 0.44704, 0),
+        ("mph", 0.44704, 1),
     ],
 }  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Wildcards: `*` any characters, `?` one, `~` before them themselves."""
+"""Wildcards: `*` any characters, `?` one, `~` before them themselves. A tilde before any other character is not seen."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ def pattern_of(text: str, lazy: bool = False) -> re.Pattern[str]:
     parts, place = [], 0
     while place < len(text):
         character = text[place]
-        if character == "~" and text[place + 1 : place + 2] in ("*", "?", "~"):
+        if character == "~":
             place += 1
-            parts.append(re.escape(text[place]))
+            parts.append(re.escape(text[place : place + 1]))
         elif character == "*":
             parts.append(".*?" if lazy else ".*")
         else:
