@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from mechsheet.diagnostics import Fault, MissingProgramError, WorkbookError, near_miss, readable_name
@@ -42,15 +42,19 @@ class Answers:
 
 def answers(program: str, path: Path) -> Answers:
     """What a program computes from the file. Raises MissingProgramError, or WorkbookError when the program fails."""
-    if program not in PROGRAMS:
-        raise MissingProgramError(
-            Fault(
-                f'no program is called "{program}"',
-                key="--with",
-                hint=near_miss(program, PROGRAMS) or f"programs: {', '.join(PROGRAMS)}",
-            )
-        )
+    refuse_unknown([program])
     return PROGRAMS[program](path)
+
+
+def refuse_unknown(programs: Iterable[str]) -> None:
+    """Raise MissingProgramError with a near miss for every name that is no program's."""
+    unknown = [program for program in programs if program not in PROGRAMS]
+    if unknown:
+        every = f"programs: {', '.join(PROGRAMS)}"
+        raise MissingProgramError(
+            Fault(f'no program is called "{program}"', key="--with", hint=near_miss(program, PROGRAMS) or every)
+            for program in unknown
+        )
 
 
 def answers_to_all(program: str, paths: Sequence[Path]) -> Iterator[Answers]:

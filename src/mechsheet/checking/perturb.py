@@ -30,7 +30,7 @@ from mechsheet.engine import compile_book
 from mechsheet.formats import read, refresh
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
-from mechsheet.programs import Answers, answers_to_all
+from mechsheet.programs import Answers, answers_to_all, refuse_unknown
 from mechsheet.sheet.plan import EXISTS, Plan
 
 Place = tuple[str, int, int]
@@ -136,6 +136,7 @@ def perturb(
     """
     path = Path(path)
     say = progress or (lambda _: None)
+    refuse_unknown(programs)
     with workbook_of(path) as built:
         return _Run(built, readable_name(path), seed, say).over(count, programs)
 
