@@ -204,6 +204,30 @@ def test_a_sum_of_thousands_of_terms():
         assert column(plan.evaluate(), "B", 1, 2) == [4000, 8000]
 
 
+def test_a_sum_of_thousands_of_different_terms():
+    plan = compile_book(book({"A": [5.0]}, {"B1": "+".join(f"A$1*{n}" for n in range(1, 3001))}))
+    for _ in range(2):
+        assert plan.evaluate().get("S", 0, 1) == 5 * 3000 * 3001 / 2
+
+
+def test_thousands_of_formulas_that_stand_alone():
+    """Segments have an end, so that one change does not mean all of them."""
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.column_constants(0, 0, [float(row) for row in range(1000)])
+    for row in range(1000):
+        above = f"+B{row}" if row % 10 else ""
+        sheet.block(row, 1, 1, 1, parse_formula(f"A{row + 1}*{row % 7}{above}"))
+    plan = compile_book(builder.build())
+    assert max(len(step.producers) for step in plan.steps) <= 64
+    expected = 0.0
+    for _ in range(2):
+        values = plan.evaluate()
+        for row in range(1000):
+            expected = row * (row % 7) + (expected if row % 10 else 0.0)
+            assert values.get("S", row, 1) == expected
+
+
 # --- overrides and values -------------------------------------------------------------------------------------------
 
 

@@ -23,6 +23,8 @@ from .values import TEXT
 CHUNK = 16_384
 """Cells of a column at a time: what fits the processor's second cache with a few buffers of it (docs/speed.md)."""
 
+_TERMS = 64
+"""Terms of a sum in the code: Python's compiler takes no chains of thousands."""
 _LARGE = 4096
 """Cells from which on a reduction of an array is faster than it is to write another one."""
 
@@ -113,8 +115,8 @@ class _Emitter:
             else:
                 self._define(item, place)
         unflagged = [self.names[n] for n in sorted(self.needed) if self._is_unflagged(self.values[n])]
-        if unflagged:
-            self.line(f"if not isfinite({' + '.join(unflagged)}): raise TroubleError")
+        for start in range(0, len(unflagged), _TERMS):
+            self.line(f"if not isfinite({' + '.join(unflagged[start : start + _TERMS])}): raise TroubleError")
 
     def _is_unflagged(self, value: Value) -> bool:
         return value.extent == 0 and value.op in _UNFLAGGED

@@ -82,6 +82,8 @@ def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]]
             segment = steps[index]
             if index >= after and isinstance(segment, Segment) and segment.joined(member):
                 place[number] = index
+                if segment.is_full:
+                    alike[key].remove(index)
                 break
         else:
             place[number] = len(steps)

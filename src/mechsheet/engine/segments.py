@@ -20,6 +20,9 @@ from .values import Cells, Codes
 
 Buffers: TypeAlias = dict[str, Any]
 
+_MOST_LONE, _MOST_MEMBERS, _MOST_VALUES = 64, 256, 4096
+"""Lone cells, blocks and values of a segment. What depends on a change is found by segments, and code without end takes
+long to compile."""
 _PATIENCE = 3
 _PART = 4096
 """Cells of a chunk that are computed together where not all of it is plain numbers."""
@@ -77,6 +80,7 @@ class Segment:
         self.cols = first.block.cols
         self.chunk = max(256, CHUNK // self.cols)
         self.part = max(256, _PART // self.cols)
+        self._most = _MOST_LONE if self.rows * self.cols == 1 else _MOST_MEMBERS
         self._code: Code | None = None
         self._buffers: list[Buffers] = []
         self._counts: dict[str, int] = {}
@@ -84,7 +88,7 @@ class Segment:
 
     def joined(self, member: Member) -> bool:
         """Take a block in, if the fast path can compute it together with the others."""
-        if self.lowering is None:
+        if self.lowering is None or self.is_full:
             return False
         try:
             self.lowering.add(member.number, member.formula, member.recurrence)
@@ -93,6 +97,11 @@ class Segment:
         self.members.append(member)
         self.producers.append(member.number)
         return True
+
+    @property
+    def is_full(self) -> bool:
+        """Whether further blocks must go elsewhere."""
+        return self.lowering is None or len(self.members) >= self._most or len(self.lowering.order) >= _MOST_VALUES
 
     @cached_property
     def texts(self) -> set[int]:
