@@ -17,6 +17,8 @@ from mechsheet.description import load, loads
 from mechsheet.diagnostics import OutputError
 from mechsheet.engine import evaluate
 from mechsheet.exporting.calls import matches
+from mechsheet.exporting.function_sheet import DIFFERENCE_ROW
+from mechsheet.exporting.function_sheet import FIRST as FIRST_CALL
 from mechsheet.exporting.functions import functions_of
 from mechsheet.exporting.lambdas import named_functions
 from mechsheet.exporting.routines import Source
@@ -33,6 +35,7 @@ from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.tables import FIRST
 from office_macros import Job as Office
 from office_macros import with_macros
+from random_mechanisms import Grower
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 PUMP, FOUR_BAR = TEMPLATES / "adjustable-pump.toml", TEMPLATES / "four-bar.toml"
@@ -237,6 +240,28 @@ def test_the_assembly_mode_reaches_the_functions(folder):
     found = [list(values.column("Tablo s15", 1, FIRST, FIRST + 18)) for values in (one, two, as_built)]
     assert found[1] == pytest.approx(found[0], rel=1e-12)
     assert found[1] != pytest.approx(found[2], rel=1e-3)
+
+
+@pytest.mark.parametrize("seed", [2, 5, 9])
+def test_functions_of_random_mechanisms_equal_the_table_of_positions(seed):
+    mechanism = loads(Grower(seed, 1 + seed % 3).text(rows=7))
+    workbook = computed(functions_workbook(mechanism, "lambda"))
+    sheet = workbook.sheet("Functions")
+    gaps = [fill.values[0] for fill in sheet.fills if fill.row == DIFFERENCE_ROW]
+    assert len(gaps) > 5
+    assert max(gaps) < 1e-9
+    values = [fill.values for fill in sheet.fills if fill.row == FIRST_CALL and 1 < fill.col < 2 + len(gaps)]
+    assert sum(isinstance(value, float) for column in values for value in column) > len(gaps)
+
+
+def test_names_of_a_description_that_functions_use_themselves():
+    """A dimension called driver, results of other names, and formulas that name cells by their addresses."""
+    text = PUMP.read_text(encoding="utf-8")
+    text = text.replace("c4", "driver").replace("b1", "mode").replace("a3", "Tol")
+    mechanism = loads(text.replace('language = "tr"', 'language = "tr"\nreferences = "anchors"'))
+    workbook = computed(functions_workbook(mechanism, "lambda"))
+    (table,) = [fill for fill in workbook.sheet("Tablo s15").fills if (fill.row, fill.col) == (FIRST, 1)]
+    assert table.values[:2] == pytest.approx([252.0937, 247.4078], abs=6e-5)
 
 
 def test_a_function_too_long_for_excel_is_refused(tmp_path):

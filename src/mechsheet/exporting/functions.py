@@ -20,6 +20,10 @@ LONGEST_PREFIX = 24
 TABLE_KEY = "the function of the table"
 
 
+IN_RADIANS = "driver in radians"
+"""The driver of the table's function (no description can use a name with blanks in it)."""
+
+
 @dataclass(frozen=True, slots=True)
 class Function:
     """A function that a person can call.
@@ -113,12 +117,12 @@ def table_routine(source: Source, request: TableRequest) -> Routine:
         arguments.append(Symbol(part.symbol))
         if part.symbol == driver.symbol and driver.unit == "deg":
             parameters[-1] = replace(part, unit="deg")
-            steps.append(Step("driver", Call("RADIANS", (Symbol(part.symbol),))))
-            arguments[-1] = Symbol("driver")
+            steps.append(Step(IN_RADIANS, Call("RADIANS", (Symbol(part.symbol),))))
+            arguments[-1] = Symbol(IN_RADIANS)
     value: Node = Symbol(request.value)
     unit = "number"
     if request.value == driver.symbol:
-        value = Symbol("driver") if steps else value
+        value = Symbol(IN_RADIANS) if steps else value
     else:
         value = Call(variable_key(request.value), tuple(arguments))
         unit = next(equation.unit for equation in source.equations.all if equation.symbol == request.value)
