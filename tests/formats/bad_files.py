@@ -196,6 +196,11 @@ BAD: dict[str, Bad] = {
                                "an encoding that is not read"),
     "two-sheets": Bad(".xlsx", lambda: packed(changed(workbook=str(xlsx()["xl/workbook.xml"]).replace(
         "<sheets>", '<sheets><sheet name="s" sheetId="2" r:id="a"/>'))), 'two sheets are called'),
+    "sheets-of-one-part": Bad(".xlsx", damaged(workbook=str(xlsx()["xl/workbook.xml"]).replace(
+        "</sheets>", '<sheet name="T" sheetId="2" r:id="a"/></sheets>')), 'the sheets "S" and "T" have the same part'),
+    "many-sheets": Bad(".xlsx", damaged(workbook=str(xlsx()["xl/workbook.xml"]).replace(
+        "</sheets>", '<sheet name="T" sheetId="2" r:id="a"/>' * 10_000 + "</sheets>")), "10001 sheets, at most 10000"),
+    "many-tables": Bad(".ods", lambda: ods("".join(table("", f"T{n}") for n in range(10_001))), "more than 10000 sheets"),
     "two-tables": Bad(".ods", lambda: ods(table("") + table("", "s")), "two sheets are called"),
     "nothing-inside": Bad(".ods", lambda: ods(""), "no sheet"),
     # addresses

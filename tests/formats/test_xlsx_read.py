@@ -361,6 +361,19 @@ def test_shared_formulas_in_any_order(read):
     assert [values.get("S", row, 0) for row in range(5)] == [1.0, 2.0, 3.0, 4.0, 5.0]
 
 
+def test_many_rows_from_the_bottom_up(read):
+    count = 4_000
+    cells = (
+        f'<row r="{r}"><c r="A{r}"><v>{r}</v></c><c r="B{r}"><f>A{r}*2</f><v>{2 * r}</v></c></row>'
+        for r in range(count, 0, -1)
+    )
+    book = read("".join(cells))
+    sheet = book.sheets[0]
+    assert [len(run.values) for run in sheet.constants.columns[0]] == [count]
+    assert [run.values[-1] for run in sheet.cached.columns[1]] == [2.0 * count]
+    assert evaluate(book).get("S", 999, 1) == 2_000.0
+
+
 def test_dates_as_texts_of_a_strict_file(read):
     cells = "".join(
         f'<c t="d"><v>{text}</v></c>' for text in ("2024-02-29T12:00:00", "1900-02-28", "1900-01-01", "T06:00:00")

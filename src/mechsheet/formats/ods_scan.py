@@ -20,7 +20,7 @@ from .fill_runs import FormulaRuns
 from .ods_row_pattern import ROW, ods_row_pattern
 from .ods_values import NULL_DATE, day_number, error_of, error_shown, finite, time_number
 from .ods_words import Words, words_of
-from .package import Package
+from .package import MAX_SHEETS, Package
 from .paragraph_text import ParagraphText
 from .repeated_rows import RepeatedRows
 
@@ -63,6 +63,7 @@ class ContentScan:
 
     package: Package
     sheets: list[BookSheet] = field(default_factory=list)
+    titles: set[str] = field(default_factory=set)
     names: list[NameText] = field(default_factory=list)
     lists: list[NameText] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
@@ -101,8 +102,11 @@ class ContentScan:
 
     def table(self, title: str) -> Table:
         """Begin a sheet."""
-        if any(sheet.title.casefold() == title.casefold() for sheet in self.sheets):
+        if title.casefold() in self.titles:
             raise self.fault(f'two sheets are called "{title}"')
+        if len(self.titles) == MAX_SHEETS:
+            raise self.fault(f"more than {MAX_SHEETS} sheets")
+        self.titles.add(title.casefold())
         sheet = BookSheet(title)
         self.sheets.append(sheet)
         faults = CellFaults(self.package.name, title, "openformula")

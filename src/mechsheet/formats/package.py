@@ -17,6 +17,7 @@ from mechsheet.diagnostics import Fault, WorkbookError, readable_name
 from .repeated_rows import RepeatedRows
 
 MAX_PARTS = 10_000
+MAX_SHEETS = 10_000
 MAX_SIZE = 4 << 30
 """Most bytes of all parts together, unpacked: a full sheet of a million rows takes half of it."""
 MAX_RATIO = 300

@@ -68,7 +68,7 @@ class SheetScan:
         if self.told:
             self.told -= 1
         elif row <= self.lowest:
-            self.sheet.cached.settle()  # what comes now is the later value of its cells
+            self.sheet.cached.settle_texts()  # what comes now is the later value of its cells
         else:
             self.lowest = row
         self.row = row

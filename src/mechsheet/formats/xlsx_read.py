@@ -12,7 +12,7 @@ from mechsheet.formula.book import Book, BookSheet, DefinedName
 from mechsheet.formula.parser import parse_formula
 
 from .metadata import dynamic_marks
-from .package import Package, attribute, local_name, open_package, relationships, unescaped
+from .package import MAX_SHEETS, Package, attribute, local_name, open_package, part_key, relationships, unescaped
 from .sheet_scan import SheetScan
 from .xlsx_tables import tables_of
 
@@ -52,8 +52,6 @@ def _read(package: Package) -> Book:
     dynamic = dynamic_marks(package, links)
     faults: list[Fault] = []
     for title, target in _sheet_parts(package, part, contents, links):
-        if book.sheet(title) is not None:
-            raise package.fault(f'two sheets are called "{title}"', part)
         sheet = BookSheet(title)
         book.sheets.append(sheet)
         scan = SheetScan(package, target, sheet, strings, contents.date1904, dynamic)
@@ -80,13 +78,23 @@ def _contents(package: Package, part: str) -> _Workbook:
 def _sheet_parts(
     package: Package, part: str, contents: _Workbook, links: Mapping[str, tuple[str, str]]
 ) -> list[tuple[str, str]]:
+    if len(contents.sheets) > MAX_SHEETS:
+        raise package.fault(f"{len(contents.sheets)} sheets, at most {MAX_SHEETS} are read", part)
     found = []
+    owners: dict[str, str] = {}
+    titles: set[str] = set()
     for title, link in contents.sheets:
+        if title.casefold() in titles:
+            raise package.fault(f'two sheets are called "{title}"', part)
+        titles.add(title.casefold())
         kind, target = links.get(link, ("", ""))
         if not link or kind in _WITHOUT_CELLS:
             continue
         if target not in package:
             raise package.fault(f'the sheet "{title}" has no part in the file', target or part)
+        owner = owners.setdefault(part_key(target), title)
+        if owner != title:
+            raise package.fault(f'the sheets "{owner}" and "{title}" have the same part', target)
         found.append((title, target))
     return found
 

@@ -101,10 +101,14 @@ class CellStore:
         """
         self._texts.setdefault(col, []).append((row, texts))
 
-    def settle(self) -> None:
-        """Put everything where it belongs that was not put there at once."""
+    def settle_texts(self) -> None:
+        """Convert what was put with `later`: values that are put from now on are the later ones."""
         if self._texts:
             self._convert()
+
+    def settle(self) -> None:
+        """Put everything where it belongs that was not put there at once."""
+        self.settle_texts()
         if self._late:
             self._sort_in()
 
