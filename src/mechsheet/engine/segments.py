@@ -78,7 +78,8 @@ class Segment:
         self.lowering = lowering
         self.rows = first.block.rows
         self.cols = first.block.cols
-        self.chunk = max(256, CHUNK // self.cols)
+        # A wide block has few buffers, as it is alone in its segment.
+        self.chunk = CHUNK if self.cols == 1 else max(256, 3 * CHUNK // (2 * self.cols))
         self.part = max(256, _PART // self.cols)
         self._most = _MOST_LONE if self.rows * self.cols == 1 else _MOST_MEMBERS
         self._code: Code | None = None
