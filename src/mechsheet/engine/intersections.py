@@ -17,6 +17,8 @@ _LISTS = frozenset("v")
 _LIKE_LISTS = ("AND", "OR", "XOR")
 _MAKING_REFERENCES = ("OFFSET", "INDIRECT", "INDEX")
 """Functions that give references: an array among their arguments would mean many of them."""
+_BRANCHING = ("IF", "CHOOSE")
+"""Functions that hand on one of their arguments, a reference as it is."""
 _REFERENCES = (" ", ",", ":")
 
 
@@ -37,6 +39,9 @@ def intersected(node: Node) -> Node:
 
 def _argument(name: str, kind: str, arg: Node) -> Node:
     """An argument of a function, by its kind."""
+    if kind in _LISTS and isinstance(arg, Call) and arg.name in _BRANCHING and arg.args:
+        condition, *branches = arg.args
+        return _replaced(arg, [_singled(condition), *(_argument("", kind, branch) for branch in branches)])
     if (kind in _LISTS and _computes(arg)) or (kind in SINGLES and name in _MAKING_REFERENCES):
         return _singled(arg)
     return arg if kind in "rmqfgl" and not _makes_reference(arg) else intersected(arg)
@@ -59,7 +64,7 @@ def _computes(node: Node) -> bool:
     if isinstance(node, Binary):
         return node.op not in _REFERENCES
     if isinstance(node, Call):
-        return set(_kinds(node.name, len(node.args))) <= SINGLES and node.name not in ("CHOOSE", "IF", "SINGLE")
+        return set(_kinds(node.name, len(node.args))) <= SINGLES and node.name not in (*_BRANCHING, "SINGLE")
     return isinstance(node, Unary)
 
 
@@ -72,7 +77,10 @@ def _singled(node: Node) -> Node:
             kinds = _kinds(name, len(args))
             return _replaced(
                 node,
-                [_singled(arg) if kind in SINGLES else intersected(arg) for arg, kind in zip(args, kinds, strict=True)],
+                [
+                    _singled(arg) if kind in SINGLES else _argument(name, kind, arg)
+                    for arg, kind in zip(args, kinds, strict=True)
+                ],
             )
         case Binary(op, _, _) if op in _REFERENCES:
             return node
