@@ -353,6 +353,8 @@ def test_a_cell_beside_the_formula():
     blocks = [
         ("E1:E3", "SUM(B1:B3*2)", "fill"), ("F1:F3", "SUM(@B1:B3*2)", "fill"), ("G1:G3", "SUM(B1:B3)*2", "fill"),
         ("H1:H4", "B$1:B$3+1", "fill"), ("I1:I3", "SUMPRODUCT(B$1:B$3*2)", "fill"), ("J9", "SUM(B1:B3*2)", "fill"),
+        ("N1:N3", "SUM(IF(B$1:B$3>15,B$1:B$3))", "fill"), ("O1:O3", "SUM(CHOOSE(2,1,B$1:B$3))", "fill"),
+        ("P1:P3", "SUM(ABS(SUM(B$1:B$3)-B$1:B$3))", "fill"),
         ("K1:K3", "AND(B$1:B$3>15)", "fill"), ("L1", "@B1:B3", "spill"), ("M2", "@{4,5}", "fill"),
     ]  # fmt: skip
     values = compile_book(book(NUMBERS, blocks)).evaluate()
@@ -362,6 +364,9 @@ def test_a_cell_beside_the_formula():
     assert column(values, "I", 1, 3) == [120, 120, 120]
     assert values.get("S", 8, 9) == ErrorValue("#VALUE!")
     assert column(values, "K", 1, 3) == [False, True, True]
+    assert column(values, "N", 1, 3) == [0, 60, 60]  # the condition is one cell, the branch the whole range
+    assert column(values, "O", 1, 3) == [60, 60, 60]
+    assert column(values, "P", 1, 3) == [50, 40, 30]
     assert (values.get("S", 0, 11), values.get("S", 1, 12)) == (10, 4)
 
 
