@@ -120,6 +120,16 @@ def test_a_file_name_that_is_no_name(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(
+    ("kind", "name"),
+    [("octave", "plot"), ("octave", "end"), ("python", "csv"), ("python", "numpy"), ("python", "lambda")],
+)
+def test_a_name_that_stands_in_the_way(kind, name, tmp_path):
+    with pytest.raises(MechsheetError, match=f"for example {name}_mechanism"):
+        export(loads(FOUR_BAR), kind, tmp_path / f"{name}{KINDS[kind].suffix}")
+    assert not list(tmp_path.iterdir())
+
+
 def test_default_names(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = [export(loads(FOUR_BAR), kind)[0].name for kind in ("octave", "python", "csv", "markdown")]

@@ -10,6 +10,7 @@ import math
 import re
 from importlib.resources import files
 
+from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Program, one_line, program_of
 from mechsheet.formula.nodes import Node, Symbol
@@ -36,6 +37,9 @@ _TAKEN = """
 def write(job: Job) -> list[bytes]:
     """The file in UTF-8."""
     helpers = files("mechsheet.exporting").joinpath("octave_helpers.m").read_text(encoding="utf-8")
+    if job.name in {*_called(helpers), *_TAKEN.split()}:
+        fault = f'"{job.name}" is called by the file itself: a function of that name would stand in its way'
+        raise MechsheetError(Fault(fault, key="-o", hint=f"for example {job.name}_mechanism.m"))
     reserved = {*re.findall(r"^function (?:\w+ = )?(\w+)", helpers, re.MULTILINE), *_TAKEN.split(), job.name}
     program = program_of(job.mechanism, reserved)
     lines = [*_opening(program, job.name), *_given(program), *_driver(program), *_columns(program), *_result(program)]
@@ -47,6 +51,12 @@ def write(job: Job) -> list[bytes]:
         "  end",
     ]
     return [("\n".join(lines) + "\nend\n" + helpers).encode()]
+
+
+def _called(code: str) -> list[str]:
+    """Words that are called, with parentheses or at the beginning of a line; comments and strings left out."""
+    plain = re.sub(r"%.*|'[^'\n]*'", "", code)
+    return re.findall(r"\b([A-Za-z]\w+)\(", plain) + re.findall(r"^ *([A-Za-z]\w+)", plain, re.MULTILINE)
 
 
 def _text(program: Program, node: Node, row: str = "") -> str:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import builtins
 import json
 import keyword
+import sys
 from textwrap import dedent, wrap
 
+from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Program, one_line, program_of
 from mechsheet.formula.nodes import Node
@@ -59,6 +61,9 @@ if __name__ == "__main__":
 
 def write(job: Job) -> list[bytes]:
     """The module in UTF-8."""
+    if job.name in {*sys.stdlib_module_names, *keyword.kwlist, "numpy"}:
+        fault = f'"{job.name}" is a module or a word of Python: nobody could import this one'
+        raise MechsheetError(Fault(fault, key="-o", hint=f"for example {job.name}_mechanism.py"))
     program = program_of(job.mechanism, RESERVED)
     lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
     return [("\n".join(lines) + _HELPERS).encode()]
