@@ -52,6 +52,7 @@ def build(
         from mechsheet.exporting.workbooks import FORMS, functions_workbook
 
         extra = Path(folder) / f"{mechanism.name}{FORMS[form].suffix}"
-        write(computed(functions_workbook(mechanism, form)), extra)
+        workbook, _ = functions_workbook(mechanism, form)
+        write(computed(workbook), extra)
         paths.append(extra)
     return paths

@@ -230,6 +230,24 @@ def test_the_table_calls_the_function_as_the_text_does(folder):
     assert (block.rows, block.cols) == (19, 6)
     assert print_formula(block.formula).casefold() == "ayarlipompa(krank,biyel,arakol,sabitu_y,eksantrik,b$7,$a8)"
     assert "LAMBDA" in read(other).sheets[0].constants.get(2, 0)
+    result = CliRunner().invoke(main, ["check", str(other)])
+    assert (result.exit_code, "all agree" in result.stdout) == (0, True), result.output
+
+
+def test_an_edited_function_is_found(folder, tmp_path):
+    """Another formula behind one of the names."""
+    _, other = built(folder, PUMP)
+    edited = tmp_path / "edited.xlsx"
+    with zipfile.ZipFile(other) as old, zipfile.ZipFile(edited, "w") as new:
+        for name in old.namelist():
+            content = old.read(name)
+            if name == "xl/workbook.xml":
+                assert content.count(b"SQRT(_xlpm.X^2+_xlpm.Y^2)") == 1
+                content = content.replace(b"SQRT(_xlpm.X^2+_xlpm.Y^2)", b"SQRT(_xlpm.Y^2+_xlpm.X^2)")
+            new.writestr(name, content)
+    result = CliRunner().invoke(main, ["check", str(edited)])
+    assert result.exit_code == 1
+    assert "Boy" in result.stdout
 
 
 @pytest.mark.slow
@@ -245,7 +263,7 @@ def test_the_assembly_mode_reaches_the_functions(folder):
 @pytest.mark.parametrize("seed", [2, 5, 9])
 def test_functions_of_random_mechanisms_equal_the_table_of_positions(seed):
     mechanism = loads(Grower(seed, 1 + seed % 3).text(rows=7))
-    workbook = computed(functions_workbook(mechanism, "lambda"))
+    workbook = computed(functions_workbook(mechanism, "lambda")[0])
     sheet = workbook.sheet("Functions")
     gaps = [fill.values[0] for fill in sheet.fills if fill.row == DIFFERENCE_ROW]
     assert len(gaps) > 5
@@ -259,13 +277,13 @@ def test_names_of_a_description_that_functions_use_themselves():
     text = PUMP.read_text(encoding="utf-8")
     text = text.replace("c4", "driver").replace("b1", "mode").replace("a3", "Tol")
     mechanism = loads(text.replace('language = "tr"', 'language = "tr"\nreferences = "anchors"'))
-    workbook = computed(functions_workbook(mechanism, "lambda"))
+    workbook = computed(functions_workbook(mechanism, "lambda")[0])
     (table,) = [fill for fill in workbook.sheet("Tablo s15").fills if (fill.row, fill.col) == (FIRST, 1)]
     assert table.values[:2] == pytest.approx([252.0937, 247.4078], abs=6e-5)
 
 
 def test_a_function_too_long_for_excel_is_refused(tmp_path):
-    workbook = computed(functions_workbook(load(PUMP), "lambda"))
+    workbook = computed(functions_workbook(load(PUMP), "lambda")[0])
     long = replace(workbook.functions[0], name="Uzun", formula=parse_formula("+".join(["1234567"] * 1100)))
     with pytest.raises(OutputError, match=r"Uzun.*8192"):
         write(replace(workbook, functions=(*workbook.functions, long)), tmp_path / "long.xlsx")
@@ -277,7 +295,7 @@ def test_a_function_too_long_for_excel_is_refused(tmp_path):
 
 def test_the_basic_workbook_holds_its_module(tmp_path):
     path = tmp_path / "pump.ods"
-    write(computed(functions_workbook(load(PUMP), "basic")), path)
+    write(computed(functions_workbook(load(PUMP), "basic")[0]), path)
     with zipfile.ZipFile(path) as archive:
         names = set(archive.namelist())
         module = archive.read("Basic/Standard/Mechsheet.xml").decode()

@@ -10,7 +10,7 @@ from mechsheet.building import build
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.audit import audit
 from mechsheet.checking.cells import Angles, angles_in, compare_cells
-from mechsheet.checking.expected import expected_for, inside
+from mechsheet.checking.expected import expected_for, functions_in, inside
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.moves import MovedValues
 from mechsheet.checking.mutate import Mutation, mutate
@@ -89,7 +89,7 @@ def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say
         remarks.append("no description inside: only recalculated, not compared with the reference")
     else:
         say("looking for edits")
-        expected = expected_for(text, inside(shown))
+        expected = expected_for(text, inside(shown), functions_in(book))
         found = audit(book, expected)
         edits = found.edits
         say("solving")

@@ -11,8 +11,9 @@ from mechsheet.checking.moves import Moves, moves_between, undone
 from mechsheet.checking.report import Edit, text_of
 from mechsheet.checking.trees import Formulas, alike, formula_of, neutral, stretches
 from mechsheet.formula.book import Book, BookSheet
+from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.formula.names import folded
-from mechsheet.formula.nodes import NameRef, Node, Number, Scalar, Unary, shifted, transform
+from mechsheet.formula.nodes import Call, Local, NameRef, Node, Number, Scalar, Unary, shifted, transform
 from mechsheet.formula.printer import print_formula
 
 SAME = 1e-13
@@ -96,6 +97,10 @@ def comparable(node: Node, title: str) -> Node:
                 return Number(-value)
             case NameRef(name, sheet):
                 return NameRef(folded(name), sheet)
+            case Local(name, optional):
+                return Local(folded(name), optional)
+            case Call(name, args) if name not in FUNCTIONS:
+                return Call(folded(name), args)
         return part
 
     return transform(neutral(node, title), change)

@@ -8,7 +8,9 @@ from mechsheet.compute import book_of
 from mechsheet.description import loads
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError
+from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import Call
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import DESCRIPTION_SHEET, lay_out
 from mechsheet.sheet.plan import TOLERANCE, Plan
@@ -45,14 +47,23 @@ class Expected:
         return found
 
 
-def expected_for(text: str, file: str) -> Expected:
-    """What the description `text` builds; `file` is what messages call it. Raises MechsheetError."""
+def expected_for(text: str, file: str, functions: str = "") -> Expected:
+    """What the description `text` builds; `file` is what messages call it. Raises MechsheetError.
+
+    functions  "lambda" for the workbook whose tables call functions (`functions_in` tells)
+    """
     mechanism = loads(text, file=file)
     try:
-        workbook, plan = lay_out(mechanism, solve(mechanism))
+        workbook, plan = functions_workbook(mechanism, functions) if functions else lay_out(mechanism, solve(mechanism))
     except MechanismError as error:
         raise located(error, mechanism.text, file) from error
     return Expected(workbook, book_of(workbook), plan)
+
+
+def functions_in(book: Book) -> str:
+    """The form of a workbook whose names stand for functions: "lambda"; else nothing."""
+    has = any(isinstance(name.formula, Call) and name.formula.name == "LAMBDA" for name in book.names)
+    return "lambda" if has else ""
 
 
 def inside(shown: str) -> str:

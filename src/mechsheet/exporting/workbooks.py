@@ -78,8 +78,8 @@ FORMS = {
 """Name of the option -> form."""
 
 
-def functions_workbook(mechanism: Mechanism, form: str) -> Workbook:
-    """The workbook, its formulas without values yet. An engine computes the functions as LAMBDA in both forms.
+def functions_workbook(mechanism: Mechanism, form: str) -> tuple[Workbook, Plan]:
+    """The workbook, its formulas without values yet, and its plan. An engine computes functions as LAMBDA in both forms.
 
     form  "basic" or "lambda"
     Raises MechanismError when the mechanism cannot be solved.
@@ -91,7 +91,7 @@ def functions_workbook(mechanism: Mechanism, form: str) -> Workbook:
     functions = functions_of(source, mechanism.language, taken)
     names = function_names(functions) if form == "basic" else {function.key: function.name for function in functions}
     work = _Work(plan, source, form, {function.key: function for function in functions}, names)
-    return work.workbook(workbook)
+    return work.workbook(workbook), plan
 
 
 class _Work:
