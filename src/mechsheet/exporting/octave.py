@@ -12,7 +12,7 @@ from importlib.resources import files
 
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.program import ColumnLine, Line, Program, one_line, program_of
+from mechsheet.exporting.program import ColumnLine, Line, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.solve import dimension_values
@@ -23,7 +23,6 @@ from mechsheet.sheet.plan import plan_of, unit_text
 from mechsheet.sheet.points import moving_points, pins_of
 from mechsheet.sheet.shapes import link_color
 
-WIDTH = 110
 _TAKEN = """
     break case catch continue do else elseif end endfunction endif endwhile for function global if methods otherwise
     persistent properties return switch try until unwind_protect while
@@ -69,15 +68,6 @@ def _string(text: str) -> str:
     return "'" + one_line(text).replace("'", "''") + "'"
 
 
-def _commented(code: str, words: str) -> list[str]:
-    """The code with its comment behind it, or over it where there is no room."""
-    if not words:
-        return [f"  {code}"]
-    if len(code) + len(words) + 6 <= WIDTH:
-        return [f"  {code}  % {words}"]
-    return [f"  % {words}", f"  {code}"]
-
-
 # --- the equations -----------------------------------------------------------------------------------------------
 
 
@@ -114,7 +104,7 @@ def _given(program: Program) -> list[str]:
         lines += _argument(program, line)
     lines += ["", "  % what follows from them"]
     for line in program.derived:
-        lines += _commented(f"{names[line.symbol]} = {_text(program, line.node)};", _words(line))
+        lines += commented(f"  {names[line.symbol]} = {_text(program, line.node)};", _words(line), "%")
     return lines
 
 
@@ -124,7 +114,7 @@ def _words(line: Line) -> str:
 
 def _argument(program: Program, line: Line) -> list[str]:
     name = program.names[line.symbol]
-    return _commented(f"{name} = given(varargin, '{name}', {_text(program, line.node)});", _words(line))
+    return commented(f"  {name} = given(varargin, '{name}', {_text(program, line.node)});", _words(line), "%")
 
 
 def _driver(program: Program) -> list[str]:
@@ -145,16 +135,9 @@ def _columns(program: Program) -> list[str]:
     for column in program.columns:
         if column.group != group:
             group = column.group
-            lines += ["", f"  % {_heading(program, group)}"]
+            lines += ["", f"  % {heading(program, group)}"]
         lines += _column(program, column)
     return lines
-
-
-def _heading(program: Program, number: int) -> str:
-    if number < 0:
-        return "outputs"
-    group = program.equations.groups[number - 1]
-    return f"group {number} ({group.kind}): {one_line(group.label.of(program.mechanism.language))}"
 
 
 def _column(program: Program, column: ColumnLine) -> list[str]:
@@ -162,11 +145,11 @@ def _column(program: Program, column: ColumnLine) -> list[str]:
     by_rows = column.way == "rows"
     text = _text(program, column.node, "n" if by_rows else "")
     if column.way == "still":
-        return _commented(f"{name} = repmat({text}, rows, 1);", column.words)
+        return commented(f"  {name} = repmat({text}, rows, 1);", column.words, "%")
     if column.way == "whole":
-        return _commented(f"{name} = {text};", column.words)
+        return commented(f"  {name} = {text};", column.words, "%")
     first = _text(program, column.first, "1" if by_rows else "") if column.first is not None else "0"
-    lines = _commented(f"{name} = NaN(rows, 1);" if by_rows else f"{name} = {text};", column.words)
+    lines = commented(f"  {name} = NaN(rows, 1);" if by_rows else f"  {name} = {text};", column.words, "%")
     lines.append(f"  {name}(1) = {first};")
     if by_rows:
         return [*lines, "  for n = 2:rows", f"    {name}(n) = {text};", "  end"]

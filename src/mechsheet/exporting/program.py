@@ -20,6 +20,9 @@ from mechsheet.kinematics.solve import dimension_order, solve
 from mechsheet.model import Dimension, Mechanism, Quantity
 from mechsheet.sheet.positions import shown_number
 
+WIDTH = 100
+"""Characters of a line of a program that has a comment."""
+
 
 @dataclass(frozen=True, slots=True)
 class Line:
@@ -94,6 +97,24 @@ class Program:
             return row(plain) if part.name in self.moving else plain
 
         return print_formula(node, dialect, name)
+
+
+def heading(program: Program, number: int) -> str:
+    """What stands over the columns of a group."""
+    if number <= 0:
+        return "outputs" if number < 0 else "driver's side"
+    group = program.equations.groups[number - 1]
+    return f"group {number} ({group.kind}): {one_line(group.label.of(program.mechanism.language))}"
+
+
+def commented(code: str, words: str, mark: str) -> list[str]:
+    """A line of code with its comment behind it, or over it where there is no room."""
+    if not words:
+        return [code]
+    if len(code) + len(words) + 4 <= WIDTH:
+        return [f"{code}  {mark} {words}"]
+    indent = " " * (len(code) - len(code.lstrip()))
+    return [f"{indent}{mark} {words}", code]
 
 
 def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:

@@ -10,15 +10,13 @@ from textwrap import dedent, wrap
 
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.program import ColumnLine, Line, Program, one_line, program_of
+from mechsheet.exporting.program import WIDTH, ColumnLine, Line, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node
 
 RESERVED = (
     *keyword.kwlist, *keyword.softkwlist, *dir(builtins), "np", "csv", "sys", "solve", "main", "n", "rows", "exists",
     "start", "stop", "step", "annotations", "ArrayLike", "NDArray", "Array", "UNITS",
 )  # fmt: skip
-
-WIDTH = 100
 
 _HELPERS = '''
 def _direction(x: ArrayLike, y: ArrayLike) -> Array:
@@ -136,22 +134,13 @@ def _solve(program: Program) -> list[str]:
     for column in program.columns:
         if column.group != group:
             group = column.group
-            body += [f"        # {_heading(program, group)}"]
+            body += [f"        # {heading(program, group)}"]
         body += _column(program, column)
     body += [f"        exists = np.broadcast_to({_text(program, program.exists)}, {driver}.shape)"]
     body += ["        return {"]
     body += [f"            {_string(program.shown[0])}: {driver},"]
     body += [f"            {_string(symbol)}: _kept({program.names[symbol]}, exists)," for symbol in program.shown[1:]]
     return [*_signature(program, driver), *body, "        }", ""]
-
-
-def _heading(program: Program, number: int) -> str:
-    if number == 0:
-        return "driver's side"
-    if number < 0:
-        return "outputs"
-    group = program.equations.groups[number - 1]
-    return f"group {number} ({group.kind}): {one_line(group.label.of(program.mechanism.language))}"
 
 
 def _signature(program: Program, driver: str) -> list[str]:
@@ -176,7 +165,7 @@ def _argument(program: Program, line: Line) -> list[str]:
 
 
 def _line(program: Program, line: Line) -> list[str]:
-    return _commented(f"        {program.names[line.symbol]} = {_text(program, line.node)}", line.words)
+    return commented(f"        {program.names[line.symbol]} = {_text(program, line.node)}", line.words, "#")
 
 
 def _driver(program: Program, driver: str) -> list[str]:
@@ -197,27 +186,18 @@ def _column(program: Program, column: ColumnLine) -> list[str]:
     name = program.names[column.symbol]
     text = _text(program, column.node, indexed=column.way == "rows")
     if column.way == "still":
-        return _commented(f"        {name} = np.full(rows, {text})", column.words)
+        return commented(f"        {name} = np.full(rows, {text})", column.words, "#")
     if column.way == "whole":
-        return _commented(f"        {name} = {text}", column.words)
+        return commented(f"        {name} = {text}", column.words, "#")
     first = _text(program, column.first, indexed=column.way == "rows") if column.first is not None else "0"
     if column.way == "running":
         return [
-            *_commented(f"        {name} = np.asarray({text})", column.words),
+            *commented(f"        {name} = np.asarray({text})", column.words, "#"),
             f"        {name}[0] = {first}",
             f"        {name} = np.cumsum({name})",
         ]
     return [
-        *_commented(f"        {name} = np.full(rows, np.nan)", column.words),
+        *commented(f"        {name} = np.full(rows, np.nan)", column.words, "#"),
         "        for n in range(rows):",
         f"            {name}[n] = {first} if n == 0 else {text}",
     ]
-
-
-def _commented(code: str, words: str) -> list[str]:
-    """The code with its comment behind it, or over it where there is no room."""
-    if not words:
-        return [code]
-    if len(code) + len(words) + 4 <= WIDTH:
-        return [f"{code}  # {words}"]
-    return [f"        # {words}", code]
