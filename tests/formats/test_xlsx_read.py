@@ -452,3 +452,15 @@ def test_any_xml_is_refused_or_read(tmp_path_factory, text):
         read_xlsx(path)
     except WorkbookError as problem:
         assert problem.faults
+
+
+def test_a_name_that_cannot_be_read_keeps_the_values_of_its_cells(read):
+    book = read(
+        '<row r="1"><c r="A1"><f>odd+1</f><v>7</v></c><c r="B1"><f>A1*2</f><v>0</v></c></row>',
+        names='<definedName name="odd">1 +* 2</definedName>',
+    )
+    values = evaluate(book)
+    assert [values.get("S", 0, col) for col in (0, 1)] == [7, 14]
+    assert [fault.message for fault in values.remarks] == [
+        "a name that cannot be read, odd = 1 +* 2: stored values are kept"
+    ]

@@ -198,8 +198,8 @@ class Resolver:
                     return self.through_sheets(first, last, area)
                 case FunctionRef(name, "") if name not in FUNCTIONS:
                     return self.unknown(place, f"unknown function {name}", near_miss(name, FUNCTIONS))
-                case Foreign(text):
-                    self.remark(place, f"a reference to another workbook, {text}: stored values are kept")
+                case Foreign(text, why):
+                    self.remark(place, f"{why}, {text}: stored values are kept")
                     return part
                 case Symbol() | Previous():
                     raise TypeError(f"{place}: {part} is not bound to a cell")

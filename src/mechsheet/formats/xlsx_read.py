@@ -9,6 +9,7 @@ from xml.parsers import expat
 
 from mechsheet.diagnostics import Fault, FormulaError, WorkbookError
 from mechsheet.formula.book import Book, BookSheet, DefinedName
+from mechsheet.formula.nodes import Foreign, Node
 from mechsheet.formula.parser import parse_formula
 
 from .metadata import dynamic_marks
@@ -23,6 +24,8 @@ _OTHERS = (
     ("ppt/presentation.xml", "a presentation (.pptx), not a workbook"),
 )
 """Parts of zip files that are no workbooks, and what they are."""
+_SHOWN = 60
+"""Characters that are shown of a name's formula."""
 _WITHOUT_CELLS = ("chartsheet", "dialogsheet", "xlMacrosheet", "xlIntlMacrosheet")
 """Kinds of sheets that are passed over; Excel also lists modules of macros, which link to nothing."""
 
@@ -149,15 +152,16 @@ class _Workbook:
 
 
 def _names(contents: _Workbook) -> list[DefinedName]:
-    """The names that formulas can use. One that cannot be parsed is left out: using it is then an unknown name."""
+    """The names that formulas can use. Cells that use one that cannot be parsed keep their stored values."""
     found: list[DefinedName] = []
     for name, index, text in contents.names:
         if name.startswith("_xlnm.") or (index is not None and index >= len(contents.sheets)):
             continue
+        formula: Node
         try:
             formula = parse_formula(text)
         except FormulaError:
-            continue
+            formula = Foreign(f"{name} = {text[:_SHOWN]}", "a name that cannot be read")
         found.append(DefinedName(name, formula, None if index is None else contents.sheets[index][0]))
     return found
 

@@ -157,9 +157,13 @@ class TableRef:
 
 @dataclass(frozen=True, slots=True)
 class Foreign:
-    """What cannot be computed from the workbook alone: a cell of another workbook. `text` as the file spells it."""
+    """What cannot be computed from the workbook alone: a cell of another workbook, or what `why` says.
+
+    `text` as the file spells it.
+    """
 
     text: str
+    why: str = "a reference to another workbook"
 
 
 @dataclass(frozen=True, slots=True)
