@@ -17,6 +17,8 @@ from mechsheet.exporting.basic import ascii_text, function_names
 from mechsheet.exporting.functions import TABLE_KEY, functions_of, in_degrees, prefix_of, variable_key
 from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import write
+from mechsheet.formula.parser import parse_description
+from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.show import variables_of
 from office_macros import Job as Office
@@ -69,6 +71,25 @@ def test_names_follow_the_language():
     for name in ("Mag", "Ang", "AngCos", "SlottedLever", "FourBar", "SliderCrank", "AdjustablePump"):
         assert f"Public Function {name}(" in english
     assert "Public Function DortCubuk(ByVal Krank As Double, ByVal Biyel As Double, ByVal Cikis As Double," in turkish
+
+
+@pytest.mark.parametrize(
+    ("text", "basic"),
+    [
+        ("-a^2", "-(a ^ 2)"),  # LibreOffice reads -a ^ 2 as (-a) ^ 2, Excel does not
+        ("(-a)^3", "((-a) ^ (3))"),
+        ("a^-1", "a ^ (-1)"),
+        ("2^3^a", "2 ^ (3 ^ a)"),
+        ("a - -b", "a - (-b)"),
+        ("a/(b*c)", "a / (b * c)"),
+        ("radians(a + b)", "((a + b) * PiValue() / 180)"),
+        ("max(a, b, c, d)", "MaxOf(MaxOf(a, b), MaxOf(c, d))"),
+        ("ln(a) + sqrt(b) + atan(c) + sign(d)", "Log(a) + Sqr(b) + Atn(c) + Sgn(d)"),
+        ("acos(a) + pi", "ArcCos(a) + PiValue()"),
+    ],
+)
+def test_expressions(text, basic):
+    assert print_formula(parse_description(text), "basic", lambda part: part.name) == basic
 
 
 def test_texts_in_ascii():
