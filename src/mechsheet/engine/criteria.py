@@ -82,8 +82,8 @@ def _empty(op: str, written: bool, texts: Texts) -> Test:
 def _text(op: str, word: str, texts: Texts) -> Test:
     pattern, folded = pattern_of(word), word.casefold()
     tests: dict[str, Callable[[str], bool]] = {
-        "=": lambda text: pattern.fullmatch(text) is not None,
-        "<>": lambda text: pattern.fullmatch(text) is None,
+        "=": pattern.fullmatch,
+        "<>": lambda text: not pattern.fullmatch(text),
         "<": lambda text: text.casefold() < folded,
         "<=": lambda text: text.casefold() <= folded,
         ">": lambda text: text.casefold() > folded,

@@ -14,6 +14,9 @@ from .kernels_numbers import paired
 from .special import beta_parts, binomial_density, gamma_parts, poisson_density
 from .values import NUMBER, Cells, Numbers
 
+_MOST_TERMS = 1_000_000
+"""Sums of more terms are not computed: #NUM!."""
+
 
 def _share(p: float) -> None:
     need(0 <= p <= 1)
@@ -68,8 +71,12 @@ def hypgeom_dist(hits: float, sample: float, good: float, population: float, cum
     k, n, m, size = (math.trunc(value) for value in (hits, sample, good, population))
     need(size > 0, 0 < n <= size, 0 < m <= size, 0 <= k <= min(n, m), k >= n + m - size)
     counts = range(max(0, n + m - size), k + 1) if cumulative else (k,)
-    whole = math.comb(size, n)
-    return math.fsum(math.comb(m, i) * math.comb(size - m, n - i) / whole for i in counts)
+    need(len(counts) <= _MOST_TERMS)
+    p = n / size
+    whole = binomial_density(n, size, p, 1 - p)
+    return math.fsum(
+        binomial_density(i, m, p, 1 - p) * (binomial_density(n - i, size - m, p, 1 - p) / whole) for i in counts
+    )
 
 
 def poisson_dist(x: float, mean: float, cumulative: bool) -> float:

@@ -13,6 +13,9 @@ from .kernels_distributions import need
 from .kernels_numbers import paired
 from .values import NUMBER, Cells, Numbers
 
+MOST_PERIODS = 1e6
+"""As many periods are added one by one; #NUM! beyond."""
+
 
 def growth(rate: float, periods: float) -> float:
     """(1 + rate)^periods."""
@@ -86,7 +89,14 @@ def principal_part(
 def _cumulative(part: Callable[..., float]) -> Callable[..., float]:
     def of(rate: float, periods: float, present: float, first: float, last: float, due: float) -> float:
         start, end = math.ceil(first), math.trunc(last)
-        need(rate > 0, periods > 0, present > 0, 1 <= first <= last <= periods, due in (0, 1))
+        need(
+            rate > 0,
+            periods > 0,
+            present > 0,
+            1 <= first <= last <= periods,
+            due in (0, 1),
+            last - first < MOST_PERIODS,
+        )
         return math.fsum(part(rate, period, periods, present, 0.0, due) for period in range(start, end + 1))
 
     return of
@@ -225,66 +235,9 @@ def dated_rate(values: Cells, dates: Cells, guess: float = 0.1) -> float:
     return solved(lambda r: float(np.sum(amounts * (1 + r) ** -years)), guess)
 
 
-# --- depreciation ----------------------------------------------------------------------------------------------------
-
-
-def straight(cost: float, salvage: float, life: float) -> float:
-    """SLN."""
-    return (cost - salvage) / life if life else _division()
-
-
-def _division() -> float:
+def division() -> float:
+    """#DIV/0!."""
     raise Problem("#DIV/0!")
-
-
-def sum_of_digits(cost: float, salvage: float, life: float, period: float) -> float:
-    """SYD."""
-    need(life > 0, 0 < period <= life, salvage >= 0)
-    return (cost - salvage) * (life - period + 1) * 2 / (life * (life + 1))
-
-
-def fixed_declining(cost: float, salvage: float, life: float, period: float, months: float = 12.0) -> float:
-    """DB: the rate is rounded to three decimals."""
-    first = math.trunc(months)
-    need(cost >= 0, salvage >= 0, life > 0, period >= 1, 1 <= first <= 12, period <= life + (first < 12))
-    if cost == 0:
-        return 0.0
-    share = math.floor((1 - math.pow(salvage / cost, 1 / life)) * 1000 + 0.5) / 1000
-    total = cost * share * first / 12
-    if math.trunc(period) == 1:
-        return total
-    part = total
-    for _ in range(2, math.trunc(period) + 1):
-        part = (cost - total) * share
-        total += part
-    if period > life:
-        return (cost - (total - part)) * share * (12 - first) / 12
-    return part
-
-
-def double_declining(cost: float, salvage: float, life: float, period: float, factor: float = 2.0) -> float:
-    """DDB."""
-    need(cost >= 0, salvage >= 0, life > 0, 0 < period <= life, factor > 0)
-    share, period = min(factor / life, 1.0), max(period, 1.0)
-    before = cost * math.pow(1 - share, period - 1) if share < 1 or period > 1 else cost
-    after = cost * math.pow(1 - share, period)
-    return max(0.0, before - max(after, salvage))
-
-
-def variable_declining(
-    cost: float, salvage: float, life: float, start: float, end: float, factor: float = 2.0, stay: bool = False
-) -> float:
-    """VDB: switches to straight-line depreciation where that is more, unless `stay`."""
-    need(cost >= 0, salvage >= 0, life > 0, 0 <= start <= end <= life, factor > 0)
-    total, left = 0.0, cost
-    for period in range(math.ceil(end)):
-        part = min(left * min(factor / life, 1.0), max(0.0, left - salvage))
-        if not stay:
-            part = max(part, (left - salvage) / (life - period)) if life > period else part
-        overlap = min(end, period + 1) - max(start, period)
-        total += part * max(0.0, overlap)
-        left -= part
-    return total
 
 
 # --- rates -----------------------------------------------------------------------------------------------------------
@@ -318,7 +271,7 @@ def equal_rate(periods: float, present: float, future: float) -> float:
 
 def interest_linear(rate_: float, period: float, periods: float, present: float) -> float:
     """ISPMT."""
-    return present * rate_ * (period / periods - 1) if periods else _division()
+    return present * rate_ * (period / periods - 1) if periods else division()
 
 
 def from_fraction(value: float, denominator: float) -> float:
@@ -353,8 +306,7 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "FV": future_value, "PV": present_value, "PMT": payment, "NPER": number_of_periods, "RATE": rate,
     "IPMT": interest_part, "PPMT": principal_part, "CUMIPMT": _cumulative(interest_part),
     "CUMPRINC": _cumulative(principal_part), "ISPMT": interest_linear, "NPV": net_present_value, "IRR": internal_rate,
-    "MIRR": modified_rate, "XNPV": dated_value, "XIRR": dated_rate, "SLN": straight, "SYD": sum_of_digits,
-    "DB": fixed_declining, "DDB": double_declining, "VDB": variable_declining, "EFFECT": effective,
+    "MIRR": modified_rate, "XNPV": dated_value, "XIRR": dated_rate, "EFFECT": effective,
     "NOMINAL": nominal_rate, "PDURATION": periods_needed, "RRI": equal_rate, "DOLLARDE": from_fraction,
     "DOLLARFR": to_fraction, "FVSCHEDULE": grown,
 }  # fmt: skip

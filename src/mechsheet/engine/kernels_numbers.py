@@ -134,9 +134,16 @@ def double_factorial(number: float) -> float:
     return float(math.prod(range(whole(number, -1, 300), 0, -2)))
 
 
+def _chosen(number: int, chosen: int) -> float:
+    """The binomial coefficient; #NUM! where it is certainly beyond the largest number."""
+    if min(chosen, number - chosen) > 1030:
+        raise Problem("#NUM!")
+    return float(math.comb(number, chosen))
+
+
 def combinations(number: float, chosen: float) -> float:
     """COMBIN."""
-    return float(math.comb(whole(number), whole(chosen, 0, math.trunc(number))))
+    return _chosen(whole(number), whole(chosen, 0, math.trunc(number)))
 
 
 def combinations_repeated(number: float, chosen: float) -> float:
@@ -144,21 +151,24 @@ def combinations_repeated(number: float, chosen: float) -> float:
     many, picked = whole(number), whole(chosen)
     if many == 0 and picked > 0:
         raise Problem("#NUM!")
-    return float(math.comb(max(many + picked - 1, 0), picked))
+    return _chosen(max(many + picked - 1, 0), picked) if picked else 1.0
 
 
 def permutations(number: float, chosen: float) -> float:
     """PERMUT."""
-    return float(math.perm(whole(number, 0, MOST_WHOLE), whole(chosen, 0, math.trunc(number))))
+    picked = whole(chosen, 0, math.trunc(number))
+    if picked > 170:
+        raise Problem("#NUM!")
+    return float(math.perm(whole(number), picked))
 
 
 def multinomial(*parts: list[Scalar]) -> float:
     """MULTINOMIAL: (a + b + ...)! / (a! b! ...)."""
-    result, together = 1, 0
+    result, together = 1.0, 0
     for number in all_whole(parts):
         together += number
-        result *= math.comb(together, number)
-    return float(result)
+        result *= _chosen(together, number)
+    return result
 
 
 # --- series ----------------------------------------------------------------------------------------------------------
@@ -257,7 +267,7 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "COMBIN": combinations,
     "COMBINA": combinations_repeated,
     "PERMUT": permutations,
-    "PERMUTATIONA": lambda number, chosen: float(whole(number) ** whole(chosen)),
+    "PERMUTATIONA": lambda number, chosen: math.pow(whole(number), whole(chosen)),
     "MULTINOMIAL": multinomial,
     "SERIESSUM": power_series,
     "SUMX2MY2": _of_pairs(lambda x, y: x * x - y * y),

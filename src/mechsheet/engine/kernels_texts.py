@@ -14,13 +14,12 @@ from ..formula.printer import quote_sheet
 from ..formula.references import column_letters
 from .calling import Problem, to_number
 from .coerce import to_text
+from .expressions import expression
 from .number_formats import WIDE, formatted
 from .wildcards import pattern_of
 
 MOST_CHARACTERS = 32767
 """As many characters as a cell can hold."""
-
-_LONGEST_PATTERN = 1000
 
 
 def character(number: float) -> str:
@@ -86,10 +85,10 @@ def find(wanted: str, within: str, start: float = 1.0) -> float:
 
 def search(wanted: str, within: str, start: float = 1.0) -> float:
     """SEARCH: without regard to case, with wildcards."""
-    found = pattern_of(wanted, lazy=True).search(within, _start(within, start))
-    if found is None:
+    place = pattern_of(wanted).search(within, _start(within, start))
+    if place < 0:
         raise Problem("#VALUE!")
-    return found.start() + 1.0
+    return place + 1.0
 
 
 def substitute(text: str, old: str, new: str, instance: float | None = None) -> str:
@@ -128,18 +127,9 @@ def _fits(text: str) -> str:
 # --- regular expressions ---------------------------------------------------------------------------------------------
 
 
-def _expression(pattern: str, ignore_case: float) -> re.Pattern[str]:
-    if len(pattern) > _LONGEST_PATTERN or ignore_case not in (0, 1):
-        raise Problem("#VALUE!")
-    try:
-        return re.compile(pattern, re.IGNORECASE if ignore_case else 0)
-    except re.error:
-        raise Problem("#VALUE!") from None
-
-
 def regex_extract(text: str, pattern: str, mode: float = 0.0, ignore_case: float = 0.0) -> Any:
     """REGEXEXTRACT: the first match (0), all matches in a row (1), the groups of the first one in a row (2)."""
-    matches = list(_expression(pattern, ignore_case).finditer(text))
+    matches = list(expression(pattern, text, ignore_case).finditer(text))
     if not matches:
         raise Problem("#N/A")
     if mode == 0:
@@ -153,7 +143,7 @@ def regex_extract(text: str, pattern: str, mode: float = 0.0, ignore_case: float
 
 def regex_replace(text: str, pattern: str, new: str, which: float = 0.0, ignore_case: float = 0.0) -> str:
     """REGEXREPLACE: all matches (0), one of them from the front, or from the end; $1 stands for a group."""
-    matches = list(_expression(pattern, ignore_case).finditer(text))
+    matches = list(expression(pattern, text, ignore_case).finditer(text))
     place = math.trunc(which)
     chosen = matches if place == 0 else matches[place - 1 : place] if place > 0 else matches[place : place + 1 or None]
     out, end = "", 0
@@ -324,7 +314,7 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "SEARCH": search,
     "SUBSTITUTE": substitute,
     "REPLACE": replace,
-    "REGEXTEST": lambda text, pattern, ignore_case=0.0: _expression(pattern, ignore_case).search(text) is not None,
+    "REGEXTEST": lambda text, pattern, ignore_case=0.0: expression(pattern, text, ignore_case).search(text) is not None,
     "REGEXEXTRACT": regex_extract,
     "REGEXREPLACE": regex_replace,
     "TEXTJOIN": text_join,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from itertools import takewhile
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from .coerce import compare_numbers
+from .expressions import expression
 from .values import BLANK, BOOLEAN, ERROR, NUMBER, TEXT, Cells, Texts
 from .wildcards import pattern_of
 
@@ -120,13 +120,13 @@ class Line:
                 best, nearest = place, word
         return best if best >= 0 else self._in_next_kind(TEXT, mode)
 
-    def _matched(self, expression: str) -> int:
+    def _matched(self, wanted: str) -> int:
         """The first text in which a regular expression is found."""
-        try:
-            pattern = re.compile(expression)
-        except re.error:
-            return -1
-        return next((place for place, _ in self.words() if pattern.search(self.texts.text(self.numbers[place]))), -1)
+        for place, _ in self.words():
+            text = self.texts.text(self.numbers[place])
+            if expression(wanted, text).search(text):
+                return place
+        return -1
 
     def _in_next_kind(self, code: int, mode: int) -> int:
         """The largest value of the kinds before, or the smallest of the kinds after: numbers, texts, truth values."""
