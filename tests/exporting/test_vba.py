@@ -220,3 +220,28 @@ def test_functions_in_libreoffice_give_what_the_workbook_has():
             assert abs(gap) < 1e-10 * size, (mechanism.name, formula, found, value)
     assert numbers > 150
     assert missing
+
+
+OUTPUTS = """[outputs]
+q1 = { formula = "acos(theta13*4)", unit = "deg" }
+q2 = { formula = "ln(-theta12^2) + 1", unit = "1" }
+q3 = { formula = "sqrt(-theta13 - 4) + 1/(theta12 - 0.5)", unit = "1" }
+q4 = { formula = "asin(a2/a1) + acos(0.5)*2 - max(a1, a2, a3, 3)^0.5", unit = "1" }
+q5 = { formula = "-a1^2 + 2^3^2 + sign(-3)*min(1, 2, 3) + exp(1) + hypot(3, 4) + degrees(1)", unit = "1" }
+"""
+
+
+@needs_libreoffice
+@pytest.mark.slow
+@pytest.mark.libreoffice
+def test_what_has_no_value_ends_a_function_and_shows_no_message():
+    text = (ROOT / "templates" / "four-bar.toml").read_text(encoding="utf-8").replace("[outputs]\n", OUTPUTS)
+    formulas = [f"=FourBarLinkage_q{number}(70;35;62.3;56;126.6;84.1;0.5)" for number in range(1, 6)]
+    (answer,) = with_macros([Office(module=module_of(loads(text)), formulas=formulas)])
+    found = [answer.get("Sheet1", row, 0) for row in range(5)]
+    assert found[:3] == ["Error 2042"] * 3
+    wanted = [
+        math.asin(0.5) + 2 * math.acos(0.5) - 70**0.5,
+        -(70**2) + 512 - 1 + math.e + 5 + math.degrees(1),
+    ]
+    assert found[3:] == pytest.approx(wanted, rel=1e-13)
