@@ -55,6 +55,8 @@ class _Digits:
 @lru_cache(maxsize=512)
 def sections(pattern: str) -> tuple[Section, ...] | None:
     """The sections of a format; None when it is none."""
+    if len(pattern) > 255:
+        return None
     found: list[Section] = []
     for part in _split(pattern):
         section = _section(part)
