@@ -198,6 +198,9 @@ class _Call:
         try:
             for kind, fixed in zip(self.kinds, self.fixed, strict=True):
                 values.append(self._value(kind, fixed, singles))
+            for value in values:  # errors of single values come before those inside ranges
+                if isinstance(value, Problem):
+                    raise value
             found = self.function(*values)
         except Problem as problem:
             return np.nan, error_code(problem.code)
@@ -207,8 +210,6 @@ class _Call:
 
     def _value(self, kind: str, fixed: Any, singles: Any) -> Any:
         if kind not in LIFTED:
-            if isinstance(fixed, Problem):
-                raise fixed
             return fixed
         value = self.texts.decode(*next(singles))
         if isinstance(value, ErrorValue) and kind != "e":

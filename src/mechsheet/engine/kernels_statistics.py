@@ -165,6 +165,13 @@ def _modes(numbers: Numbers) -> Numbers:
     return np.asarray(found[most][np.argsort(first[most])], np.float64)
 
 
+def share_of(part: Numbers, whole: Numbers) -> float:
+    """PERCENTOF: the sum of a part in that of the whole."""
+    if float(whole.sum()) == 0:
+        raise Problem("#DIV/0!")
+    return float(part.sum() / whole.sum())
+
+
 def trimmed_mean(numbers: Numbers, share: float) -> float:
     """TRIMMEAN: without a share of the numbers, half of it at each end."""
     need(0 <= share < 1, len(numbers) > 0)
@@ -190,7 +197,7 @@ def percentile(numbers: Numbers, share: float, exclusive: bool = False) -> float
 
 def quartile(numbers: Numbers, quarter: float, exclusive: bool = False) -> float:
     """QUARTILE.INC and .EXC."""
-    which = math.trunc(quarter)
+    which = math.trunc(quarter) if quarter >= 0 else -1
     need(1 <= which <= 3 if exclusive else 0 <= which <= 4)
     return percentile(numbers, which / 4, exclusive)
 
@@ -269,6 +276,7 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "MODE": MODES,
     "MODE.SNGL": MODES,
     "MODE.MULT": lambda *parts: _modes(np.concatenate(parts))[:, None],
+    "PERCENTOF": share_of,
     "TRIMMEAN": trimmed_mean,
     "PERCENTILE": percentile,
     "PERCENTILE.INC": percentile,

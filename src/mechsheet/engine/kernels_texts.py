@@ -5,17 +5,15 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
-from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 from urllib.parse import quote
 
 from ..formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from ..formula.printer import quote_sheet
 from ..formula.references import column_letters
-from .calling import Problem, to_number
+from .calling import Problem
 from .coerce import to_text
 from .expressions import expression
-from .number_formats import WIDE, formatted
 from .wildcards import pattern_of
 
 MOST_CHARACTERS = 32767
@@ -258,38 +256,6 @@ def array_to_text(rows: list[list[Scalar]], style: float = 0.0) -> str:
     return "{" + ";".join(",".join(_shown(value, True) for value in row) for row in rows) + "}"
 
 
-# --- numbers ---------------------------------------------------------------------------------------------------------
-
-
-def number_value(text: str, decimal: str = ".", group: str = ",") -> float:
-    """NUMBERVALUE: with the signs for decimals and groups given."""
-    if not decimal or not group:
-        raise Problem("#VALUE!")
-    point, comma = decimal[0], group[0]
-    body = re.sub(r"\s", "", text)
-    percents = len(body) - len(body.rstrip("%"))
-    body = body.rstrip("%")
-    whole, sign, rest = body.partition(point)
-    if point in rest or comma in rest:
-        raise Problem("#VALUE!")
-    plain = whole.replace(comma, "") + ("." + rest if sign else "")
-    if not plain:
-        return 0.0
-    return to_number(plain) / 100.0**percents
-
-
-def dollar(number: float, decimals: float = 2.0) -> str:
-    """DOLLAR."""
-    places = math.trunc(decimals)
-    if places > 127:
-        raise Problem("#VALUE!")
-    if places < 0:
-        scale = Decimal(10) ** -places
-        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
-    body = "$#,##0" + ("." + "0" * places if places > 0 else "")
-    return formatted(number, f"{body};({body})") or ""
-
-
 def address(row: float, col: float, kind: float = 1.0, a1: bool = True, sheet: Scalar = None) -> str:
     """ADDRESS: 1 $A$1, 2 A$1, 3 $A1, 4 A1; or in R1C1 form."""
     down, right, which = math.trunc(row), math.trunc(col), math.trunc(kind)
@@ -303,7 +269,29 @@ def address(row: float, col: float, kind: float = 1.0, a1: bool = True, sheet: S
     return cell if sheet is None else f"{quote_sheet(to_text(sheet)) if sheet != '' else ''}!{cell}"
 
 
+def _left(text: str, many: float = 1.0) -> str:
+    return mid(text, 1.0, many)
+
+
+def _right(text: str, many: float = 1.0) -> str:
+    return text[max(0, len(text) - math.trunc(many)) :] if many >= 0 else mid(text, 1.0, many)
+
+
+def mid(text: str, first: float, many: float) -> str:
+    """MIDB: as MID, where every character is one byte."""
+    if first < 1 or many < 0:
+        raise Problem("#VALUE!")
+    return text[math.trunc(first) - 1 : math.trunc(first) - 1 + math.trunc(many)]
+
+
 PLAIN: dict[str, Callable[..., Any]] = {
+    "LENB": lambda text: float(len(text)),
+    "LEFTB": _left,
+    "RIGHTB": _right,
+    "MIDB": mid,
+    "FINDB": find,
+    "SEARCHB": search,
+    "REPLACEB": replace,
     "CHAR": character,
     "CODE": code,
     "UNICHAR": unicode_character,
@@ -323,8 +311,6 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "TEXTSPLIT": text_split,
     "VALUETOTEXT": lambda value, style=0.0: _shown(value, _style(style)),
     "ARRAYTOTEXT": array_to_text,
-    "NUMBERVALUE": number_value,
-    "DOLLAR": dollar,
     "ADDRESS": address,
     "HYPERLINK": lambda link, *shown: (0.0 if shown[0] is None else shown[0]) if shown else link,
     "ENCODEURL": lambda text: quote(text, safe="-_.~"),
