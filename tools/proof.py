@@ -1,7 +1,7 @@
 """The figures of docs/proof.md: random inputs and damaged formulas over all templates.
 
-python tools/proof.py perturb 20 [--with libreoffice,gnumeric] [--seed S] [TEMPLATE...]
-python tools/proof.py mutate 40 [--seed S] [TEMPLATE...]
+python tools/proof.py perturb 12 [TEMPLATE...] [--with libreoffice,gnumeric,ironcalc] [--seed S]
+python tools/proof.py mutate 8 [TEMPLATE...] [--seed S]
 
 Prints a table in Markdown, and puts it between its marks in docs/proof.md when all templates were run. --jobs N runs N
 templates at a time.
