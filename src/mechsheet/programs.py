@@ -202,6 +202,17 @@ def _ironcalc(path: Path) -> Answers:
     return Answers(find)
 
 
+def cannot_judge(program: str, names: Iterable[str]) -> str:
+    """Why a program cannot read a workbook with these defined names, "" when it can.
+
+    IronCalc 0.9 knows no names that begin with a letter beyond ASCII: everything that reads them is an error there.
+    """
+    foreign = [name for name in names if program == "ironcalc" and not name[:1].isascii()]
+    if not foreign:
+        return ""
+    return f"ironcalc was not asked: it cannot read names that begin with a letter beyond ASCII ({', '.join(foreign)})"
+
+
 PROGRAMS: Mapping[str, Callable[[Path], Answers]] = {
     "libreoffice": _libreoffice,
     "gnumeric": _gnumeric,

@@ -141,7 +141,7 @@ def test_how_formulas_are_grouped_and_spelt_does_not_matter():
 
 def test_on_the_command_line(folder):
     xlsx, ods = (os.fspath(folder / f"four-bar.{suffix}") for suffix in FORMATS)
-    shown = CliRunner().invoke(main, ["check", xlsx, ods])
+    shown = CliRunner().invoke(main, ["check", "-v", xlsx, ods])
     assert shown.exit_code == 0
     assert "twin .xlsx     agrees" in shown.output
     data = json.loads(CliRunner().invoke(main, ["check", ods, xlsx, "--json"]).output)

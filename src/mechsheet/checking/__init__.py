@@ -24,7 +24,7 @@ from mechsheet.engine import evaluate
 from mechsheet.formats import read
 from mechsheet.formula.book import Book
 from mechsheet.model import Mechanism
-from mechsheet.programs import answers
+from mechsheet.programs import answers, cannot_judge
 
 __all__ = [
     "TOLERANCE",
@@ -100,5 +100,8 @@ def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say
         angles = angles_in(expected.plan)
     for program in programs:
         say(program)
+        if reason := cannot_judge(program, (defined.name for defined in book.names)):
+            remarks.append(reason)
+            continue
         comparisons.append(compare_cells(program, book, values, answers(program, path).get, angles))
     return Report(shown, tuple(comparisons), tuple(remarks), edits)

@@ -21,6 +21,14 @@ EDITS = 40
 """So many edits are listed; with --json all."""
 
 
+def print_line(report: Any) -> None:
+    """A check of many: all in one line."""
+    worst = max((item.worst for item in report.comparisons), default=0.0)
+    judges = ", ".join(item.judge for item in report.comparisons)
+    notes = f"; notes: {len(report.remarks)}" if report.remarks else ""
+    click.echo(f"{report.file}: all agree, worst {worst:.1e} ({judges}){notes}")
+
+
 def print_report(report: Any) -> None:
     """A check: a line for each judge, the edits, the remarks."""
     click.echo(f"{report.file}: {'all agree' if report.agrees else _verdict(report)}")
