@@ -28,6 +28,9 @@ LABEL, COUNT, NEIGHBOUR, AT = range(4)
 """First columns: what the trial is for, its number, the number (from 1) of a row of the table near it, the driver's value
 as people read it."""
 
+NO_LENGTH = 1e-9
+"""Parts of the largest length: a shorter vector has no direction here, that of the row near the trial stands for it."""
+
 NEAR = 1e-6
 """Parts of the largest length: gaps smaller than this are dead centres here."""
 
@@ -119,7 +122,13 @@ class Trials:
         near = Call("IFERROR", (Call("INDEX", (there, row)), al.ZERO))
         direction = self._bound(self.rules[raw])
         turned = Call("MOD", (al.add(al.sub(direction, near), al.PI), al.mul(al.TWO, al.PI)))
-        return al.sub(al.add(near, turned), al.PI)
+        found = al.sub(al.add(near, turned), al.PI)
+        if not (isinstance(direction, Call) and direction.name == "ATAN2"):
+            return found
+        tolerance = self.plan.at.reference(self.plan.equations.tolerance, self.corner.sheet, None)
+        length = al.largest([Call("ABS", (part,)) for part in direction.args])
+        nothing = Binary("<", length, al.mul(Number(NO_LENGTH / 1e-12), tolerance))  # pins that coincide
+        return Call("IF", (nothing, near, found))
 
     def _bound(self, node: Node) -> Node:
         """An expression over what is known so far; symbols without a column are dimensions and constants."""

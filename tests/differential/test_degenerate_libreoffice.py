@@ -1,0 +1,37 @@
+"""Which rows exist in branches and degenerate geometry, as LibreOffice finds them from the same file: to the last row."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from mechsheet.building import compile_workbook
+from mechsheet.description import loads
+from mechsheet.formats import write
+from mechsheet.programs import convert_with_libreoffice, stored_values
+from mechsheet.sheet.plan import EXISTS, STATUS
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "sheet"))
+
+from degenerate_cases import cases
+
+pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
+
+
+def test_rows_that_exist(tmp_path):
+    chosen = [case for folder in ("branches", "degenerate") for case in cases(folder) if not case.refused]
+    plans, paths = [], []
+    for case in chosen:
+        workbook, plan = compile_workbook(loads(case.description))
+        paths.append(tmp_path / f"{case.name}.xlsx")
+        plans.append(plan)
+        write(workbook, paths[-1])
+    folder = tmp_path / "libreoffice"
+    folder.mkdir()
+    for case, plan, answer in zip(chosen, plans, convert_with_libreoffice(paths, "xlsx", folder), strict=True):
+        values = stored_values(answer)
+        for row in range(plan.rows):
+            there = values.get(plan.table, plan.at.first + row, EXISTS)
+            status = values.get(plan.table, plan.at.first + row, STATUS)
+            assert there == (0 if row in case.missing else 1), (case.name, row)
+            assert ("undetermined" in status) == (row in case.undetermined), (case.name, row, status)
