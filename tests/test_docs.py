@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from mechsheet.cli import main as commands
 from mechsheet.description import loads
 from mechsheet.description.schema import DESCRIPTION, Either, Items, Kinds, Named, Shape, Table
 from mechsheet.kinematics.solve import solve
@@ -83,3 +84,17 @@ def test_the_site_is_built_and_its_links_lead_somewhere(tmp_path):
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert (tmp_path / "site" / "index.html").exists()
+
+
+@pytest.mark.parametrize("path", [".pre-commit-hooks.yaml", "docs/examples/check-workbooks.yml"])
+def test_ready_files_run_commands_that_exist(path):
+    """The hook and the workflow are YAML, and their `mechsheet` lines have options that the command knows."""
+    yaml = pytest.importorskip("yaml")
+    text = (ROOT / path).read_text(encoding="utf-8")
+    assert yaml.safe_load(text)
+    lines = re.findall(r"(?:entry|run): mechsheet (.*)", text)
+    assert lines
+    for line in lines:
+        name, *options = line.split()
+        known = {option for parameter in commands.commands[name].params for option in parameter.opts}
+        assert {option for option in options if option.startswith("-")} <= known
