@@ -62,7 +62,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "stands.no_leap": ("no leap from row to row", "satırdan satıra sıçrama yok"),
     "stands.some_leaps": ("other branch, or steps too coarse", "başka dal ya da adım çok büyük"),
     "stands.shared": ("shared", "ortak"),
-    "stands.none_shared": ("the two assemblies never meet", "iki montaj hiç birleşmiyor"),
+    "stands.none_shared": ("no row in which both assemblies meet", "iki montajın birleştiği satır yok"),
     "stands.some_shared": ("both assemblies meet: the mode decides", "iki montaj birleşiyor: işaret belirler"),
     "stands.grashof": ("Grashof", "Grashof"),
     "stands.grashof.one": ("{loop}: crank-rocker, {link} turns", "{loop}: krank-sarkaç, {link} tam döner"),
