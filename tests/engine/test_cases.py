@@ -4,7 +4,7 @@ import pytest
 
 from engine_cases import COLUMN, FILES, FIRST_ROW, array_cases, book_of, cases, same
 from mechsheet.engine import compile_book, evaluate
-from mechsheet.engine.kernels import kernels_in
+from mechsheet.engine.kernels.table import kernels_in
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.formula.nodes import Call, CellRef, shifted, transform, walk

@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechsheet.engine import compile_book
-from mechsheet.engine import emitting as emitting_module
-from mechsheet.engine import segments as segments_module
-from mechsheet.engine.segments import Segment
+from mechsheet.engine.fast import emitting as emitting_module
+from mechsheet.engine.fast import segments as segments_module
+from mechsheet.engine.fast.segments import Segment
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, RangeRef, Text, Unary
 from mechsheet.formula.parser import parse_formula

@@ -5,7 +5,7 @@ import pytest
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book, evaluate
-from mechsheet.engine.kernels import KERNELS
+from mechsheet.engine.kernels.table import KERNELS
 from mechsheet.engine.recurrence import Held, RunningSum, recognise
 from mechsheet.engine.sequence import Together
 from mechsheet.formula.book import BookBuilder

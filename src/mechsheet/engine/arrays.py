@@ -10,9 +10,9 @@ import numpy as np
 from ..formula.book import CellStore
 from ..formula.nodes import Node
 from .careful import Evaluator
+from .fast.marks import Marks
 from .frames import Frame
 from .layout import Layout
-from .marks import Marks
 from .values import NA, REF, SPILL, Codes
 
 

@@ -109,7 +109,7 @@ def raise_first(codes: Any) -> None:
 
 def values_of(ev: Evaluator, node: Node, frame: Frame) -> Numbers:
     """The numbers of an argument: those among the cells of a range; a value written out counts by what it shows."""
-    from .kernels_fold import is_reference
+    from .kernels.fold import is_reference
 
     single = np.ndim(ev.value(node, frame, spread=True).numbers) <= 2 and not is_reference(node)
     table = table_of(ev, node, frame)

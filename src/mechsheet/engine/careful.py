@@ -32,13 +32,13 @@ from ..formula.nodes import (
 from .closures import Bound, Scopes
 from .coerce import compared, each, numbers_of, to_text
 from .deep import deeply
+from .fast.slots import at_slot, slots, with_slots
 from .frames import ArrayArgumentError, Frame, NotReadyError, Span, UnsupportedError, VaryingSizeError
-from .kernels import KERNELS
-from .kernels_math import OPERATORS, snapped
+from .kernels.math import OPERATORS, snapped
+from .kernels.table import KERNELS
 from .layout import Layout
 from .reading import Reading, codes_of_all
 from .regions import gives_region, regions
-from .slots import at_slot, slots, with_slots
 from .surroundings import Surroundings
 from .values import (
     BLANK,

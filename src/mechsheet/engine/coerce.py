@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..formula.nodes import ErrorValue, Scalar
-from .kernels_math import NEAR
+from .kernels.math import NEAR
 from .shown_dates import shown_number
 from .values import BLANK, BOOLEAN, ERROR, TEXT, VALUE, Cells, Texts, boolean, codes_of, errors_of, first_error, fitted
 

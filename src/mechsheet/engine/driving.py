@@ -15,9 +15,9 @@ import numpy as np
 from ..formula.book import Block, BookSheet, CellStore
 from ..formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
 from .careful import Evaluator
+from .fast.marks import Marks
 from .frames import NotReadyError
 from .layout import Area, Layout
-from .marks import Marks
 from .results import Values
 from .values import BLANK
 

@@ -12,9 +12,9 @@ from ..formula.book import Block, Book, BookSheet, CellStore
 from ..formula.nodes import Scalar, shifted
 from .careful import Evaluator
 from .driving import Sizes, settled, sizes_of, with_sizes
+from .fast.marks import Marks, marks_of_constants
 from .graph import dependencies, dependents
 from .layout import Area, make_layout
-from .marks import Marks, marks_of_constants
 from .resolve import Resolver
 from .results import Values
 from .schedule import Special, schedule

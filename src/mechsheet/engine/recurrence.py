@@ -19,7 +19,7 @@ from .careful import Evaluator
 from .coerce import numbers_of, truths_of
 from .frames import Frame, NotReadyError
 from .graph import area_read, reads_anywhere, references
-from .kernels_math import NEAR
+from .kernels.math import NEAR
 from .layout import Layout
 from .values import BLANK, NUM, Cells, choose, codes_of
 

@@ -43,7 +43,7 @@ from ..formula.tables import cells_of_table
 from .deep import deeply
 from .graph import reads_anywhere
 from .intersections import intersected
-from .kernels import KERNELS
+from .kernels.table import KERNELS
 from .regions import gives_region
 from .scopes import is_function, with_locals
 

@@ -10,13 +10,13 @@ from ..formula.book import CellStore
 from ..formula.nodes import Node
 from .arrays import ArrayStep, Kept
 from .careful import Evaluator
+from .fast.lowered_functions import FUNCTIONS
+from .fast.lowering import Lowering, UnsuitableError
+from .fast.marks import Marks, marks_of_constants
+from .fast.segments import Member, Segment, worth_at_once
 from .graph import Functions, ordered
 from .layout import Layout
-from .lowered_functions import FUNCTIONS
-from .lowering import Lowering, UnsuitableError
-from .marks import Marks, marks_of_constants
 from .recurrence import recognise
-from .segments import Member, Segment, worth_at_once
 from .sequence import Together
 
 

@@ -10,10 +10,10 @@ from ..formula.nodes import CellRef, Node, RangeRef
 from ..formula.references import cell_address
 from .arrays import fill_array
 from .careful import Evaluator
+from .fast.marks import Marks
 from .frames import Frame, NotReadyError
 from .graph import Functions, references
 from .layout import Area, Layout
-from .marks import Marks
 from .values import REF
 
 Cell = tuple[int, int, int]

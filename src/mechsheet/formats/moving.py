@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import islice
 
 from mechsheet.formula.nodes import (
     MAX_ROWS,
@@ -18,6 +19,7 @@ from mechsheet.formula.nodes import (
     shifted,
 )
 from mechsheet.formula.printer import print_formula
+from mechsheet.sheet.workbook import Fill
 
 _MARK = "\0"
 """Stands around the names that are put in the place of references; no formula holds it."""
@@ -43,6 +45,26 @@ def texts_down(formula: Node, rows: range, dialect: str, escape: Escape) -> Iter
     if not numbers:
         return (template.format() for _ in rows)
     return map(template.format, *(range(rows.start + number, rows.stop + number) for number in numbers))
+
+
+class ColumnTexts:
+    """The texts of filled columns, asked for band by band from the top: each column's template is made once."""
+
+    def __init__(self, dialect: str, escape: Escape) -> None:
+        self.dialect = dialect
+        self.escape = escape
+        self._begun: dict[tuple[int, int], tuple[int, Iterator[str]]] = {}
+
+    def rows(self, fill: Fill, col: int, first: int, last: int) -> list[str]:
+        """The formulas of one column of a fill in the sheet's rows first..last-1."""
+        start, texts = self._begun.pop((fill.row, col), (-1, iter(())))
+        if start != first:
+            formula = shifted(fill.formula, 0, col - fill.col)
+            texts = texts_down(formula, range(first - fill.row, fill.rows), self.dialect, self.escape)
+        found = list(islice(texts, last - first))
+        if last < fill.row + fill.rows:
+            self._begun[fill.row, col] = last, texts
+        return found
 
 
 def _moving(node: Node) -> Iterator[CellRef | RangeRef]:

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from mechsheet.formula.nodes import ErrorValue, Scalar, shifted
+from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.sheet.workbook import PLAIN, Area, Cell, Fill, Rich, Sheet, Style
 
 from .bands import Band, Place, bands, column_values
-from .moving import texts_down
+from .moving import ColumnTexts
 from .ods_rules import Rules
 from .ods_styles import OdsStyles
 from .ods_text import paragraphs, result_attributes, value_attributes
@@ -43,6 +43,7 @@ class TableRows:
     def __init__(self, sheet: Sheet, styles: OdsStyles, rules: Rules, extras: Extras) -> None:
         self.sheet, self.styles, self.rules, self.extras = sheet, styles, rules, extras
         self.heights = dict(sheet.row_heights)
+        self.moving = ColumnTexts("openformula", attribute)
         self.spans = {(merge.area.first_row, merge.area.first_col): merge.area for merge in sheet.merges}
         self.covered = {place for area in self.spans.values() for place in _places(area)} - self.spans.keys()
         heading = sheet.print_setup.repeat_rows
@@ -149,19 +150,17 @@ class TableRows:
     def _formulas(self, fill: Fill, col: int, band: Band) -> list[str]:
         """One column of a fill."""
         place = (band.first, col)
-        first = shifted(fill.formula, 0, col - fill.col)
-        rows = range(band.first - fill.row, band.last - fill.row)
-        formulas = texts_down(first, rows, "openformula", attribute)
+        formulas = self.moving.rows(fill, col, band.first, band.last)
         head = f'{self._head(fill.style, *place)} table:formula="of:='
         values = column_values(fill, col, band.first, band.last)
         address = cell_address(self.sheet.title, *place)
         if place in self.extras.places:
             value = plain_value(values[0], address)
-            return [f'{head}{next(formulas)}"{result_attributes(value)}>{self._inside(place, _shown(value))}{_END}']
+            return [f'{head}{formulas[0]}"{result_attributes(value)}>{self._inside(place, _shown(value))}{_END}']
         return _formula_cells(head, formulas, values, address)
 
 
-def _formula_cells(head: str, formulas: Iterator[str], values: Sequence[Scalar], place: str) -> list[str]:
+def _formula_cells(head: str, formulas: Sequence[str], values: Sequence[Scalar], place: str) -> list[str]:
     texts = numbers(values)
     if texts is not None:
         return [

@@ -12,7 +12,7 @@ from mechsheet.formula.references import area_name, cell_address, column_letters
 from mechsheet.sheet.workbook import Cell, Fill, Rich, Sheet, Style
 
 from .bands import Band, bands, column_values
-from .moving import texts_down
+from .moving import ColumnTexts
 from .xml_text import number, numbers, ooxml_escaped, plain_value
 
 MAX_FORMULA = 8192
@@ -36,6 +36,7 @@ class SheetData:
     strings: dict[tuple[int, int], int]
     texts: dict[tuple[int, int], str]
     shared: dict[tuple[int, int], int] = field(default_factory=dict)
+    moving: ColumnTexts = field(default_factory=lambda: ColumnTexts("excel", ooxml_escaped))
 
     def rows(self) -> Iterator[str]:
         """The rows as text, in pieces of a few megabytes at most."""
@@ -79,9 +80,7 @@ class SheetData:
         if fill.rows * fill.cols == 1:
             return [f"<f>{self.texts[start]}</f>"]
         if not can_be_shared(fill.formula):
-            first = shifted(fill.formula, 0, col - fill.col)
-            rows = range(band.first - fill.row, band.last - fill.row)
-            return [f"<f>{text}</f>" for text in texts_down(first, rows, "excel", ooxml_escaped)]
+            return [f"<f>{text}</f>" for text in self.moving.rows(fill, col, band.first, band.last)]
         index = self.shared.setdefault(start, len(self.shared))
         if (band.first, col) == start:
             area = area_name(fill.row, fill.col, fill.rows, fill.cols)

@@ -16,7 +16,7 @@ from mechsheet.formula.functions import FUNCTIONS
 MAX_LENGTH = 255
 _SHAPE = re.compile(r"[^\W\d][\w.]*")
 _CELL = re.compile(r"[a-z]{1,3}\d+", re.IGNORECASE)
-_COMMON = ("kernels_math", "kernels_logic", "kernels_fold", "kernels_lookup", "kernels_conditional", "kernels_text")
+_COMMON = ("math", "logic", "fold", "lookup", "conditional", "text")
 _FUNCTIONS = frozenset(row.name for row in FUNCTIONS.values() if row.module in _COMMON)
 """Functions that everybody knows: a cell called so would be legal and misleading. (`phi` is a good name of an angle.)"""
 _R1C1 = re.compile(r"(r\d*)?(c\d*)?", re.IGNORECASE)

@@ -1,0 +1,60 @@
+"""What the generated code calls beside numpy; `TroubleError` hands the rows to the careful evaluator."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ..coerce import compare_numbers
+from ..kernels.math import rounded
+
+
+class TroubleError(Exception):
+    """Something is not a plain number: the careful evaluator must do these rows."""
+
+
+def _pick(line: Any, place: Any) -> Any:
+    """INDEX: the cell at a place counted from 1."""
+    if np.ndim(place) == 0:
+        if not 1 <= place < len(line) + 1:
+            raise TroubleError
+        return line.item(int(place) - 1)
+    if not ((place >= 1) & (place < len(line) + 1)).all():
+        raise TroubleError
+    return line[place.astype(np.intp) - 1]
+
+
+def _find(line: Any, wanted: float) -> float:
+    """MATCH with type 0: where an equal number stands first."""
+    hits = np.flatnonzero(compare_numbers("=", line, wanted))
+    if not len(hits):
+        raise TroubleError
+    return float(hits[0] + 1)
+
+
+def _find_up(line: Any, wanted: float) -> float:
+    """MATCH with type 1: how many numbers of an ascending line are not above."""
+    place = float(np.searchsorted(line, wanted, "right"))
+    if not place:
+        raise TroubleError
+    return place
+
+
+def _power_of(base: float, exponent: float) -> float:
+    """One number to the power of another, whatever that is."""
+    if base == 0:
+        raise TroubleError
+    return float(np.square(base)) if exponent == 2 else float(np.power(base, exponent))
+
+
+def _first(array: Any) -> float:
+    first: float = array.item(0)
+    return first
+
+
+HELPERS: dict[str, Callable[..., Any]] = {
+    "pick": _pick, "find": _find, "find_up": _find_up, "rounded": rounded, "power_of": _power_of,
+    "item_of": _first,
+}  # fmt: skip

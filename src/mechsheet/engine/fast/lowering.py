@@ -1,0 +1,384 @@
+"""From trees to straight-line code: the values that a segment of blocks needs, each once.
+
+A *segment* is a set of blocks of the same height that can be computed row range by row range. Lowering assumes that every
+cell read holds a number and that nothing goes wrong; what could go wrong is either reported by the processor's flags or
+guarded by an effect. `UnsuitableError` sends a block to the careful evaluator for good.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple, TypeAlias
+
+from ...formula.book import Block
+from ...formula.nodes import (
+    Binary,
+    Boolean,
+    Call,
+    CellRef,
+    ErrorValue,
+    Missing,
+    Node,
+    Number,
+    Text,
+    Unary,
+)
+from ..coerce import compare_numbers
+from ..graph import area_read
+from ..kernels.math import NEAR
+from ..layout import Area, Band, Layout
+from ..recurrence import Held, RunningSum
+
+ROWS, COLS = 1, 2
+"""Bits of a value's extent: it varies along the rows, along the columns, along both, or (0) not at all."""
+
+
+MOST_EDGE = 4
+"""How many rows a column may be read beyond its end (the row above the first one, say)."""
+
+
+class UnsuitableError(Exception):
+    """The fast path cannot say this."""
+
+
+class Value(NamedTuple):
+    """One value: an operation on earlier values (by number).
+
+    kind  number, mask, true or false (a truth known beforehand), text (its number in the table), error, line (an array of
+          numbers) or text line
+    """
+
+    op: str
+    args: tuple[int, ...] = ()
+    data: object = None
+    extent: int = 0
+    kind: str = "number"
+
+
+class Effect(NamedTuple):
+    """Something to do at a place in the order: check a mask, store a block's result."""
+
+    what: str
+    value: int
+    data: object = None
+
+
+@dataclass(slots=True)
+class Reads:
+    """What a segment reads.
+
+    columns  where the first rows of columns lie that are read row by row -> their producers;  others  other producers
+    texts    producers that must hold texts, and nothing else
+    top, bottom  rows in which something beyond the end of a column is read: never fast
+    """
+
+    columns: dict[int, frozenset[int]] = field(default_factory=dict)
+    others: set[int] = field(default_factory=set)
+    texts: set[int] = field(default_factory=set)
+    top: int = 0
+    bottom: int = 0
+
+    def copy(self) -> Reads:
+        """Reads that can be changed apart from these."""
+        return Reads(dict(self.columns), set(self.others), set(self.texts), self.top, self.bottom)
+
+
+_ARITHMETIC = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide"}
+
+
+Functions: TypeAlias = "Mapping[str, Callable[[Lowering, tuple[Node, ...]], int]]"
+
+
+class Lowering:
+    """Collects the values and effects of one segment, block after block.
+
+    `texts` holds the producers known to hold texts alone, of this segment and of those before it.
+    """
+
+    def __init__(self, layout: Layout, sheets: dict[str, int], functions: Functions, texts: set[int]) -> None:
+        self.layout = layout
+        self.functions = functions
+        self.texts = texts
+        self.sheets = sheets
+        self.values: list[Value] = []
+        self.order: list[int | Effect] = []
+        self.reads = Reads()
+        self.results: dict[int, int] = {}
+        self._numbers: dict[Value, int] = {}
+        self._effects: set[Effect] = set()
+        self._number = 0
+
+    @property
+    def block(self) -> Block:
+        """The block being lowered."""
+        return self.layout.blocks[self._number]
+
+    def add(self, number: int, formula: Node, recurrence: RunningSum | Held | None) -> None:
+        """Add a block. Raises UnsuitableError, leaving everything as it was."""
+        mark = len(self.values), len(self.order), self.reads.copy()
+        self._number = number
+        try:
+            if recurrence is not None:
+                result = self._recurrence(number, recurrence)
+            else:
+                result = self.lower(formula)
+                if isinstance(formula, Binary) and formula.op in "+-":
+                    result = self._snapped(result)
+            self._store(number, result)
+        except (UnsuitableError, RecursionError) as problem:
+            self._undo(*mark)
+            raise UnsuitableError from problem
+        self.results[number] = result
+        if self.values[result].kind == "text":
+            self.texts.add(number)
+
+    def _undo(self, values: int, order: int, reads: Reads) -> None:
+        for value in self.values[values:]:
+            del self._numbers[value]
+        for item in self.order[order:]:
+            if isinstance(item, Effect):
+                self._effects.discard(item)
+        del self.values[values:]
+        del self.order[order:]
+        self.reads = reads
+
+    def value(
+        self, op: str, args: tuple[int, ...] = (), data: object = None, extent: int | None = None, kind: str = "number"
+    ) -> int:
+        """The number of a value, the same for the same operation on the same values."""
+        if extent is None:
+            extent = 0
+            for arg in args:
+                extent |= self.values[arg].extent
+        value = Value(op, args, data, extent, kind)
+        found = self._numbers.get(value)
+        if found is None:
+            found = self._numbers[value] = len(self.values)
+            self.values.append(value)
+            self.order.append(found)
+        return found
+
+    def effect(self, effect: Effect) -> None:
+        """Something to do here, once."""
+        if effect not in self._effects:
+            self._effects.add(effect)
+            self.order.append(effect)
+
+    def _store(self, number: int, result: int) -> None:
+        kind = self.values[result].kind
+        if kind not in ("number", "text"):
+            raise UnsuitableError
+        self.effect(Effect("store", result, number))
+
+    def number(self, node: Node) -> int:
+        """A tree whose value is a number."""
+        found = self.lower(node)
+        if self.values[found].kind != "number":
+            raise UnsuitableError
+        return found
+
+    def constant(self, number: float) -> int:
+        """A number that stands in the formula (told apart by its text: 0.0 and -0.0 are equal, and differ)."""
+        return self.value("constant", (), repr(float(number)))
+
+    def lower(self, node: Node) -> int:
+        """The number of a tree's value."""
+        match node:
+            case Number(number):
+                return self.constant(number)
+            case CellRef():
+                return self._cell(node)
+            case Binary():
+                return self._chain(node)
+            case Unary(op, operand):
+                return self._signed(op, operand)
+            case Call(name, args):
+                function = self.functions.get(name)
+                if function is None or any(isinstance(arg, Missing) for arg in args):
+                    raise UnsuitableError
+                return function(self, args)
+            case Text(text):
+                self.layout.texts.number(text)  # known to all evaluations of the plan
+                return self.value("text", (), text, 0, "text")
+            case Boolean(flag):
+                return self.value("truth", (), flag, 0, "true" if flag else "false")
+            case ErrorValue():
+                return self.value("error", (), None, 0, "error")
+            case _:
+                raise UnsuitableError
+
+    def _chain(self, node: Binary) -> int:
+        run: list[Binary] = []
+        left: Node = node
+        while isinstance(left, Binary):
+            run.append(left)
+            left = left.left
+        total = self.lower(left)
+        for part in reversed(run):
+            total = self._operate(part.op, total, part.right)
+        return total
+
+    def _operate(self, op: str, left: int, right: Node) -> int:
+        if op in ("=", "<>", "<", "<=", ">", ">="):
+            return self._compared(op, left, self.number(right))
+        if self.values[left].kind != "number":
+            raise UnsuitableError
+        if op == "^":
+            return self.power(left, right)
+        if op not in _ARITHMETIC:
+            raise UnsuitableError
+        return self.value(_ARITHMETIC[op], (left, self.number(right)))
+
+    def power(self, base: int, exponent: Node) -> int:
+        """Along rows only exponents that stand in the formula: the others may be 0 or 2, which have their own rules."""
+        sign = 1.0
+        if isinstance(exponent, Unary) and exponent.op == "-":
+            sign, exponent = -1.0, exponent.operand
+        if not isinstance(exponent, Number):
+            power = self.number(exponent)
+            if self.values[base].extent or self.values[power].extent or sign < 0:
+                raise UnsuitableError
+            return self.value("power_of", (base, power))
+        if exponent.value == 0:
+            raise UnsuitableError
+        number = sign * exponent.value
+        return self.value("square", (base,)) if number == 2 else self.value("power", (base, self.constant(number)))
+
+    def _signed(self, op: str, operand: Node) -> int:
+        value = self.number(operand)
+        if op == "+":
+            return value
+        return self.value("negative", (value,)) if op == "-" else self.value("divide", (value, self.constant(100)))
+
+    def _snapped(self, result: int) -> int:
+        op, args = self.values[result].op, self.values[result].args
+        if op not in ("add", "subtract"):
+            return result
+        return self.value("snap", (result, args[0]))
+
+    def _compared(self, op: str, left: int, right: int) -> int:
+        """As `compare_numbers`: nearly equal is equal, measured at the right side."""
+        if self.values[left].kind != "number":
+            raise UnsuitableError
+        sides = self.values[left], self.values[right]
+        if sides[0].op == sides[1].op == "constant":
+            flag = bool(compare_numbers(op, float(str(sides[0].data)), float(str(sides[1].data))))
+            return self.value("truth", (), flag, 0, "true" if flag else "false")
+        margin = self.value("multiply", (self.value("absolute", (right,)), self.constant(NEAR)))
+        low = self.value("subtract", (right, margin)) if op in ("<", ">=", "=", "<>") else -1
+        high = self.value("add", (right, margin)) if op in ("<=", ">", "=", "<>") else -1
+        simple = {"<": ("less", low), ">=": ("greater_equal", low), "<=": ("less_equal", high), ">": ("greater", high)}
+        if op in simple:
+            name, limit = simple[op]
+            return self.value(name, (left, limit), kind="mask")
+        inside = (
+            self.value("greater_equal", (left, low), kind="mask"),
+            self.value("less_equal", (left, high), kind="mask"),
+        )
+        same = self.value("logical_and", inside, kind="mask")
+        return same if op == "=" else self.value("logical_not", (same,), kind="mask")
+
+    # references
+
+    def read(self, producers: set[int]) -> str:
+        """Take note of what is read by all rows, and say what kind it will be: number or text."""
+        if producers <= self.texts:
+            self.reads.texts |= producers
+            return "text"
+        if producers & self.texts:
+            raise UnsuitableError
+        self.reads.others |= producers
+        return "number"
+
+    def _cell(self, node: CellRef) -> int:
+        area = area_read(node, self.block, self.sheets)
+        if area is None:
+            raise UnsuitableError
+        if area.rows == area.cols == 1:
+            return self._single(area)
+        if area.rows > 1 and area.cols == 1:
+            return self._column(area)
+        return self._across(area)
+
+    def _single(self, area: Area) -> int:
+        place = self.layout.place(area.sheet, area.row, area.col)
+        producers = self.layout.producers(area)
+        if place < 0:
+            raise UnsuitableError
+        for producer in producers & self.results.keys():
+            if self.layout.block_area(producer) != area:
+                raise UnsuitableError  # one row of a column that is only being computed
+            return self.results[producer]
+        return self.value("cell", (), place, kind=self.read(producers))
+
+    def _column(self, area: Area) -> int:
+        band = self._band(area)
+        top = max(0, band.row - area.row)
+        bottom = max(0, area.row + area.rows - band.row - band.rows)
+        if max(top, bottom) > MOST_EDGE or area.rows <= top + bottom:
+            raise UnsuitableError
+        self.reads.top, self.reads.bottom = max(self.reads.top, top), max(self.reads.bottom, bottom)
+        producers = self.layout.producers(Area(area.sheet, area.row + top, area.col, area.rows - top - bottom, 1))
+        for producer in producers & self.results.keys():
+            own = self.layout.block_area(producer)
+            if own == area:
+                return self.results[producer]
+            if own.row < area.row or own.cols > 1:
+                raise UnsuitableError  # rows further down are not computed yet
+        place = band.offset + area.row - band.row
+        if producers <= self.texts:
+            return self.value("column", (), place, ROWS, self.read(producers))
+        self.reads.columns[place] = frozenset(producers) | self.reads.columns.get(place, frozenset())
+        return self.value("column", (), place, ROWS)
+
+    def _across(self, area: Area) -> int:
+        """Cells of one row, or of a rectangle, along the columns of a wide block."""
+        places = [self.layout.place(area.sheet, area.row, area.col + index) for index in range(area.cols)]
+        producers = self.layout.producers(area)
+        if min(places) < 0 or producers & self.results.keys():
+            raise UnsuitableError
+        if area.rows == 1:
+            return self.value("across", (), tuple(places), COLS, self.read(producers))
+        raise UnsuitableError
+
+    def _band(self, area: Area) -> Band:
+        """The band that a column's middle lies in."""
+        column = self.layout.columns[area.sheet].get(area.col)
+        band = None if column is None else column.band_at(area.row + area.rows // 2)
+        if band is None:
+            raise UnsuitableError
+        return band
+
+    def mask(self, node: Node) -> int:
+        """A condition: a mask, or a truth known beforehand."""
+        found = self.lower(node)
+        if self.values[found].kind == "number":
+            return self.value("not_equal", (found, self.constant(0)), kind="mask")
+        if self.values[found].kind not in ("mask", "true", "false"):
+            raise UnsuitableError
+        return found
+
+    def _recurrence(self, number: int, kind: RunningSum | Held) -> int:
+        block = self.layout.blocks[number]
+        place = self.layout.place(self.layout.block_sheets[number], block.row - 1, block.col)
+        if place < 0 or place != self.layout.block_offsets[number] - 1:
+            raise UnsuitableError
+        producers = self.layout.producers(Area(self.layout.block_sheets[number], block.row - 1, block.col, 1, 1))
+        if producers & self.results.keys():
+            raise UnsuitableError
+        self.reads.columns[place] = frozenset(producers) | {number}
+        if isinstance(kind, RunningSum):
+            step = self.number(kind.step)
+            if kind.op == "-":
+                step = self.value("negative", (step,))
+            return self.value("running", (step,), (place, kind.step_first), ROWS)
+        value = self.number(kind.value)
+        mask = self.mask(kind.condition)
+        if self.values[mask].kind != "mask":
+            if (self.values[mask].kind == "true") == kind.taken:
+                return value
+            raise UnsuitableError
+        if not kind.taken:
+            mask = self.value("logical_not", (mask,), kind="mask")
+        return self.value("held", (mask, value), place, ROWS)

@@ -1,0 +1,234 @@
+"""Segments: blocks that are computed together, fast where everything is plain numbers, carefully where it is not."""
+
+from __future__ import annotations
+
+from functools import cache, cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ...formula.nodes import Node
+from ..careful import Evaluator
+from ..frames import Frame
+from ..layout import Layout
+from ..recurrence import Held, RunningSum, compute
+from ..values import Cells, Codes
+from .emitting import CHUNK, Code, emit
+from .helpers import TroubleError
+from .lowering import Lowering, Reads, UnsuitableError
+from .marks import Marks
+
+Buffers: TypeAlias = dict[str, Any]
+
+_MOST_LONE, _MOST_MEMBERS, _MOST_VALUES = 64, 256, 4096
+"""Lone cells, blocks and values of a segment. What depends on a change is found by segments, and code without end takes
+long to compile."""
+_PATIENCE = 3
+_PART = 4096
+"""Cells of a chunk that are computed together where not all of it is plain numbers."""
+_PIECE = 64
+_GAP = 16
+"""Rows: a piece that is tried by itself; good rows between bad ones that are worth a call of their own."""
+
+_FAILURES = (TroubleError, FloatingPointError, ZeroDivisionError, OverflowError)
+
+
+def worth_at_once(rows: int, cols: int) -> bool:
+    """Whether a block is so large that making code for it pays even when it is computed only once."""
+    return rows * cols >= 4 * _PART
+
+
+class Member:
+    """A block of a segment: its formula, and what kind of recurrence it is, if it is one."""
+
+    def __init__(self, layout: Layout, number: int, formula: Node, recurrence: RunningSum | Held | None) -> None:
+        self.layout = layout
+        self.number = number
+        self.formula = formula
+        self.recurrence = recurrence
+        self.block = layout.blocks[number]
+
+    def run(self, ev: Evaluator, start: int, stop: int) -> Codes:
+        """Compute rows [start, stop) carefully; their codes."""
+        block = self.block
+        sheet = self.layout.block_sheets[self.number]
+        frame = Frame(sheet, block.row + start, block.col, stop - start, block.cols, start)
+        found = ev.result(self.formula, frame) if self.recurrence is None else compute(self.recurrence, ev, frame)
+        return write(self.layout, self.number, start, stop, found, ev)
+
+
+def write(layout: Layout, number: int, start: int, stop: int, found: Cells, ev: Evaluator) -> Codes:
+    """Put the values of a block's rows [start, stop) into the flat array; their codes."""
+    block = layout.blocks[number]
+    first = layout.block_offsets[number]
+    last = first + block.rows * block.cols
+    ev.numbers[first:last].reshape(block.cols, block.rows)[:, start:stop] = found.numbers
+    codes = ev.codes[first:last].reshape(block.cols, block.rows)[:, start:stop]
+    codes[...] = 0 if found.codes is None else found.codes
+    return codes
+
+
+class Segment:
+    """Blocks of the same height in their order, and the code that computes them when all is well."""
+
+    def __init__(self, layout: Layout, first: Member, lowering: Lowering | None) -> None:
+        self.layout = layout
+        self.members = [first]
+        self.producers = [first.number]
+        self.lowering = lowering
+        self.rows = first.block.rows
+        self.cols = first.block.cols
+        # A wide block has few buffers, as it is alone in its segment.
+        self.chunk = CHUNK if self.cols == 1 else max(256, 3 * CHUNK // (2 * self.cols))
+        self.part = max(256, _PART // self.cols)
+        self._most = _MOST_LONE if self.rows * self.cols == 1 else _MOST_MEMBERS
+        self._code: Code | None = None
+        self._buffers: list[Buffers] = []
+        self._counts: dict[str, int] = {}
+        self._runs = 0
+
+    def joined(self, member: Member) -> bool:
+        """Take a block in, if the fast path can compute it together with the others."""
+        if self.lowering is None or self.is_full:
+            return False
+        try:
+            self.lowering.add(member.number, member.formula, member.recurrence)
+        except UnsuitableError:
+            return False
+        self.members.append(member)
+        self.producers.append(member.number)
+        return True
+
+    @property
+    def is_full(self) -> bool:
+        """Whether further blocks must go elsewhere."""
+        return self.lowering is None or len(self.members) >= self._most or len(self.lowering.order) >= _MOST_VALUES
+
+    @cached_property
+    def texts(self) -> set[int]:
+        """The members that the fast path fills with a text."""
+        if self.lowering is None:
+            return set()
+        values, results = self.lowering.values, self.lowering.results
+        return {number for number, result in results.items() if values[result].kind == "text"}
+
+    def run(self, ev: Evaluator, marks: Marks) -> None:
+        """Compute all cells, and mark those blocks that do not consist of numbers alone."""
+        self._runs += 1
+        # Making the code costs some milliseconds: worth it for long columns, or when the plan is used again.
+        worth = (self._runs > 1 or worth_at_once(self.rows, self.cols)) and _flags_work()
+        marks.texts |= self.texts  # what a careful chunk finds may take them out again
+        marks.dirty |= self.texts
+        if self.lowering is not None and self.lowering.reads.top + self.lowering.reads.bottom > 0:
+            worth &= self.rows > _PIECE  # the rows at the ends cost as much as all of them
+        if not worth or self.lowering is None or not self._as_expected(self.lowering.reads, marks):
+            self._carefully(ev, marks, 0, self.rows)
+            return
+        if self._code is None:
+            self._code, _, self._counts = emit(self.lowering, self.layout)
+        buffers = self._buffers.pop() if self._buffers else self._new_buffers()
+        reads = self.lowering.reads
+        first, last = min(reads.top, self.rows), max(reads.top, self.rows - reads.bottom)
+        if first:
+            self._carefully(ev, marks, 0, first)
+        for start in range(first, last, self.chunk):
+            stop = min(start + self.chunk, last)
+            if self._suspect(marks) or not self._fast(ev, buffers, start, stop):
+                for part in range(start, stop, self.part):
+                    self._chunk(ev, marks, buffers, part, min(part + self.part, stop))
+        if last < self.rows:
+            self._carefully(ev, marks, last, self.rows)
+        self._buffers.append(buffers)
+
+    def _chunk(self, ev: Evaluator, marks: Marks, buffers: Buffers, start: int, stop: int) -> None:
+        """Rows [start, stop): fast as far as everything is plain, carefully where it is not, in order from the top.
+
+        Where the code stops, the rows are tried again in smaller pieces, so that a few bad ones cost little; after
+        three failures the rest is done carefully, so that many cost little more than that.
+        """
+        step, failures = stop - start, 0
+        while start < stop:
+            end, plain = self._stretch(ev, marks, start, stop)
+            end = min(end, start + step)
+            if failures >= _PATIENCE:
+                end, plain = stop, False
+            if plain and not self._fast(ev, buffers, start, end):
+                failures += 1
+                if end - start > _PIECE:
+                    step = max(_PIECE, step // 8)
+                    continue
+                plain = False
+            if not plain:
+                self._carefully(ev, marks, start, end)
+            start = end
+
+    def _fast(self, ev: Evaluator, buffers: Buffers, start: int, stop: int) -> bool:
+        if self._code is None:
+            return False
+        try:
+            self._code(ev.numbers, ev.codes, buffers, start, stop)
+        except _FAILURES:
+            return False
+        return True
+
+    def _stretch(self, ev: Evaluator, marks: Marks, start: int, stop: int) -> tuple[int, bool]:
+        """How far the rows from `start` on are of one sort, and whether they read numbers only."""
+        suspect = self._suspect(marks)
+        if not suspect:
+            return stop, True
+        bad = np.zeros(stop - start, bool)
+        for place in suspect:
+            bad |= ev.codes[place + start : place + stop] != 0
+        rows = np.flatnonzero(bad)
+        if not len(rows):
+            return stop, True
+        if rows[0] >= _GAP:
+            return start + int(rows[0]), True
+        gaps = np.flatnonzero(np.diff(rows) > _GAP)
+        if len(gaps) > _PATIENCE:
+            return stop, False
+        end = int(rows[gaps[0]] if len(gaps) else rows[-1]) + 1
+        return (stop if stop - start - end < _GAP else start + end), False
+
+    @staticmethod
+    def _as_expected(reads: Reads, marks: Marks) -> bool:
+        """Whether what all rows read is numbers, and texts where texts are expected."""
+        return reads.others.isdisjoint(marks.dirty) and reads.texts <= marks.texts
+
+    def _suspect(self, marks: Marks) -> list[int]:
+        """Where columns lie that are read row by row and may hold something other than numbers."""
+        columns = self.lowering.reads.columns if self.lowering is not None else {}
+        return [place for place, producers in columns.items() if not producers.isdisjoint(marks.dirty)]
+
+    def _carefully(self, ev: Evaluator, marks: Marks, start: int, stop: int) -> None:
+        for member in self.members:
+            marks.note(member.number, member.run(ev, start, stop))
+
+    def _new_buffers(self) -> Buffers:
+        size = {"t": self.chunk, "b": self.chunk, "w": self.chunk * self.cols, "v": self.chunk * self.cols}
+        kinds = {"t": np.float64, "b": np.bool_, "w": np.float64, "v": np.bool_}
+        return {
+            letter: [np.empty(size[letter], kinds[letter]) for _ in range(count)]
+            for letter, count in self._counts.items()
+        }
+
+
+@cache
+def _flags_work() -> bool:
+    """Whether this build of numpy reports what goes wrong in an array; else nothing is computed the fast way."""
+    cases = (
+        (np.arccos, 2.0), (np.arcsin, -2.0), (np.sqrt, -1.0), (np.log, 0.0), (np.log10, -1.0), (np.exp, 1e3),
+        (np.cosh, 1e4), (np.sinh, 1e4), (np.arccosh, 0.5), (np.arctanh, 1.0), (np.square, 1e200),
+        (np.reciprocal, 0.0),
+    )  # fmt: skip
+    with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+        for function, value in cases:
+            for size in (1, 9, 64):
+                array = np.full(size, 0.5 if function is not np.arccosh else 2.0)
+                array[-1] = value
+                try:
+                    function(array)
+                except FloatingPointError:
+                    continue
+                return False
+    return True

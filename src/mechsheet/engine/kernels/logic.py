@@ -1,0 +1,271 @@
+"""Logic and information: functions that look at what kind of value they get."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...formula.nodes import CellRef, Missing, Node
+from ..coerce import truths_of
+from ..frames import Frame, Span, VaryingSizeError
+from ..values import (
+    BLANK,
+    BOOLEAN,
+    ERROR,
+    NA,
+    NUMBER,
+    TEXT,
+    VALUE,
+    Cells,
+    boolean,
+    choose,
+    codes_of,
+    error,
+    errors_of,
+    first_error,
+    fitted,
+)
+
+if TYPE_CHECKING:
+    from ..careful import Evaluator
+
+Args = tuple[Node, ...]
+
+
+def if_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """IF: an error of the condition, else the branch taken; the other branch matters nowhere."""
+    condition = ev.value(args[0], frame, spread)
+    mask, errors = truths_of(condition, ev.texts)
+    if np.ndim(mask) > 2:
+        return _if_of_array(ev, args, frame, spread, condition)
+    if errors is None and np.all(mask):
+        return _branch(ev, args, 1, frame, spread)
+    if errors is None and not np.any(mask):
+        return _branch(ev, args, 2, frame, spread)
+    result = choose(mask, _branch(ev, args, 1, frame, spread), _branch(ev, args, 2, frame, spread))
+    return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
+
+
+def _if_of_array(ev: Evaluator, args: Args, frame: Frame, spread: bool, condition: Cells) -> Cells:
+    """IF with an array for its condition: as large as the largest of condition and branches."""
+    mask, errors = truths_of(condition, ev.texts)
+    then = _branch(ev, args, 1, frame, spread) if np.any(mask) else Cells(np.float64(0))
+    otherwise = Cells(np.float64(0)) if np.all(mask) else _branch(ev, args, 2, frame, spread)
+    condition, then, otherwise = fitted(condition, then, otherwise)
+    mask, errors = truths_of(condition, ev.texts)
+    result = choose(mask, then, otherwise)
+    return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
+
+
+def _branch(ev: Evaluator, args: Args, index: int, frame: Frame, spread: bool) -> Cells:
+    """A branch left out is the condition's truth value; an empty one (`IF(a,,b)`) is 0."""
+    if index >= len(args):
+        return boolean(np.float64(index == 1))
+    if isinstance(args[index], Missing):
+        return Cells(np.float64(0))
+    return ev.value(args[index], frame, spread)
+
+
+def _instead(caught: Callable[[Any], Any]) -> Any:
+    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+        first = ev.value(args[0], frame, spread)
+        if first.codes is None:
+            return first
+        mask = caught(first.codes)
+        if not np.any(mask):
+            return first
+        second = Cells(np.float64(0)) if isinstance(args[1], Missing) else ev.value(args[1], frame, spread)
+        first, second = fitted(first, second)
+        return choose(caught(codes_of(first)), second, first)
+
+    return kernel
+
+
+iferror = _instead(lambda codes: codes >= ERROR)
+ifna = _instead(lambda codes: codes == NA)
+
+
+_JOINS: dict[str, tuple[Any, bool]] = {
+    "AND": (np.logical_and, True), "OR": (np.logical_or, False), "XOR": (np.logical_xor, False),
+}  # fmt: skip
+"""How truth values are joined, and the one that changes nothing."""
+
+
+def _joined(name: str) -> Any:
+    join, neutral = _JOINS[name]
+
+    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+        del spread
+        masks: list[Any] = []
+        counted: list[Any] = []
+        faults: list[Any] = []
+        for arg in args:
+            cells = ev.value(arg, frame, spread=True)
+            codes = codes_of(cells)
+            inside = np.ndim(cells.numbers) > 2 or isinstance(arg, CellRef)
+            # Texts and blanks that stand in cells are passed over; a text written as an argument must be a truth value.
+            empty = (codes == TEXT) & (cells.numbers == ev.texts.number(""))
+            counts = (codes != TEXT) & (codes != BLANK) if inside else (codes != BLANK) & ~empty
+            mask, errors = truths_of(cells, ev.texts)
+            if errors is not None:
+                errors = np.where((codes == TEXT) if inside else empty, np.uint8(0), errors)
+            masks.append(join.reduce(_flat(np.where(counts, mask, neutral))))
+            counted.append(np.logical_or.reduce(_flat(np.broadcast_to(counts, np.shape(cells.numbers)))))
+            faults.append(None if errors is None else _first_of(_flat(errors)))
+        total = masks[0]
+        any_counted = counted[0]
+        for mask, counts in zip(masks[1:], counted[1:], strict=True):
+            total = join(total, mask)
+            any_counted = any_counted | counts
+        nothing = np.where(any_counted, np.uint8(0), np.uint8(VALUE))
+        errors = first_error(*faults, nothing if np.any(nothing) else None)
+        result = boolean(total)
+        return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
+
+    return kernel
+
+
+def _flat(array: Any) -> Any:
+    """The cells of an array value along one axis in front of the frame's own."""
+    if np.ndim(array) > 2:
+        shape = np.shape(array)
+        return _plain(np.reshape(array, (shape[0] * shape[1], *shape[2:])))
+    return np.asarray(array)[None]
+
+
+def _plain(array: Any) -> Any:
+    """Without frame axes of length 1, so that it broadcasts with operands of every shape."""
+    if array.shape[1] == 1:
+        array = array[:, 0]
+        return array[:, 0] if array.shape[1] == 1 else array
+    return array
+
+
+def _first_of(errors: Any) -> Any:
+    """The first error along the first axis, 0 where there is none."""
+    index = np.argmax(errors != 0, axis=0)
+    return np.take_along_axis(errors, np.expand_dims(index, 0), axis=0)[0]
+
+
+and_, or_, xor = _joined("AND"), _joined("OR"), _joined("XOR")
+
+
+def not_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """NOT."""
+    mask, errors = truths_of(ev.value(args[0], frame, spread), ev.texts)
+    result = boolean(~mask)
+    return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
+
+
+def na(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """NA: the error #N/A."""
+    del ev, args, frame, spread
+    return error(NA)
+
+
+def _asks(question: Callable[[Any], Any]) -> Any:
+    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+        return boolean(question(codes_of(ev.value(args[0], frame, spread))))
+
+    return kernel
+
+
+isnumber = _asks(lambda codes: codes == NUMBER)
+istext = _asks(lambda codes: codes == TEXT)
+islogical = _asks(lambda codes: codes == BOOLEAN)
+isblank = _asks(lambda codes: codes == BLANK)
+isna = _asks(lambda codes: codes == NA)
+iserror = _asks(lambda codes: codes >= ERROR)
+iserr = _asks(lambda codes: (codes >= ERROR) & (codes != NA))
+
+
+def n(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """N: numbers and truth values as numbers, texts as 0, errors as they are."""
+    cells = ev.value(args[0], frame, spread)
+    if cells.codes is None:
+        return cells
+    errors = errors_of(cells)
+    numbers = np.where(cells.codes == TEXT, 0.0, cells.numbers)
+    return Cells(numbers, errors)
+
+
+def t(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """T: texts and errors as they are, all else as the empty text."""
+    cells = ev.value(args[0], frame, spread)
+    codes = codes_of(cells)
+    kept = (codes == TEXT) | (codes >= ERROR)
+    return choose(kept, Cells(cells.numbers, codes), ev.texts.constant(""))
+
+
+def pi(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """PI."""
+    del ev, args, frame, spread
+    return Cells(np.float64(np.pi))
+
+
+def row_of(span: Span) -> Any:
+    """The numbers of a span's rows."""
+    return span.row + 1.0 + np.arange(span.height)
+
+
+def column_of(span: Span) -> Any:
+    """The numbers of a span's columns."""
+    return span.col + 1.0 + np.arange(span.width)
+
+
+def _no_reference(ev: Evaluator, node: Node, frame: Frame) -> Cells:
+    """The error that stands in the place of a reference, #VALUE! for any other value."""
+    found = ev.value(node, frame, spread=True)
+    code = int(np.ravel(codes_of(found))[0])
+    return error(code if code >= ERROR else VALUE)
+
+
+def _where(name: str) -> Any:
+    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+        row, col = float(frame.row + 1), float(frame.col + 1)
+        moves_down, moves_right = frame.rows > 1, frame.cols > 1
+        if args:
+            span = ev.span(args[0], frame)
+            if span is None:
+                return _no_reference(ev, args[0], frame)
+            size = span.height if name == "ROW" else span.width
+            if spread and size > 1:
+                if span.moves_down or span.moves_right:
+                    raise VaryingSizeError
+                shape = (size, 1, 1, 1) if name == "ROW" else (1, size, 1, 1)
+                return Cells((row_of(span) if name == "ROW" else column_of(span)).reshape(shape))
+            row, col, moves_down, moves_right = span.row + 1.0, span.col + 1.0, span.moves_down, span.moves_right
+        if name == "ROW":
+            return Cells(row + np.arange(frame.rows) if moves_down else np.float64(row))
+        return Cells(col + np.arange(frame.cols)[:, None] if moves_right else np.float64(col))
+
+    return kernel
+
+
+row, column = _where("ROW"), _where("COLUMN")
+
+
+def _size(axis: int) -> Any:
+    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+        span = ev.span(args[0], frame)
+        if span is not None:
+            return Cells(np.float64((span.height, span.width)[axis]))
+        found = ev.value(args[0], frame, spread=True)
+        if len(found.shape) > 2:
+            return Cells(np.float64(found.shape[axis]))
+        errors = errors_of(found)
+        return Cells(np.float64(1)) if errors is None else choose(errors != 0, found, Cells(np.float64(1)))
+
+    return kernel
+
+
+rows, columns = _size(0), _size(1)
+
+KERNELS: dict[str, Any] = {
+    "IF": if_, "IFERROR": iferror, "IFNA": ifna, "AND": and_, "OR": or_, "XOR": xor, "NOT": not_, "NA": na,
+    "ISNUMBER": isnumber, "ISTEXT": istext, "ISLOGICAL": islogical, "ISBLANK": isblank, "ISNA": isna,
+    "ISERR": iserr, "ISERROR": iserror, "N": n, "T": t, "PI": pi, "ROW": row, "COLUMN": column,
+    "ROWS": rows, "COLUMNS": columns,
+}  # fmt: skip

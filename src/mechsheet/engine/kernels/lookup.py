@@ -1,0 +1,226 @@
+"""Look-up and conditional sums: functions that search a range. The range is the same for the whole frame in most sheets,
+and is searched for all cells of the frame at once; where it moves, each cell is evaluated by itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...formula.nodes import Call, CellRef, Local, Missing, Node, RangeRef
+from ..calling import spread_cells, table_of
+from ..coerce import numbers_of, truths_of
+from ..frames import Frame
+from ..regions import gives_region, regions
+from ..searching import WILDCARD, Line
+from ..values import (
+    BLANK,
+    NA,
+    REF,
+    TEXT,
+    VALUE,
+    Cells,
+    choose,
+    codes_of,
+    error,
+    errors_of,
+    first_error,
+    fitted,
+)
+
+if TYPE_CHECKING:
+    from ..careful import Evaluator
+
+Args = tuple[Node, ...]
+
+
+def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """INDEX(range, row, column): 0 or nothing for the only row or column; #REF! outside."""
+    row, row_errors = _argument(ev, args, 1, frame, spread)
+    col, col_errors = _argument(ev, args, 2, frame, spread)
+    if row_errors is None and col_errors is None and np.ndim(row) == 0 and np.ndim(col) == 0:
+        if not spread:
+            single = _indexed(ev, args, frame, float(row), float(col))
+            if single is not None:
+                return single
+        part = _part(ev, args, frame, spread, len(args) == 2 or 0 in (int(row), int(col)))
+        if part is not None:
+            return part
+    table = table_of(ev, args[0], frame)
+    height, width = table.numbers.shape
+    span = ev.span(args[0], frame)
+    if span is not None:
+        height, width = span.height, span.width  # beyond the data a whole column goes on, blank
+    if len(args) == 2 and height == 1:
+        row, col = np.where(width == 1, row, 1.0), np.where(width == 1, col, row)
+    row, col = np.trunc(row), np.trunc(col)
+    several = (np.equal(row, 0) & (height > 1)) | (np.equal(col, 0) & (width > 1))
+    row, col = np.where(np.equal(row, 0), 1.0, row), np.where(np.equal(col, 0), 1.0, col)
+    own = np.where(several, np.uint8(VALUE), np.uint8(0))
+    outside = (row < 1) | (row > height) | (col < 1) | (col > width) | ~np.isfinite(row) | ~np.isfinite(col)
+    own = np.where(outside, np.uint8(REF), own)
+    own = np.where((row < 0) | (col < 0), np.uint8(VALUE), own)
+    beyond = ~outside & ((row > table.numbers.shape[0]) | (col > table.numbers.shape[1]))
+    safe = outside | beyond
+    i, j = np.where(safe, 0, row - 1).astype(np.intp), np.where(safe, 0, col - 1).astype(np.intp)
+    found = Cells(table.numbers[i, j], np.where(beyond, np.uint8(BLANK), table.codes[i, j]))
+    return _or_error(found, first_error(row_errors, col_errors, own))
+
+
+def _part(ev: Evaluator, args: Args, frame: Frame, spread: bool, whole: bool) -> Cells | None:
+    """What INDEX means of a reference, or a whole row or column of an array; None for single cells of anything."""
+    single = frame.rows == frame.cols == 1
+    if not (single and spread) and not whole and len(args) < 4 and not isinstance(args[0], Call | Local):
+        return None
+    if gives_region(args[0]):
+        found = regions(ev, Call("INDEX", args), frame)
+        if found is not None:
+            return found if isinstance(found, Cells) else ev.of_span(found[0], frame, spread)
+    if not whole:
+        return None
+    if len(args) == 4 and float(_argument(ev, args, 3, frame, spread)[0]) != 1:
+        return error(REF)
+    table = table_of(ev, args[0], frame)
+    row, col = (int(_argument(ev, args, place, frame, spread, 0.0)[0]) for place in (1, 2))
+    height, width = table.numbers.shape
+    if len(args) == 2 and height == 1:
+        row, col = 0, row
+    if row < 0 or col < 0:
+        return error(VALUE)
+    if row > height or col > width:
+        return error(REF)
+    place = slice(row - 1, row) if row else slice(None), slice(col - 1, col) if col else slice(None)
+    return spread_cells(Cells(table.numbers[place], table.codes[place]))
+
+
+def _indexed(ev: Evaluator, args: Args, frame: Frame, row: float, col: float) -> Cells | None:
+    """The one cell of a fixed range that INDEX means everywhere in the frame; None in all less plain cases."""
+    span = ev.span(args[0], frame)
+    if span is None or span.moves_down or span.moves_right:
+        return None
+    if len(args) == 2 and span.height == 1 and span.width > 1:
+        row, col = 1.0, row
+    if not (1 <= row < span.height + 1 and 1 <= col < span.width + 1):
+        return None
+    return ev.at(span.sheet, span.row + int(row) - 1, span.col + int(col) - 1)
+
+
+def _or_error(found: Cells, errors: Any) -> Cells:
+    if errors is None or not np.any(errors):
+        return found if found.codes is None or np.any(found.codes) else Cells(found.numbers)
+    return choose(errors != 0, Cells(np.nan, errors), found)
+
+
+def _argument(ev: Evaluator, args: Args, place: int, frame: Frame, spread: bool, default: float = 1.0) -> Any:
+    """(numbers, error codes or None) of an argument that may be left out."""
+    if place >= len(args):
+        return np.float64(default), None
+    if isinstance(args[place], Missing):
+        return np.float64(0), None
+    return numbers_of(ev.value(args[place], frame, spread), ev.texts)
+
+
+def match(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """MATCH(value, range, type): 1 the last not above (ascending), 0 the first equal, -1 the last not below (descending)."""
+    kind, kind_errors = _argument(ev, args, 2, frame, spread)
+    if np.ndim(kind):
+        kind = kind.flat[0]
+    table = table_of(ev, args[1], frame)
+    if 1 not in table.numbers.shape:
+        return error(NA)
+    line = Cells(table.numbers.ravel(), table.codes.ravel())
+    places = positions(ev, ev.value(args[0], frame, spread), line, float(np.sign(kind)))
+    found = Cells(places.numbers + 1.0, places.codes)
+    return _or_error(found, kind_errors)
+
+
+def positions(ev: Evaluator, wanted: Cells, line: Cells, kind: float) -> Cells:
+    """Where each wanted value stands in `line` (from 0), #N/A where it stands nowhere; errors of `wanted` first.
+
+    kind  0 the first equal one, texts with wildcards; 1 the last not above, in ascending order; -1 the last not below, in
+          descending order
+    """
+    numbers, codes = np.broadcast_arrays(wanted.numbers, codes_of(wanted))
+    flat = list(zip(numbers.ravel().tolist(), codes.ravel().tolist(), strict=True))
+    search = Line(line, ev.texts, backwards=False)
+    known: dict[tuple[float, int], int] = {}
+    for key in flat:
+        if key not in known:
+            known[key] = _place(search, *key, kind)
+    found = np.array([known[key] for key in flat], np.float64).reshape(numbers.shape)
+    missing = np.where(found < 0, np.uint8(NA), np.uint8(0))
+    errors = first_error(errors_of(wanted), missing if np.any(missing) else None)
+    return Cells(np.where(found < 0, 0.0, found), errors)
+
+
+def _place(search: Line, number: float, code: int, kind: float) -> int:
+    if kind != 0:
+        return search.beside(number, code, descending=kind < 0)
+    return -1 if code == BLANK else search.place(number, code, WILDCARD)  # a blank cell equals nothing here
+
+
+def choose_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """CHOOSE(number, first, second, …): #VALUE! outside; only the values chosen matter."""
+    number, errors = numbers_of(ev.value(args[0], frame, spread), ev.texts)
+    number = np.trunc(number)
+    result = error(VALUE)
+    for place, arg in enumerate(args[1:], 1):
+        here = np.equal(number, place)
+        if np.any(here):
+            value = Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
+            result = value if np.all(here) else choose(here, value, result)
+    return _or_error(result, errors)
+
+
+def _line(cells: Cells, by_rows: bool, place: int) -> Cells:
+    return (
+        Cells(cells.numbers[:, place], cells.codes[:, place])
+        if by_rows
+        else Cells(cells.numbers[place], cells.codes[place])
+    )
+
+
+def _table_lookup(by_rows: bool) -> Any:
+    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+        table = table_of(ev, args[1], frame)
+        if table.codes.shape == (1, 1) and table.codes[0, 0] == TEXT and not isinstance(args[1], CellRef | RangeRef):
+            return error(VALUE)
+        wanted = ev.value(args[0], frame, spread)
+        place, place_errors = numbers_of(ev.value(args[2], frame, spread), ev.texts)
+        near: Any = np.True_
+        near_errors: Any = None
+        if len(args) > 3:
+            near, near_errors = truths_of(ev.value(args[3], frame, spread), ev.texts)
+        found = positions(ev, wanted, _line(table, by_rows, 0), 1.0 if np.all(near) else 0.0)
+        found, (place, place_errors) = fitted(found, Cells(place, place_errors))
+        across = np.trunc(place)
+        width = table.numbers.shape[1 if by_rows else 0]
+        own = np.where(across < 1, np.uint8(VALUE), np.where(across > width, np.uint8(REF), np.uint8(0)))
+        safe = np.where((own != 0) | np.isnan(across), 0, across - 1).astype(np.intp)
+        along = found.numbers.astype(np.intp)
+        at = (along, safe) if by_rows else (safe, along)
+        errors = first_error(errors_of(wanted), place_errors, near_errors, own if np.any(own) else None, found.codes)
+        return _or_error(Cells(table.numbers[at], table.codes[at]), errors)
+
+    return kernel
+
+
+def lookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """LOOKUP(value, ascending line, line of results); with one table, its first and last row or column."""
+    table = table_of(ev, args[1], frame)
+    if len(args) > 2 and 1 not in table.numbers.shape:
+        return error(NA)
+    by_rows = table.numbers.shape[0] >= table.numbers.shape[1]
+    found = positions(ev, ev.value(args[0], frame, spread), _line(table, by_rows, 0), 1.0)
+    results = table_of(ev, args[2], frame) if len(args) > 2 else table
+    line = Cells(results.numbers.ravel(), results.codes.ravel()) if len(args) > 2 else _line(table, by_rows, -1)
+    along = found.numbers.astype(np.intp)
+    if np.any(along >= len(line.numbers)):
+        return error(REF)
+    return _or_error(Cells(line.numbers[along], line.codes[along]), found.codes)
+
+
+KERNELS: dict[str, Any] = {
+    "INDEX": index, "MATCH": match, "CHOOSE": choose_, "LOOKUP": lookup,
+    "VLOOKUP": _table_lookup(True), "HLOOKUP": _table_lookup(False),
+}  # fmt: skip

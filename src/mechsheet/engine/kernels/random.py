@@ -1,0 +1,61 @@
+"""Random numbers: the same ones in every run of the program."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...formula.nodes import Missing, Node
+from ..coerce import numbers_of, truths_of
+from ..frames import Frame, VaryingSizeError
+from ..values import NUM, VALUE, Cells, error, finished, first_error
+
+if TYPE_CHECKING:
+    from ..careful import Evaluator
+
+Args = tuple[Node, ...]
+_GENERATOR = np.random.default_rng(1900)
+_MOST_CELLS = 4_000_000
+
+
+def rand(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """RAND: a number in 0 to below 1 for every cell."""
+    del ev, args, spread
+    return Cells(_GENERATOR.random(frame.shape))
+
+
+def randbetween(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """RANDBETWEEN: a whole number between two bounds, both included."""
+    parts = [numbers_of(ev.value(arg, frame, spread), ev.texts) for arg in args]
+    low, high = np.ceil(parts[0][0]), np.floor(parts[1][0])
+    shape = np.broadcast_shapes(np.shape(low), np.shape(high), frame.shape)
+    codes = np.where(low > high, np.uint8(NUM), np.uint8(0))
+    return finished(
+        np.floor(_GENERATOR.random(shape) * (high - low + 1)) + low, first_error(parts[0][1], parts[1][1], codes)
+    )
+
+
+def randarray(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """RANDARRAY(rows, columns, least, most, whole numbers)."""
+    del spread
+    if frame.rows > 1 or frame.cols > 1:
+        raise VaryingSizeError
+    found = []
+    for place, default in enumerate((1.0, 1.0, 0.0, 1.0)):
+        number: Any = np.float64(default)
+        if place < len(args) and not isinstance(args[place], Missing):
+            number, faults = numbers_of(ev.value(args[place], frame), ev.texts)
+            if faults is not None or np.ndim(number):
+                return error(VALUE)
+        found.append(float(number))
+    whole = len(args) > 4 and bool(np.all(truths_of(ev.value(args[4], frame), ev.texts)[0]))
+    height, width, low, high = math.trunc(found[0]), math.trunc(found[1]), found[2], found[3]
+    if height < 1 or width < 1 or height * width > _MOST_CELLS or low > high:
+        return error(VALUE)
+    numbers = _GENERATOR.random((height, width, 1, 1))
+    return Cells(np.floor(numbers * (high - low + 1)) + low if whole else numbers * (high - low) + low)
+
+
+KERNELS: dict[str, Any] = {"RAND": rand, "RANDBETWEEN": randbetween, "RANDARRAY": randarray}

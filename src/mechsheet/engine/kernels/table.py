@@ -1,0 +1,67 @@
+"""The array code of every function in `formula/functions.txt`; each module of kernels is loaded when a formula needs it.
+
+A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `careful.py` for the words. A module may
+hold three tables: KERNELS; MAPS, functions of numbers over arrays; PLAIN, functions of Python values (`calling.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from ...formula.functions import FUNCTIONS, Function
+from ...formula.nodes import Missing, Node
+from ..calling import called
+from ..frames import Frame
+from ..values import BOOLEAN, VALUE, Cells
+
+if TYPE_CHECKING:
+    from ..careful import Evaluator
+
+Kernel: TypeAlias = Callable[["Evaluator", tuple[Node, ...], "Frame", bool], Cells]
+
+
+def _without_flags(cells: Cells) -> Cells:
+    """Values in which truth values are #VALUE!."""
+    if cells.codes is None or not np.any(cells.codes == BOOLEAN):
+        return cells
+    return Cells(cells.numbers, np.where(cells.codes == BOOLEAN, np.uint8(VALUE), cells.codes))
+
+
+def _mapped(row: Function, function: Callable[..., Any]) -> Kernel:
+    """A function of numbers, cell by cell; an argument left empty is 0."""
+    strict = "p" in row.kinds
+
+    def kernel(ev: Evaluator, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
+        cells = tuple(
+            Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread) for arg in args
+        )
+        return ev.mapped(function, tuple(map(_without_flags, cells)) if strict else cells)
+
+    return kernel
+
+
+def kernels_in(module: str) -> dict[str, Kernel]:
+    """All kernels of a module, by function."""
+    tables = import_module(f".{module}", __package__)
+    found: dict[str, Kernel] = dict(getattr(tables, "KERNELS", {}))
+    found.update({name: _mapped(FUNCTIONS[name], function) for name, function in getattr(tables, "MAPS", {}).items()})
+    found.update({name: called(FUNCTIONS[name], function) for name, function in getattr(tables, "PLAIN", {}).items()})
+    return found
+
+
+class _Kernels(dict[str, Kernel]):
+    """Function -> kernel, for all of FUNCTIONS; what has been asked for stays."""
+
+    def __missing__(self, name: str) -> Kernel:
+        self.update(kernels_in(FUNCTIONS[name].module))
+        return self[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in FUNCTIONS
+
+
+KERNELS = _Kernels()
