@@ -1,12 +1,17 @@
 """A mechanism judged without a file: laid out, recalculated by the engine, compared with the reference."""
 
+from dataclasses import replace
+
 from mechsheet.checking import Comparison
 from mechsheet.checking.against_reference import against_reference
 from mechsheet.compute import book_of
 from mechsheet.engine import evaluate
+from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
 from mechsheet.sheet.layout import lay_out
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.workbook import Fill, Workbook
 
 
 def judged(mechanism: Mechanism, changes: dict[str, float] | None = None) -> Comparison:
@@ -16,6 +21,23 @@ def judged(mechanism: Mechanism, changes: dict[str, float] | None = None) -> Com
     for symbol, value in (changes or {}).items():
         spot = plan.at.spots[symbol]
         overrides[spot.sheet, spot.row, spot.col] = value
-    book = book_of(workbook)
+    book = book_of(positions_only(workbook, plan))
     comparison, _ = against_reference(book, evaluate(book, overrides), mechanism.text, mechanism.name)
     return comparison
+
+
+def positions_only(workbook: Workbook, plan: Plan) -> Workbook:
+    """The workbook without what reads the positions: that is two thirds of its formulas, and not what is judged here."""
+    kept = {plan.main, plan.table}
+    hidden = {sheet.title for sheet in workbook.sheets if sheet.hidden}
+
+    def stays(fill: Fill) -> bool:
+        read = {node.sheet for node in walk(fill.formula) if isinstance(node, CellRef) and node.sheet is not None}
+        return read <= kept
+
+    sheets = tuple(
+        replace(sheet, fills=tuple(filter(stays, sheet.fills)))
+        for sheet in workbook.sheets
+        if sheet.title in kept | hidden
+    )
+    return replace(workbook, sheets=sheets, names=tuple(name for name in workbook.names if name.sheet in kept))

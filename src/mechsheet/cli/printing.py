@@ -8,6 +8,9 @@ import click
 
 from mechsheet.checking.mutate import by_kind, by_sheet
 
+WIDTH = 80
+"""Signs of a line on a terminal."""
+
 LONG = 100
 """Longer formulas are shown around the place in which they differ; with --json in full."""
 
@@ -24,9 +27,12 @@ EDITS = 40
 def print_line(report: Any) -> None:
     """A check of many: all in one line."""
     worst = max((item.worst for item in report.comparisons), default=0.0)
-    judges = ", ".join(item.judge for item in report.comparisons)
     notes = f"; notes: {len(report.remarks)}" if report.remarks else ""
-    click.echo(f"{report.file}: all agree, worst {worst:.1e} ({judges}){notes}")
+    judges = ", ".join(item.judge for item in report.comparisons)
+    line = f"{report.file}: all agree, worst {worst:.0e} ({judges}){notes}"
+    if len(line) > WIDTH:
+        line = line.replace(judges, f"{len(report.comparisons)} judges")
+    click.echo(line)
 
 
 def print_report(report: Any) -> None:
@@ -34,7 +40,7 @@ def print_report(report: Any) -> None:
     click.echo(f"{report.file}: {'all agree' if report.agrees else _verdict(report)}")
     for item in report.comparisons:
         verdict = "agrees " if item.agrees else "DIFFERS"
-        click.echo(f"  {item.judge:<14} {verdict} {item.cells:>8} values, worst {item.worst:9.2e}  {item.where}")
+        click.echo(f"  {item.judge:<14} {verdict} {item.worst:6.0e} in {item.cells:>6} values  {item.where}")
         if not item.agrees:
             click.echo(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
     for edit in report.edits[:EDITS]:
