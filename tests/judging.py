@@ -3,41 +3,51 @@
 from dataclasses import replace
 
 from mechsheet.checking import Comparison
-from mechsheet.checking.against_reference import against_reference
+from mechsheet.checking.against_reference import against_plan
 from mechsheet.compute import book_of
 from mechsheet.engine import evaluate
 from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
-from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.workbook import Fill, Workbook
+from mechsheet.sheet.checks import checks_sheet
+from mechsheet.sheet.mechanism import mechanism_sheet
+from mechsheet.sheet.plan import Plan, plan_of
+from mechsheet.sheet.positions import positions_sheet
+from mechsheet.sheet.workbook import Fill, Properties, Workbook
 
 
 def judged(mechanism: Mechanism, changes: dict[str, float] | None = None) -> Comparison:
     """Engine against reference, with input cells changed: `changes` maps dimensions or modes to what the cell then holds."""
-    workbook, plan = lay_out(mechanism, solve(mechanism))
+    workbook, plan = positions_only(mechanism)
     overrides = {}
     for symbol, value in (changes or {}).items():
         spot = plan.at.spots[symbol]
         overrides[spot.sheet, spot.row, spot.col] = value
-    book = book_of(positions_only(workbook, plan))
-    comparison, _ = against_reference(book, evaluate(book, overrides), mechanism.text, mechanism.name)
+    book = book_of(workbook)
+    comparison, _ = against_plan(book, evaluate(book, overrides), plan, mechanism.name)
     return comparison
 
 
-def positions_only(workbook: Workbook, plan: Plan) -> Workbook:
-    """The workbook without what reads the positions: that is two thirds of its formulas, and not what is judged here."""
+def positions_only(mechanism: Mechanism) -> tuple[Workbook, Plan]:
+    """The workbook without what reads the positions: that is nine tenths of its formulas, and not what is judged here.
+
+    The same cells as `lay_out` makes: tests/property holds the two against each other.
+    """
+    plan = plan_of(mechanism, solve(mechanism))
+    checks_sheet(plan)  # the first sheet has the addresses of its verdicts
+    sheets = (mechanism_sheet(plan), positions_sheet(plan))
+    return only_positions(Workbook(sheets, tuple(plan.names), Properties()), plan), plan
+
+
+def only_positions(workbook: Workbook, plan: Plan) -> Workbook:
+    """The first two sheets, without formulas that read others."""
     kept = {plan.main, plan.table}
-    hidden = {sheet.title for sheet in workbook.sheets if sheet.hidden}
 
     def stays(fill: Fill) -> bool:
         read = {node.sheet for node in walk(fill.formula) if isinstance(node, CellRef) and node.sheet is not None}
         return read <= kept
 
     sheets = tuple(
-        replace(sheet, fills=tuple(filter(stays, sheet.fills)))
-        for sheet in workbook.sheets
-        if sheet.title in kept | hidden
+        replace(sheet, fills=tuple(filter(stays, sheet.fills))) for sheet in workbook.sheets if sheet.title in kept
     )
     return replace(workbook, sheets=sheets, names=tuple(name for name in workbook.names if name.sheet in kept))
