@@ -22,6 +22,7 @@ from mechsheet.model import Mechanism, TableRequest, Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.recomputed import recomputed_sheet
 from mechsheet.sheet.tables import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 
@@ -120,12 +121,14 @@ class _Work:
         sheets += [
             self.table(sheet, tables[id(sheet)]) if id(sheet) in tables else sheet for sheet in workbook.sheets[1:]
         ]
+        again = plan.at.titles["recomputed"]
         taken = {sheet.title.casefold() for sheet in sheets}
         base = LIST_TITLE.of(language)
         title = next(name for name in (base, f"{base} 2", f"{base} 3") if name.casefold() not in taken)
         calls = {function.key: self.call(function, title) for function in functions if not function.basic}
         listed = functions_sheet(plan, self.source, functions, self.names, calls, title)
         sheets.insert(len(plan.mechanism.tables) + 3, listed)
+        sheets = [recomputed_sheet(plan, sheets) if sheet.title == again else sheet for sheet in sheets]
         modules: tuple[Module, ...] = ()
         if self.form == "basic":
             opening = introduction(self.source, tuple(functions), language)

@@ -10,9 +10,10 @@ from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.aside import aside
-from mechsheet.sheet.consistency import Whole, whole_table
+from mechsheet.sheet.consistency import RECOMPUTED, Whole, whole_table
 from mechsheet.sheet.expansion import LIMIT
 from mechsheet.sheet.plan import EXISTS, Plan, unit_text
+from mechsheet.sheet.recomputed import place_recomputed
 from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import (
@@ -32,8 +33,9 @@ ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
 
 TITLE_ROW, ABOUT_ROW, CLEAR_ROW, WORST_ROW, ROUNDING_ROW = range(5)
-GROUP_ROW, HEAD_ROW, GIVEN_ROW, _, MOST_ROW, AT_ROW, VERDICT_ROW, FIRST = range(6, 14)
-"""Rows: what holds for the whole table; then the heads of the columns, and the table itself."""
+LAST_ROW = ROUNDING_ROW + 1
+GROUP_ROW, HEAD_ROW, GIVEN_ROW, _, MOST_ROW, AT_ROW, VERDICT_ROW, FIRST = range(LAST_ROW + 2, LAST_ROW + 10)
+"""Rows: what holds for the whole table, up to the last; then the heads of the columns, and the table itself."""
 
 NUMBER, DRIVER_COL, DATA = range(3)
 VALUE = 2
@@ -57,6 +59,7 @@ COLUMNS_OF_A_PAGE = 20
 
 def checks_sheet(plan: Plan) -> Sheet:
     """The sheet. Writes down where `#clear`, `#worst` and `#leaps` stand, for the first sheet to read."""
+    place_recomputed(plan)
     return _Sheet(plan).sheet()
 
 
@@ -72,6 +75,8 @@ class _Sheet:
         self.parts = 0
         self.conditionals: list[Conditional] = []
         self.merges: list[Merge] = []
+        self.proven = plan.proven.setdefault(self.title, [])
+        self.proven.append(Area(CLEAR_ROW, VALUE, CLEAR_ROW, VALUE))
         rounding = CellRef(ROUNDING_ROW, VALUE, True, True)
         self.checks = residuals(plan, Frame(self.title, DATA, FIRST, GIVEN_ROW, rounding))
         self.last_row = FIRST + plan.rows - 1
@@ -97,7 +102,7 @@ class _Sheet:
         for word, style in (("ok", styles.GOOD), ("look", styles.BAD)):
             self._coloured(Area(VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), word, style)
             for col in SIDE:
-                self._coloured(Area(CLEAR_ROW, col + 3, ROUNDING_ROW, col + 3), word, style)
+                self._coloured(Area(CLEAR_ROW, col + 3, LAST_ROW, col + 3), word, style)
         return Sheet(
             self.title,
             tuple(self.cells),
@@ -194,6 +199,8 @@ class _Sheet:
         style = styles.decimals(styles.COLUMN, 0) if check.unit in COUNTED else styles.ERROR
         if check.unit in ("move", "turn"):
             style = styles.decimals(styles.COLUMN, 4)
+        if check.unit in ("length", "angle"):
+            self.proven.append(Area(FIRST, col, self.last_row, col))
         if plan.rows > skip:
             self.fills.append(Fill(FIRST + skip, col, shifted(check.formula, skip), style, rows=plan.rows - skip))
         self._summary(col, check, style)
@@ -252,13 +259,16 @@ class _Sheet:
     # --- what holds for the whole table -----------------------------------------------------------------------
 
     def _whole_table(self) -> None:
-        """The checks that have one value each, three below each other."""
+        """The checks that have one value each, four below each other."""
         for index, check in enumerate(whole_table(self.plan, self.title, CellRef(ROUNDING_ROW, VALUE, True, True))):
-            row, col = CLEAR_ROW + index % 3, SIDE[index // 3]
+            side, down = divmod(index, LAST_ROW - CLEAR_ROW + 1)
+            row, col = CLEAR_ROW + down, SIDE[side]
             self.put(row, col, self.text(check.key), styles.LABEL)
             self.put(row, col + 1, None, styles.LABEL)
             self.merges.append(Merge(Area(row, col, row, col + 1)))
-            style = styles.ERROR if check.key != "rows" else styles.decimals(styles.COLUMN, 0)
+            style = styles.decimals(styles.COLUMN, 0) if check.key in ("rows", RECOMPUTED) else styles.ERROR
+            if check.key == RECOMPUTED:
+                self.proven.append(Area(row, col, row, col + 3))
             self.formula(row, col + 2, check.value(self._joined(check)), self._boxed(style))
             cell = CellRef(row, col + 2)
             good: Node = Binary("<=", Call("ABS", (cell,)), check.limit)
@@ -289,7 +299,7 @@ class _Sheet:
         self.put(TITLE_ROW, 0, self.text("title"), styles.TITLE)
         self.put(ABOUT_ROW, 0, self.text("about"), styles.NOTE)
         self.merges.append(Merge(Area(ABOUT_ROW, 0, ABOUT_ROW, SIDE_END)))
-        blocks = ((CLEAR_ROW, col + 3, ROUNDING_ROW, col + 3) for col in SIDE)
+        blocks = ((CLEAR_ROW, col + 3, LAST_ROW, col + 3) for col in SIDE)
         places = ((VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), *blocks)
         good = al.total(
             Call("COUNTIF", (RangeRef(CellRef(top, left), CellRef(bottom, right)), Text(self.text("ok"))))

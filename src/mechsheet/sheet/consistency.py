@@ -23,6 +23,9 @@ ROUNDING = Number(1e-9)
 SHOWN = ("variable", "point", "output")
 """Kinds of columns that people read."""
 
+RECOMPUTED = "recomputed"
+"""The check that counts cells which differ from their copies."""
+
 COUNTED = 100
 """Columns that one formula counts."""
 
@@ -48,7 +51,7 @@ class Whole:
 
 
 def whole_table(plan: Plan, sheet: str, rounding: Node) -> list[Whole]:
-    """All of them, six at most, as formulas of `sheet`; `rounding` is the length below which a difference is rounding."""
+    """All of them, eight at most, as formulas of `sheet`; `rounding` is the length below which a difference is rounding."""
     found = [Whole("fixed", fixed_points(plan, sheet), rounding)]
     if not plan.mechanism.driver.values:
         found.append(Whole("steps", (steps(plan),), ROUNDING))
@@ -59,6 +62,7 @@ def whole_table(plan: Plan, sheet: str, rounding: Node) -> list[Whole]:
     shown = position_shown(plan, sheet)
     found.append(Whole("position", shown, ROUNDING, value=lambda most: Call("IF", (missing, al.ZERO, most))))
     found.append(Whole("summaries", summaries(plan, sheet), ROUNDING))
+    found.append(Whole(RECOMPUTED, (plan.at.reference("#differ", sheet, None),), al.ZERO))
     return found
 
 

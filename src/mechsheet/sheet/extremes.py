@@ -182,7 +182,8 @@ class Extremes:
             plan.at.spots[name] = plan.at.shown[name] = Spot(self.sheet, self.row + 2 + part, col)
 
     def _at_limit(self, symbol: str, take: str, col: int, index: int) -> CellRef:
-        """The quantity at a limit; the column of the largest value repeats that of the smallest."""
+        """The quantity at a limit, rounded lest rounding errors decide between equal ends; the column of the largest value
+        repeats that of the smallest."""
         row = self.more + LIMITS + index
         if take == "max":
             return self._formula(row, col, CellRef(row, col - 1))
@@ -190,7 +191,8 @@ class Extremes:
         if self.trials is None or symbol not in self.trials.forms:
             return self._formula(row, col, Text(""))
         value = as_shown(plan, symbol, self.trials.value(symbol, limit.trial))
-        return self._formula(row, col, Call("IFERROR", (value, Text(""))))
+        rounded = Call("ROUND", (value, Number(float(digits_kept(plan, symbol)))))
+        return self._formula(row, col, Call("IFERROR", (rounded, Text(""))))
 
 
 def turn_of(plan: Plan, symbol: str) -> Node | None:

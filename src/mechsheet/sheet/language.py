@@ -14,6 +14,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "sheet.checks": ("Checks", "Denetim"),
     "sheet.notes": ("Notes", "Notlar"),
     "sheet.table": ("Table", "Tablo"),
+    "sheet.recomputed": ("Recomputed", "Sağlama"),
     "sheet.description": ("Description", "Tanım"),
     # names of cells that no description chooses
     "name.start": ("start", "başlangıç"),
@@ -130,6 +131,16 @@ WORDS: dict[str, tuple[str, str]] = {
     "trial.to": ("to", "üst"),
     "trial.next": ("next", "sonra"),
     "head.at": ("at", "yeri"),
+    "recomputed.title": ("Computed a second time", "Sağlama: ikinci kez hesap"),
+    "recomputed.about": (
+        "Each formula that geometry cannot prove has a copy here, 6 rows lower: 0 where both agree, 1 where they do not.",
+        "Geometriyle denetlenemeyen her formülün burada, 6 satır aşağıda bir kopyası var: aynıysa 0, farklıysa 1.",
+    ),
+    "recomputed.differ": ("Cells that differ", "Farklı hücreler"),
+    "recomputed.where": ("The first of them", "Bunların ilki"),
+    "recomputed.any": ("Some cell below differs", "Aşağıda farklı hücre var"),
+    "recomputed.value": ("copy of {column}", "{column} kopyası"),
+    "recomputed.none": ("none", "yok"),
     "group.driver": ("Driver", "Tahrik"),
     "group.outputs": ("Outputs", "Çıktılar"),
     "group": ("Group", "Grup"),
@@ -186,6 +197,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.derived": ("Derived dimensions", "Türetilen boyutlar"),
     "checks.position": ("Position shown", "Gösterilen konum"),
     "checks.summaries": ("Summaries", "Özetler"),
+    "checks.recomputed": ("Computed twice", "İkinci hesap"),
     "checks.given": ("Given: length, or x", "Verilen: uzunluk, x"),
     "checks.given.second": ("and y, in the link", "ve y, uzuvda"),
     "checks.most": ("Largest; leaps: count", "En büyük; sıçrama sayısı"),
@@ -240,6 +252,14 @@ WORDS: dict[str, tuple[str, str]] = {
         "show where it is not.",
         "{checks} sayfası her satırı geometrik olarak yeniden ölçer. Her şeyin yolunda olduğunu söylemelidir; "
         "kırmızı hücreler sorunun yerini gösterir.",
+    ),
+    "notes.use.recomputed": (
+        "A hidden sheet, {recomputed}, computes a second time what geometry cannot prove: the first sheet, the drawing, "
+        "the outputs. When “{twice}” on {checks} says “look”, a formula was typed over: unhide the sheet (right-click "
+        "any tab); it names the first such cell.",
+        "Gizli {recomputed} sayfası geometriyle denetlenemeyenleri ikinci kez hesaplar: ilk sayfa, çizim, çıktılar. "
+        "{checks} sayfasında “{twice}” için “bakın” yazıyorsa bir formülün üstüne yazılmıştır: sayfayı gösterin (bir "
+        "sekmeye sağ tıklayın); ilk hücreyi adıyla söyler.",
     ),
     "notes.use.missing": (
         "#N/A means that the links cannot be joined at that value of the driver; a column says which of them.",

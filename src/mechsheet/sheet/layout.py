@@ -11,6 +11,7 @@ from mechsheet.sheet.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes import notes_sheet
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.positions import positions_sheet
+from mechsheet.sheet.recomputed import recomputed_sheet
 from mechsheet.sheet.tables import table_sheets
 from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
 
@@ -26,13 +27,17 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     checks = checks_sheet(plan)  # first: the first sheet reads its verdicts
     requests = chart_requests(plan)
     drawing = drawing_of(plan, traced_points(plan, requests), requests)
-    sheets = (
+    computing = (
         with_room(mechanism_sheet(plan, charts_of(plan, requests, drawing), controls(plan))),
         positions_sheet(plan),
         drawing.sheet,
         *table_sheets(plan),
         checks,
+    )
+    sheets = (
+        *computing,
         notes_sheet(plan),
+        recomputed_sheet(plan, computing),
         _description_sheet(plan),
     )
     title = mechanism.title.of(plan.language)

@@ -24,7 +24,18 @@ WIDTHS = (13, 9, 78, 44, 18)
 LINE = 14.0
 """Height of one line of text [points]."""
 
-PARAGRAPHS = ("inputs", "position", "modes", "sweep", "positions", "charts", "tables", "checks", "missing")
+PARAGRAPHS = (
+    "inputs",
+    "position",
+    "modes",
+    "sweep",
+    "positions",
+    "charts",
+    "tables",
+    "checks",
+    "recomputed",
+    "missing",
+)
 ASSUMPTIONS = ("planar", "angles", "radians", "continuous", "constant_mode", "rounding")
 COLOURS: tuple[tuple[str, Style], ...] = (
     ("input", styles.INPUT),
@@ -112,6 +123,8 @@ class _Page:
             "driver": plain(plan.mechanism.driver.symbol),
             "unit": plan.mechanism.length_unit,
             "checks": titles["checks"],
+            "recomputed": titles["recomputed"],
+            "twice": plan.text("checks.recomputed"),
             "positions": titles["positions"],
             "mechanism": titles["mechanism"],
             "table": plan.text("sheet.table"),

@@ -16,7 +16,7 @@ from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.findings import findings
 from mechsheet.sheet.language import Language, words
-from mechsheet.sheet.workbook import Name
+from mechsheet.sheet.workbook import Area, Name
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
 """Columns of the blocks on the first sheet."""
@@ -63,6 +63,7 @@ class Plan:
     """Addresses of everything; see `Addresses` for `at`.
 
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    proven  by sheet, where formulas begin that need no copy on the sheet "Recomputed": the geometry proves them
     """
 
     mechanism: Mechanism
@@ -76,6 +77,7 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
+    proven: dict[str, list[Area]] = field(default_factory=dict)
 
     @cached_property
     def reads(self) -> dict[str, tuple[str, ...]]:
@@ -120,7 +122,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     language = mechanism.language
     titles = {
         key: words(language, f"sheet.{key}")
-        for key in ("mechanism", "positions", "drawing", "checks", "notes", "description")
+        for key in ("mechanism", "positions", "drawing", "checks", "notes", "recomputed", "description")
     }
     values = driver_values(mechanism, dimension_values(mechanism))
     rows = len(values)

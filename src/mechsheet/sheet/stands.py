@@ -22,6 +22,10 @@ from mechsheet.sheet.rows import exists_column, first_row, last_row
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Area, Conditional, Content, Style
 
+SAME = Number(1e-6)
+"""Angles of transmission [rad] this near to each other are the same. At a limit, where the angle goes as the root of the
+driver's distance from it, rounding alone makes 1e-8."""
+
 POOR = 40.0
 """Angles of transmission [deg] below this are poor: most of the force only loads the joints."""
 
@@ -335,13 +339,13 @@ class _Block:
         if group.kind == "RRR":  # the angle between coupler and follower itself, 0 to 180 degrees
             ends = (low, high)
             worst: Node = Call("MIN", (low, al.sub(al.PI, high)))
-            at_low = Binary("<=", low, al.add(al.sub(al.PI, high), Number(1e-9)))
+            at_low = Binary("<=", low, al.add(al.sub(al.PI, high), SAME))
             label: Content = rich(symbol)
         else:  # the rod against the guide: the angle of transmission is what is missing to 90 degrees
             quarter = al.div(al.PI, al.TWO)
             worst = al.sub(quarter, Call("MAX", (high, al.neg(low))))
             ends = (worst, al.sub(quarter, Call("MAX", (al.ZERO, low, al.neg(high)))))
-            at_low = Binary(">=", al.neg(low), al.sub(high, Number(1e-9)))
+            at_low = Binary(">=", al.neg(low), al.sub(high, SAME))
             label = f"90°−|{plain(symbol)}|" if self.plan.shown_in_degrees("angle") else f"π/2−|{plain(symbol)}|"
         degrees = self.plan.shown_in_degrees("angle")
         shown = [Call("DEGREES", (node,)) if degrees else node for node in (worst, *ends)]
