@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import mechsheet
+from chosen import examples
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book
 from mechsheet.engine import live as live_module
@@ -87,7 +88,7 @@ WARM = compile_book(BOOK)
 WARM.evaluate()
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(CHANGES)
 def test_any_changes_give_what_a_full_recalculation_gives(changes):
     session = Session(BOOK)

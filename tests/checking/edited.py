@@ -1,6 +1,7 @@
 """Workbooks that somebody has edited, made for tests: the same workbook with other cells, every value fitting."""
 
 from dataclasses import replace
+from functools import cache, lru_cache
 from pathlib import Path
 
 from mechsheet.checking.audit import Audit, audit
@@ -19,8 +20,9 @@ from mechsheet.sheet.workbook import Cell, Fill, Sheet, Workbook
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 
 
+@cache
 def laid_out(name):
-    """(workbook, plan) of a template."""
+    """(workbook, plan) of a template; both are only read."""
     mechanism = load(TEMPLATES / f"{name}.toml")
     return lay_out(mechanism, solve(mechanism))
 
@@ -85,4 +87,7 @@ def audited(workbook: Workbook) -> Audit:
     book = book_of(workbook)
     text = description_in(book)
     assert text is not None
-    return audit(book, expected_for(text, "inside"))
+    return audit(book, expected_once(text))
+
+
+expected_once = lru_cache(maxsize=8)(lambda text: expected_for(text, "inside"))

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from edited import TEMPLATES, audited, edited, laid_out, saved, with_column
 
+from chosen import IN_CI
 from mechsheet.checking import check
 from mechsheet.checking.trees import alike
 from mechsheet.compute import computed
@@ -239,8 +240,11 @@ def round_trip(folder: Path, names, source, target):
 @pytest.mark.parametrize("source", ["xlsx", "ods"])
 @pytest.mark.parametrize("target", ["xlsx", "ods"])
 def test_a_file_saved_by_libreoffice_raises_no_false_alarm(tmp_path, source, target):
-    """The four-bar: anchors, coupler point. The pump: names, a two-way table, Turkish. The dwell: derived angles."""
-    for path in round_trip(tmp_path, ("four-bar", "adjustable-pump", "six-link-dwell"), source, target):
+    """The four-bar: anchors, coupler point. The pump: names, a two-way table, Turkish. The dwell: derived angles (in CI)."""
+    names = ("four-bar", "adjustable-pump", "six-link-dwell")
+    if not IN_CI:  # both ways of converting, and both programs' own
+        names = names[:1] if source == target else names[1:2]
+    for path in round_trip(tmp_path, names, source, target):
         report = check(path)
         assert report.edits == (), path.name
         assert report.remarks == ()

@@ -1,27 +1,20 @@
 """Would anybody notice? Each fault is built into a workbook that is otherwise right, its values fitting the fault."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
+from edited import laid_out
 
 from mechsheet.checking import check
 from mechsheet.compute import computed
-from mechsheet.description import load
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Call, CellRef, Unary, transform
-from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.workbook import Cell
-
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 
 
 @pytest.fixture(params=["four-bar", "slider-crank"])
 def built(request):
-    mechanism = load(TEMPLATES / f"{request.param}.toml")
-    workbook, plan = lay_out(mechanism, solve(mechanism))
-    return workbook, plan
+    return laid_out(request.param)
 
 
 def with_formula(workbook, plan, symbol, change):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -40,6 +41,7 @@ def folder(tmp_path_factory):
     return made
 
 
+@cache
 def laid_out(name):
     mechanism = load(TEMPLATES / f"{name}.toml")
     return lay_out(mechanism, solve(mechanism))[0]

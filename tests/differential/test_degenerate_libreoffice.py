@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from chosen import part
 from mechsheet.building import compile_workbook
 from mechsheet.description import loads
 from mechsheet.formats import write
@@ -19,7 +20,8 @@ pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
 
 
 def test_rows_that_exist(tmp_path):
-    chosen = [case for folder in ("branches", "degenerate") for case in cases(folder) if not case.refused]
+    all_cases = [case for folder in ("branches", "degenerate") for case in cases(folder)]
+    chosen = part((case for case in all_cases if not case.refused), 2)
     plans, paths = [], []
     for case in chosen:
         workbook, plan = compile_workbook(loads(case.description))

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from chosen import IN_CI
 from mechsheet.checking import check
 from mechsheet.checking.cells import angles_in, compare_cells
 from mechsheet.compute import computed
@@ -17,8 +18,7 @@ from mechsheet.programs import convert_with_libreoffice, stored_values
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import KINDS, Grower
 
-IN_CI = bool(os.environ.get("MECHSHEET_CI"))
-SAMPLE = int(os.environ.get("MECHSHEET_SAMPLE", "20" if IN_CI else "6"))
+SAMPLE = int(os.environ.get("MECHSHEET_SAMPLE", "20" if IN_CI else "4"))
 """How many of each; a file takes LibreOffice and us some three seconds."""
 
 pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]

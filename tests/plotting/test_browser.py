@@ -6,6 +6,7 @@ import subprocess
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
@@ -90,12 +91,18 @@ def judge(name, text, row):
     return page
 
 
+@cache
+def text_of_page(name):
+    with TemporaryDirectory() as folder:
+        path = mechsheet.plot(mechsheet.load(TEMPLATES / f"{name}.toml"), Path(folder) / f"{name}.html")
+        return path.read_text(encoding="utf-8")
+
+
 def page_of(name, folder, script=""):
     """The page, with a script of the test at its end."""
-    path = mechsheet.plot(mechsheet.load(TEMPLATES / f"{name}.toml"), folder / f"{name}.html")
-    if script:
-        text = path.read_text(encoding="utf-8")
-        path.write_text(text.replace("</body>", f"<script>{script}</script></body>"), encoding="utf-8")
+    path = folder / f"{name}.html"
+    text = text_of_page(name)
+    path.write_text(text.replace("</body>", f"<script>{script}</script></body>") if script else text, encoding="utf-8")
     return path
 
 

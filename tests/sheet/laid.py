@@ -1,11 +1,12 @@
 """A mechanism's workbook laid out, and its values after any change of cells or formulas."""
 
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 
 from mechsheet.compute import book_of
 from mechsheet.description import loads
-from mechsheet.engine import evaluate
+from mechsheet.engine import compile_book, evaluate
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 
@@ -17,19 +18,27 @@ def template_text(name):
     return (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")
 
 
+@lru_cache(maxsize=24)
+def once(text, language, overrides):
+    """What descriptions that come again have in common: mechanism, workbook, plan, the compiled book and its values."""
+    mechanism = loads(text, language=language, overrides=dict(overrides))
+    workbook, plan = lay_out(mechanism, solve(mechanism))
+    book = compile_book(book_of(workbook))
+    return mechanism, workbook, plan, book, book.evaluate()
+
+
 class Laid:
     """The workbook of a description. Cells are read by key: a spot's name ("#clear"), or a line of a block."""
 
     def __init__(self, text, language=None, overrides=None):
-        self.mechanism = loads(text, language=language, overrides=overrides)
-        self.workbook, self.plan = lay_out(self.mechanism, solve(self.mechanism))
-        self.values = evaluate(book_of(self.workbook))
+        found = once(text, language, tuple((overrides or {}).items()))
+        self.mechanism, self.workbook, self.plan, self.book, self.values = found
 
     def change(self, **symbols):
         """Type numbers (as shown) into input cells."""
         spots = {symbol: self.plan.at.spots[symbol] for symbol in symbols}
         changes = {(spot.sheet, spot.row, spot.col): float(symbols[symbol]) for symbol, spot in spots.items()}
-        self.values = evaluate(book_of(self.workbook), changes)
+        self.values = self.book.evaluate(changes)
         return self
 
     def damage(self, sheet, col, change):

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from laid import Laid, template_text
 
+from chosen import examples, part
 from judging import judged
 from mechsheet.description import loads
 from mechsheet.description.schema import MOST_ROWS
@@ -80,7 +81,7 @@ def test_refused_with_a_message(case):
     assert case.says in str(error.value)
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", part(range(30), 3))
 def test_through_and_beyond_limits(seed):
     """Dimensions changed by up to a quarter in the cells: some rows do not exist; engine and reference agree on which."""
     mechanism = loads(Grower(9_000 + seed, 1 + seed % 4).text(25, 15.0))
@@ -90,7 +91,7 @@ def test_through_and_beyond_limits(seed):
     assert comparison.agrees, (seed, comparison)
 
 
-@settings(max_examples=15, derandomize=True, deadline=None, database=None)
+@settings(max_examples=examples(15), derandomize=True, deadline=None, database=None)
 @given(st.floats(1.0, 153.2), st.floats(0.05, 40.0))
 def test_rows_around_a_limit(ground, step):
     """Any ground and any step: the last row before the limit and the first one behind it are the reference's."""

@@ -7,10 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from chosen import first
 from mechsheet.building import compile_workbook
 from mechsheet.description import load
 from mechsheet.formats import write
-from mechsheet.programs import answers, convert_with_libreoffice
+from mechsheet.programs import convert_with_libreoffice, stored_values
 
 ROOT = Path(__file__).parents[2]
 INK = "FF00FF"
@@ -77,7 +78,8 @@ def test_circle_stays_round(tmp_path):
     files = []
     for kind, wanted in (("drawing", lambda chart: chart.name == "drawing"), ("path", lambda chart: not chart.name)):
         shown = only_path(workbook, wanted)
-        for state, lengths in STATES.items():
+        for state in first(list(STATES), 2):
+            lengths = STATES[state]
             for suffix in ("xlsx", "ods"):
                 path = tmp_path / f"{kind}-{state}-{suffix}.{suffix}"
                 write(with_cells(shown, dict(zip(places, lengths, strict=True))), path)
@@ -90,23 +92,25 @@ def test_circle_stays_round(tmp_path):
 
 
 @pytest.mark.libreoffice
-@pytest.mark.parametrize("suffix", ["xlsx", "ods"])
-def test_libreoffice_moves_the_drawing(tmp_path, suffix):
+def test_libreoffice_moves_the_drawing(tmp_path):
     """The position cell is changed in the file: LibreOffice's points of the drawing are those of the table's row."""
     workbook, plan = compile_workbook(load(ROOT / "templates/six-link-dwell.toml"))
     position = plan.at.spots["#position"]
-    path = tmp_path / f"moved.{suffix}"
-    write(with_cells(workbook, {(position.row, position.col): 7.0}), path)
-    found = answers("libreoffice", path)
+    files = [tmp_path / f"moved-{suffix}.{suffix}" for suffix in ("xlsx", "ods")]
+    for path in files:
+        write(with_cells(workbook, {(position.row, position.col): 7.0}), path)
     sheet = workbook.sheet("Drawing")
     names = {
         cell.content if isinstance(cell.content, str) else cell.content.plain: cell.row
         for cell in reversed(sheet.cells)
         if cell.col == 0
     }
-    for point in ("A", "B", "C", "D"):
-        for axis, col in (("x", 1), ("y", 2)):
-            spot = plan.at.shown[f"{point}.{axis}"]
-            expected = found.get(plan.table, plan.at.first + 7, spot.col)
-            assert isinstance(expected, float)
-            assert found.get("Drawing", names[point], col) == pytest.approx(expected, abs=1e-9)
+    (tmp_path / "answers").mkdir()
+    for answer in convert_with_libreoffice(files, "xlsx", tmp_path / "answers"):
+        found = stored_values(answer)
+        for point in ("A", "B", "C", "D"):
+            for axis, col in (("x", 1), ("y", 2)):
+                spot = plan.at.shown[f"{point}.{axis}"]
+                expected = found.get(plan.table, plan.at.first + 7, spot.col)
+                assert isinstance(expected, float)
+                assert found.get("Drawing", names[point], col) == pytest.approx(expected, abs=1e-9)

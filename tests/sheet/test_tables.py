@@ -6,7 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from chosen import part
+from judging import positions_only
 from mechsheet.building import compile_workbook
+from mechsheet.compute import computed
 from mechsheet.description import loads
 from mechsheet.formula.nodes import CellRef, ErrorValue, shifted, walk
 from mechsheet.formula.printer import print_formula
@@ -61,7 +64,9 @@ def test_mixed_anchors():
     assert len(chart.series) == 6
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case['template']}-{case['value']}-{case['column']}")
+@pytest.mark.parametrize(
+    "case", part(CASES, 2), ids=lambda case: f"{case['template']}-{case['value']}-{case['column']}"
+)
 def test_equals_positions(case):
     """Column for column what the table of positions shows when the dimension has that value, #N/A included."""
     text = (ROOT / f"templates/{case['template']}.toml").read_text(encoding="utf-8").partition("[[tables]]")[0]
@@ -79,7 +84,8 @@ def test_equals_positions(case):
     )
     numbers = 0
     for col, value in enumerate(case["values"], 1):
-        single, single_plan = compile_workbook(loads(text, overrides={case["column"]: str(value)}))
+        single, single_plan = positions_only(loads(text, overrides={case["column"]: str(value)}))
+        single = computed(single)
         for row, expected in enumerate(shown_column(single, single_plan, case["value"]), FIRST):
             found = table.value(row, col)
             if isinstance(expected, ErrorValue):
