@@ -23,7 +23,7 @@ def commands(page: Path) -> list[str]:
 
 
 LONG = ("designer.md", "lecturer.md")
-"""Run in CI: the first takes longest, the second is lecturer.tr.md once more."""
+"""Run in CI only: the first takes longest; the second has commands much like those of lecturer.tr.md and README.md."""
 
 
 def test_the_readme_has_commands():
