@@ -65,13 +65,20 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
         summaries=(),
     )
     layout, plan = lay_out(drawn, solve(drawn, modes))
-    workbook = computed(layout)
+    workbook = computed(_without_checks(layout, plan))
     exists = tuple(value == 1.0 for value in _column(workbook, plan, EXISTS))
     if shown is None:
         shown = exists.index(True) if True in exists else 0
     elif not exists[shown]:
         raise MechanismError(_missing(workbook, plan, at, shown, exists[:sweep]))
     return Sample(workbook, plan, sweep, shown, exists)
+
+
+def _without_checks(workbook: Workbook, plan: Plan) -> Workbook:
+    """The workbook without the formulas of the checks, most of all: no picture shows them."""
+    unseen = {plan.at.titles["checks"], plan.at.titles["recomputed"]}
+    sheets = (replace(sheet, fills=()) if sheet.title in unseen else sheet for sheet in workbook.sheets)
+    return replace(workbook, sheets=tuple(sheets))
 
 
 def resampled(values: Sequence[float], least: int = LEAST) -> list[float]:
