@@ -10,16 +10,17 @@ IN_CI = bool(os.environ.get("MECHSHEET_CI"))
 ALWAYS = ("adjustable-pump", "fivelink", "four-bar")
 """A two-way table, Turkish, the plain one."""
 
-EVERY = 5
+EVERY = 7
+"""Of the other templates every so-manieth."""
 
 Case = TypeVar("Case", str, Path)
 
 
-def some(cases: Iterable[Case], turn: int) -> list[Case]:
-    """Templates by name or path: ALWAYS, and of the others every fifth, from `turn` on. Five turns are all templates."""
+def some(cases: Iterable[Case], turn: int, every: int = EVERY) -> list[Case]:
+    """Templates by name or path: ALWAYS, and of the others every so-manieth, from `turn` on."""
     found = list(cases)
     others = [case for case in found if Path(case).stem not in ALWAYS]
-    taken = set(found if IN_CI else others[turn % EVERY :: EVERY])
+    taken = set(found if IN_CI else others[turn % every :: every])
     return [case for case in found if case in taken or Path(case).stem in ALWAYS]
 
 

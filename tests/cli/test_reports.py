@@ -17,7 +17,7 @@ GENERATED = Path(__file__).parent.parent.parent / "generated"
 def files(tmp_path_factory):
     """Twins that agree, and a workbook in which a formula was overwritten (its other values kept)."""
     folder = tmp_path_factory.mktemp("reports")
-    good = [folder / "slider-crank.xlsx", folder / "slider-crank.ods"]
+    good = [folder / "scotch-yoke.xlsx", folder / "scotch-yoke.ods"]
     for path in good:
         path.write_bytes((GENERATED / path.name).read_bytes())
     book = openpyxl.load_workbook(good[0])
@@ -35,7 +35,7 @@ def test_many_files_have_a_line_each_that_fits_a_terminal(files, monkeypatch):
     result = run(*(file.name for file in files[:2]))
     assert result.exit_code == 0
     lines = result.output.splitlines()
-    assert [line.split(":")[0] for line in lines] == ["slider-crank.xlsx", "slider-crank.ods"]
+    assert [line.split(":")[0] for line in lines] == ["scotch-yoke.xlsx", "scotch-yoke.ods"]
     assert all(len(line) <= 80 for line in lines)
     details = run("-v", *(file.name for file in files[:2])).output.splitlines()
     assert len(details) > len(lines) and all(len(line) <= 80 for line in details)
@@ -45,7 +45,7 @@ def test_quiet_says_only_what_is_wrong(files):
     assert run("-q", *files[:2]).output == ""
     result = run("-q", *files)
     assert result.exit_code == 1
-    assert "Positions!H9" in result.output and "slider-crank.ods" not in result.output
+    assert "Positions!H9" in result.output and "scotch-yoke.ods" not in result.output
 
 
 def test_junit(files, tmp_path):

@@ -18,7 +18,7 @@ from mechsheet.programs import convert_with_libreoffice, stored_values
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import KINDS, Grower
 
-SAMPLE = int(os.environ.get("MECHSHEET_SAMPLE", "20" if IN_CI else "4"))
+SAMPLE = int(os.environ.get("MECHSHEET_SAMPLE", "20" if IN_CI else "2"))
 """How many of each; a file takes LibreOffice and us some three seconds."""
 
 pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
