@@ -16,8 +16,7 @@ demo: $(VENV)/.ready
 
 test: $(VENV)/.ready
 	$(MAKE) lint types
-	$(BIN)/python -m pytest -n auto --dist worksteal -m "not slow"
-	$(BIN)/python -m pytest -n auto --dist worksteal -m slow
+	$(BIN)/python -m pytest -n auto --dist worksteal
 
 lint: $(VENV)/.ready
 	$(BIN)/ruff check .

@@ -1,5 +1,6 @@
 """What tests may count on: outside programs are there, or the test says what is missing (in CI that is a failure)."""
 
+import gc
 import os
 import shutil
 
@@ -14,7 +15,15 @@ PROGRAMS = {
 OPTIONAL = {"chromium": ("chromium", "chromium-browser", "google-chrome"), "latex": ("pdflatex",)}
 """Large, and what they judge is a side of the product: nowhere a must."""
 
+gc.set_threshold(100_000, 50, 50)
+"""Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""
+
 IN_CI = bool(os.environ.get("MECHSHEET_CI"))
+
+
+def pytest_collection_modifyitems(items):
+    """Fast ones first."""
+    items.sort(key=lambda item: item.get_closest_marker("slow") is not None)
 
 
 def pytest_runtest_setup(item):

@@ -227,4 +227,5 @@ def test_macros_and_whatever_else_is_inside(tmp_path):
     again = openpyxl.load_workbook(output, keep_vba=True)
     assert again["Main"]["B1"].value == "=A1*2"
     assert again["Main"]["A1"].comment.text == "a comment"
+    again.vba_archive.close()  # openpyxl leaves it open
     assert openpyxl.load_workbook(output, data_only=True)["Main"]["B1"].value == 8

@@ -19,26 +19,38 @@ def template_text(name):
 
 
 @lru_cache(maxsize=24)
-def once(text, language, overrides):
-    """What descriptions that come again have in common: mechanism, workbook, plan, the compiled book and its values."""
+def once(text, language, overrides, copies):
+    """What descriptions that come again have in common: mechanism, workbook, plan and values."""
     mechanism = loads(text, language=language, overrides=dict(overrides))
     workbook, plan = lay_out(mechanism, solve(mechanism))
-    book = compile_book(book_of(workbook))
-    return mechanism, workbook, plan, book, book.evaluate()
+    if not copies:
+        unread = plan.at.titles["recomputed"]
+        sheets = (replace(sheet, fills=()) if sheet.title == unread else sheet for sheet in workbook.sheets)
+        workbook = replace(workbook, sheets=tuple(sheets))
+    return mechanism, workbook, plan, evaluate(book_of(workbook))
+
+
+@lru_cache(maxsize=24)
+def compiled(*key):
+    """Its book, ready for many inputs."""
+    return compile_book(book_of(once(*key)[1]))
 
 
 class Laid:
-    """The workbook of a description. Cells are read by key: a spot's name ("#clear"), or a line of a block."""
+    """The workbook of a description. Cells are read by key: a spot's name ("#clear"), or a line of a block.
 
-    def __init__(self, text, language=None, overrides=None):
-        found = once(text, language, tuple((overrides or {}).items()))
-        self.mechanism, self.workbook, self.plan, self.book, self.values = found
+    copies  False: the sheet "Recomputed" is empty, which no other sheet minds, and half of the work is left out
+    """
+
+    def __init__(self, text, language=None, overrides=None, copies=False):
+        self.key = (text, language, tuple((overrides or {}).items()), copies)
+        self.mechanism, self.workbook, self.plan, self.values = once(*self.key)
 
     def change(self, **symbols):
         """Type numbers (as shown) into input cells."""
         spots = {symbol: self.plan.at.spots[symbol] for symbol in symbols}
         changes = {(spot.sheet, spot.row, spot.col): float(symbols[symbol]) for symbol, spot in spots.items()}
-        self.values = self.book.evaluate(changes)
+        self.values = compiled(*self.key).evaluate(changes)
         return self
 
     def damage(self, sheet, col, change):

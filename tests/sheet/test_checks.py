@@ -14,7 +14,7 @@ CLEAR = {"en": "all clear", "tr": "her şey yolunda"}
 @pytest.mark.parametrize("name", some(TEMPLATES, 2))
 def test_all_clear(name):
     """Gaps are rounding errors, nothing leaps, and every column has been judged."""
-    laid = Laid(template_text(name))
+    laid = Laid(template_text(name), copies=True)
     assert laid.spot("#clear") == CLEAR[laid.mechanism.language]
     assert 0 <= laid.spot("#worst") < 1e-9 * max(abs(d.value) for d in laid.mechanism.dimensions if d.shown is not None)
     assert laid.spot("#leaps") == 0

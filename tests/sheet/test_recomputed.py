@@ -17,7 +17,7 @@ NAMES = ("four-bar", "adjustable-pump")
 
 @pytest.fixture(scope="module", params=NAMES)
 def laid(request):
-    return Laid(template_text(request.param))
+    return Laid(template_text(request.param), copies=True)
 
 
 def recomputed(laid, workbook=None):
@@ -128,14 +128,14 @@ def test_columns_say_what_they_stand_for(laid):
 @pytest.mark.parametrize("name", ["pantograph", "peaucellier", "scissor-lift"])
 def test_rounding_of_a_last_difference_is_no_damage(name):
     """Programs take a difference that is rounding for 0 only where it is a formula's last step."""
-    laid = Laid(template_text(name))
+    laid = Laid(template_text(name), copies=True)
     assert laid.spot("#differ") == 0
     assert any(isinstance(fill.formula, Binary) for fill in recomputed(laid).fills if fill.row >= FIRST)
 
 
 @pytest.mark.parametrize("form", ["lambda", "basic"])
 def test_workbooks_with_functions_are_covered_too(form):
-    laid = Laid(template_text("adjustable-pump"))
+    laid = Laid(template_text("adjustable-pump"), copies=True)
     workbook, plan = functions_workbook(laid.mechanism, form)
     values = evaluate(book_of(workbook))
     spot = plan.at.spots["#differ"]

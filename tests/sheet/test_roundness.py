@@ -66,6 +66,7 @@ STATES = {"circle": (200.0, 100.0), "ellipse": (200.0, 50.0), "larger": (700.0, 
 """AB and AP of the trammel: P runs on an ellipse with the axes 2 BP and 2 AP."""
 
 
+@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_circle_stays_round(tmp_path):
     """A trammel whose P runs on a circle, then on an ellipse of 3 to 1, then on a larger circle.
@@ -91,6 +92,7 @@ def test_circle_stays_round(tmp_path):
         assert width / height == pytest.approx((beam - to_a) / to_a, rel=TOLERANCE), f"{pdf.stem}: {width} x {height}"
 
 
+@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_libreoffice_moves_the_drawing(tmp_path):
     """The position cell is changed in the file: LibreOffice's points of the drawing are those of the table's row."""
