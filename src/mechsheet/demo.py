@@ -12,7 +12,7 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.solve import dimension_values, driver_values
 from mechsheet.model import Mechanism
 
-SMALL = 30
+SMALL = 20
 """Workbooks of up to so many rows are also judged by `formulas`, which needs 10 to 20 ms a cell with our long formulas."""
 
 
