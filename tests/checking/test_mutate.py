@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from edited import laid_out, saved
 
+from chosen import IN_CI
 from mechsheet.checking import mutate
 from mechsheet.checking.audit import audit
 from mechsheet.checking.damage import damages
@@ -70,9 +71,10 @@ def test_check_catches_all_and_the_same_seed_does_the_same(yoke):
 
 def test_the_sheet_alone_catches_nearly_all(yoke):
     """docs/proof.md holds the figures of all templates; the goal is 95 in a hundred."""
-    found = mutate(yoke, 20, seed=1)
-    assert len(found.damages) == 20
-    assert found.caught("sheet") >= 19
+    count = 40 if IN_CI else 12
+    found = mutate(yoke, count, seed=1)
+    assert len(found.damages) == count
+    assert found.share("sheet") >= 0.95
 
 
 def test_survivors_are_told(yoke):

@@ -61,12 +61,21 @@ def refreshed(source, output, settings=None):
     return read(output)
 
 
-@pytest.fixture(scope="module")
-def four_bar(tmp_path_factory):
+def built(name, folder):
     from mechsheet.building import build
 
-    folder = tmp_path_factory.mktemp("four-bar")
-    return {path.suffix[1:]: path for path in build(load(TEMPLATES / "four-bar.toml"), folder, FORMATS)}
+    return {path.suffix[1:]: path for path in build(load(TEMPLATES / f"{name}.toml"), folder, FORMATS)}
+
+
+@pytest.fixture(scope="module")
+def four_bar(tmp_path_factory):
+    return built("four-bar", tmp_path_factory.mktemp("four-bar"))
+
+
+@pytest.fixture(scope="module")
+def yoke(tmp_path_factory):
+    """The smallest of the templates."""
+    return built("scotch-yoke", tmp_path_factory.mktemp("yoke"))
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
@@ -79,23 +88,23 @@ class TestOurOwn:
             recalc(path).write(output)
             assert changed_parts(path, output) == []
 
-    def test_what_is_not_touched_is_copied_as_it_is_packed(self, suffix, four_bar, tmp_path):
+    def test_what_is_not_touched_is_copied_as_it_is_packed(self, suffix, yoke, tmp_path):
         output = tmp_path / f"out.{suffix}"
-        refreshed(four_bar[suffix], output, {"a_1": 71.5})
-        old, new = raw(four_bar[suffix]), raw(output)
-        changed = changed_parts(four_bar[suffix], output)
+        refreshed(yoke[suffix], output, {"a_2": 51.5})
+        old, new = raw(yoke[suffix]), raw(output)
+        changed = changed_parts(yoke[suffix], output)
         assert all("sheet" in name or name == "content.xml" for name in changed)
         for name in old:
             assert old[name][0] == new[name][0], name
             assert name in changed or old[name][1] == new[name][1], name
 
-    def test_the_new_values_are_right(self, suffix, four_bar, tmp_path):
+    def test_the_new_values_are_right(self, suffix, yoke, tmp_path):
         output = tmp_path / f"out.{suffix}"
-        refreshed(four_bar[suffix], output, {"a_1": 71.5})
+        refreshed(yoke[suffix], output, {"a_2": 51.5})
         report = check(output)
         assert report.agrees
         assert report.comparisons[0].worst == 0
-        assert report.remarks == ("a1 is 71.5, was 70",)
+        assert report.remarks == ("a2 is 51.5, was 50",)
 
     def test_back_again(self, suffix, four_bar, tmp_path):
         there, back = tmp_path / f"there.{suffix}", tmp_path / f"back.{suffix}"
@@ -108,34 +117,34 @@ class TestOurOwn:
             assert list(mine.constants.items()) == list(theirs.constants.items())
             assert mine.blocks == theirs.blocks
 
-    def test_in_its_own_place(self, suffix, four_bar, tmp_path):
+    def test_in_its_own_place(self, suffix, yoke, tmp_path):
         path = tmp_path / f"own.{suffix}"
-        path.write_bytes(four_bar[suffix].read_bytes())
-        refreshed(path, path, {"a_1": 71.5})
+        path.write_bytes(yoke[suffix].read_bytes())
+        refreshed(path, path, {"a_2": 51.5})
         assert check(path).agrees
         assert [left.name for left in tmp_path.iterdir()] == [path.name]
 
-    def test_cells_that_had_no_element(self, suffix, four_bar, tmp_path):
+    def test_cells_that_had_no_element(self, suffix, yoke, tmp_path):
         settings = {"Mechanism!ZZ3": 5.0, "Mechanism!B3000": "a < b", "mechanism!A3000": 1, "Checks!G1": -1e-9}
-        book = refreshed(four_bar[suffix], tmp_path / f"out.{suffix}", settings)
+        book = refreshed(yoke[suffix], tmp_path / f"out.{suffix}", settings)
         first, checks = book.sheets[0], book.sheet("Checks")
         assert first.constants.get(2, 701) == 5.0
         assert (first.constants.get(2999, 0), first.constants.get(2999, 1)) == (1.0, "a < b")
         assert checks.constants.get(0, 6) == -1e-9
 
-    def test_another_format_is_refused(self, suffix, four_bar, tmp_path):
+    def test_another_format_is_refused(self, suffix, yoke, tmp_path):
         other = "ods" if suffix == "xlsx" else "xlsx"
         with pytest.raises(OutputError, match=f"is written as .{suffix}"):
-            recalc(four_bar[suffix]).write(tmp_path / f"out.{other}")
+            recalc(yoke[suffix]).write(tmp_path / f"out.{other}")
 
 
 class TestXlsx:
     @pytest.mark.filterwarnings("ignore:Cannot parse header or footer")
-    def test_what_openpyxl_reads(self, four_bar, tmp_path):
+    def test_what_openpyxl_reads(self, yoke, tmp_path):
         output = tmp_path / "out.xlsx"
-        result = recalc(four_bar["xlsx"], {"a_1": 71.5})
+        result = recalc(yoke["xlsx"], {"a_2": 51.5})
         result.write(output)
-        book, before = openpyxl.load_workbook(output, data_only=True), openpyxl.load_workbook(four_bar["xlsx"])
+        book, before = openpyxl.load_workbook(output, data_only=True), openpyxl.load_workbook(yoke["xlsx"])
         assert book["Mechanism"]["B6"].value is not None
         for title in ("Mechanism", "Positions", "Checks"):
             for cells in book[title].iter_rows():
@@ -190,9 +199,9 @@ class TestXlsx:
         assert read(tmp_path / "b.xlsx").sheets[0].constants.get(0, 0) == "x_0041_"
         assert (found["B1"].value, found["A2"].value) == (False, 4)
 
-    def test_another_encoding_is_refused(self, four_bar, tmp_path):
+    def test_another_encoding_is_refused(self, yoke, tmp_path):
         source = tmp_path / "a.xlsx"
-        with zipfile.ZipFile(four_bar["xlsx"]) as old, zipfile.ZipFile(source, "w") as new:
+        with zipfile.ZipFile(yoke["xlsx"]) as old, zipfile.ZipFile(source, "w") as new:
             for name in old.namelist():
                 data = old.read(name)
                 if name.endswith("sheet1.xml"):
