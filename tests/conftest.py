@@ -21,8 +21,12 @@ gc.set_threshold(100_000, 50, 50)
 IN_CI = bool(os.environ.get("MECHSHEET_CI"))
 
 
-def pytest_collection_modifyitems(items):
-    """Fast ones first."""
+def pytest_collection_modifyitems(config, items):
+    """Fast ones first; what is marked `ci` runs in CI only."""
+    left_out = [item for item in items if item.get_closest_marker("ci") and not IN_CI]
+    if left_out:
+        config.hook.pytest_deselected(items=left_out)
+        items[:] = [item for item in items if item not in left_out]
     items.sort(key=lambda item: item.get_closest_marker("slow") is not None)
 
 

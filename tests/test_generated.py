@@ -31,7 +31,7 @@ def differing_part(path: Path, kept: Path) -> str:
     return "the parts are the same, their compression is not"
 
 
-@pytest.mark.parametrize("template", some(TEMPLATES, 4), ids=lambda path: path.stem)
+@pytest.mark.parametrize("template", some(TEMPLATES, 4, every=13), ids=lambda path: path.stem)
 def test_same_bytes(template, tmp_path):
     for path in build(load(template), tmp_path, FORMATS):
         kept = ROOT / "generated" / path.name

@@ -83,6 +83,7 @@ def test_another_evaluator(four_bar):
     assert found.judged[1].cells > 3 * 1000
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 @pytest.mark.libreoffice
 def test_libreoffice(four_bar):

@@ -67,6 +67,7 @@ def agree(cases, tmp_path, say):
     say(f"{len(cases)} files, worst: {worst}")
 
 
+@pytest.mark.ci
 def test_four_bars_and_slider_cranks(tmp_path, record_property):
     cases = [written(seed, ("RRR", "RRP"), 1 + seed % 3, tmp_path) for seed in range(1000, 1000 + SAMPLE)]
     agree(cases, tmp_path, lambda text: record_property("worst", text))

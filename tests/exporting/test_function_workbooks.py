@@ -212,8 +212,8 @@ def folder(tmp_path_factory):
     ("path", "program"),
     [
         (PUMP, ""),
-        pytest.param(PUMP, "ironcalc", marks=pytest.mark.slow),
-        pytest.param(None, "", marks=pytest.mark.slow),
+        pytest.param(PUMP, "ironcalc", marks=[pytest.mark.slow, pytest.mark.ci]),
+        pytest.param(None, "", marks=[pytest.mark.slow, pytest.mark.ci]),
         pytest.param(None, "ironcalc", marks=pytest.mark.slow),
     ],
 )
@@ -319,6 +319,7 @@ def test_the_default_workbook_has_no_macros_and_no_functions():
     assert workbook.functions == workbook.modules == ()
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 @pytest.mark.libreoffice
 @pytest.mark.skipif(shutil.which("soffice") is None, reason="LibreOffice is not installed")
