@@ -39,6 +39,7 @@ def test_contents(wheel):
     assert outside == {"METADATA", "WHEEL", "RECORD", "entry_points.txt", "licenses/LICENSE"}
 
 
+@pytest.mark.ci
 def test_it_works_without_the_checkout(wheel, tmp_path):
     """From templates to a checked workbook, with the modules of the wheel."""
     place = tmp_path / "installed"

@@ -91,7 +91,7 @@ def test_an_audit_sees_every_kind_of_damage(yoke):
     expected = expected_for(laid_out("scotch-yoke")[1].mechanism.text, "inside")
     assert audit(book, expected).edits == ()
     for sheet in book.sheets:
-        for block in sheet.blocks[::7]:
+        for block in sheet.blocks[:: 7 if IN_CI else 21]:
             for damage in damages(block.formula)[::12]:
                 others = [replace(one, formula=damage.of(one.formula)) if one is block else one for one in sheet.blocks]
                 damaged = replace(

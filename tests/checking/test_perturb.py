@@ -5,7 +5,7 @@ import random
 import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 
-from chosen import part
+from chosen import IN_CI, part
 from mechsheet.checking import check, perturb
 from mechsheet.checking.perturb import drawn
 from mechsheet.compute import computed
@@ -21,11 +21,12 @@ def four_bar(tmp_path_factory):
 
 
 def test_the_reference_agrees_and_most_sets_assemble(four_bar):
-    found = perturb(four_bar, 12)
+    count = 12 if IN_CI else 6
+    found = perturb(four_bar, count)
     assert found.agrees
     assert [item.worst.judge for item in found.judged] == ["reference"]
-    assert found.whole + found.partly >= 9
-    assert found.whole + found.partly + found.nowhere == 12
+    assert found.whole + found.partly >= 0.75 * count
+    assert found.whole + found.partly + found.nowhere == count
     assert 0 < found.judged[0].worst.worst < 1e-9
 
 

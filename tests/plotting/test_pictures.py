@@ -68,7 +68,7 @@ class Elements(HTMLParser):
             self.scripts.append(data)
 
 
-@pytest.mark.parametrize("name", some(NAMES, 0))
+@pytest.mark.parametrize("name", some(NAMES, 0, every=13))
 @pytest.mark.usefixtures("few")
 def test_every_kind(name, tmp_path):
     mechanism = template(name)
