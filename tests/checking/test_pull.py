@@ -157,6 +157,7 @@ NAMES = ("slider-crank", "adjustable-pump", "stephenson-i", "oldham")
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", first(NAMES, 1))
+@pytest.mark.ci
 def test_random_inputs_come_back(tmp_path, name):
     """Any set that a description can say: with the text, the same workbook is built again."""
     workbook, plan = laid_out(name)

@@ -84,6 +84,7 @@ def test_libreoffice_computes_both_twins(suffix, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.gnumeric
+@pytest.mark.ci
 def test_gnumeric_computes_the_ods(tmp_path):
     for source in [ods for _, ods in twins(3)] + random_ods(tmp_path / "random"):
         answer = tmp_path / f"{source.stem}.xlsx"

@@ -257,6 +257,7 @@ def test_an_edited_function_is_found(folder, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_the_assembly_mode_reaches_the_functions(folder):
     default, other = built(folder, PUMP)
     one, two = (recalc(path, {"mode_1": -1.0}).values for path in (default, other))
