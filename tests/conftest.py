@@ -1,10 +1,11 @@
 """What tests may count on: outside programs are there, or the test says what is missing (in CI that is a failure)."""
 
 import gc
-import os
 import shutil
 
 import pytest
+
+from chosen import IN_CI
 
 PROGRAMS = {
     "libreoffice": ("soffice", "libreoffice"),
@@ -17,8 +18,6 @@ OPTIONAL = {"chromium": ("chromium", "chromium-browser", "google-chrome"), "late
 
 gc.set_threshold(100_000, 50, 50)
 """Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""
-
-IN_CI = bool(os.environ.get("MECHSHEET_CI"))
 
 
 def pytest_collection_modifyitems(config, items):

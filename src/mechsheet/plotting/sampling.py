@@ -75,7 +75,7 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
 
 
 def _without_checks(workbook: Workbook, plan: Plan) -> Workbook:
-    """The workbook without the formulas of the checks, most of all: no picture shows them."""
+    """The workbook without the formulas of the checks, which are most of it: no picture shows them."""
     unseen = {plan.at.titles["checks"], plan.at.titles["recomputed"]}
     sheets = (replace(sheet, fills=()) if sheet.title in unseen else sheet for sheet in workbook.sheets)
     return replace(workbook, sheets=tuple(sheets))

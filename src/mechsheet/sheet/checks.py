@@ -75,8 +75,7 @@ class _Sheet:
         self.parts = 0
         self.conditionals: list[Conditional] = []
         self.merges: list[Merge] = []
-        self.proven = plan.proven.setdefault(self.title, [])
-        self.proven.append(Area(CLEAR_ROW, VALUE, CLEAR_ROW, VALUE))
+        self.proven = plan.proven.setdefault(self.title, {(CLEAR_ROW, VALUE)})
         rounding = CellRef(ROUNDING_ROW, VALUE, True, True)
         self.checks = residuals(plan, Frame(self.title, DATA, FIRST, GIVEN_ROW, rounding))
         self.last_row = FIRST + plan.rows - 1
@@ -200,7 +199,7 @@ class _Sheet:
         if check.unit in ("move", "turn"):
             style = styles.decimals(styles.COLUMN, 4)
         if check.unit in ("length", "angle"):
-            self.proven.append(Area(FIRST, col, self.last_row, col))
+            self.proven.add((FIRST + skip, col))
         if plan.rows > skip:
             self.fills.append(Fill(FIRST + skip, col, shifted(check.formula, skip), style, rows=plan.rows - skip))
         self._summary(col, check, style)
@@ -268,7 +267,7 @@ class _Sheet:
             self.merges.append(Merge(Area(row, col, row, col + 1)))
             style = styles.decimals(styles.COLUMN, 0) if check.key in ("rows", RECOMPUTED) else styles.ERROR
             if check.key == RECOMPUTED:
-                self.proven.append(Area(row, col, row, col + 3))
+                self.proven |= {(row, col + 2), (row, col + 3)}
             self.formula(row, col + 2, check.value(self._joined(check)), self._boxed(style))
             cell = CellRef(row, col + 2)
             good: Node = Binary("<=", Call("ABS", (cell,)), check.limit)

@@ -16,7 +16,7 @@ from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.findings import findings
 from mechsheet.sheet.language import Language, words
-from mechsheet.sheet.workbook import Area, Name
+from mechsheet.sheet.workbook import Name
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
 """Columns of the blocks on the first sheet."""
@@ -63,7 +63,7 @@ class Plan:
     """Addresses of everything; see `Addresses` for `at`.
 
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
-    proven  by sheet, where formulas begin that need no copy on the sheet "Recomputed": the geometry proves them
+    proven  by sheet, where fills begin (row, column) that need no copy on the sheet "Recomputed": geometry proves them
     """
 
     mechanism: Mechanism
@@ -77,7 +77,7 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
-    proven: dict[str, list[Area]] = field(default_factory=dict)
+    proven: dict[str, set[tuple[int, int]]] = field(default_factory=dict)
 
     @cached_property
     def reads(self) -> dict[str, tuple[str, ...]]:

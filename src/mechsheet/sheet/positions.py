@@ -53,7 +53,7 @@ def positions_sheet(plan: Plan) -> Sheet:
         column_cells, column_fills = _column(plan, column)
         cells += column_cells
         fills += column_fills
-    plan.proven[plan.table] = [area for fill in fills for area in _proven(plan, fill)]
+    plan.proven[plan.table] = _proven(plan, fills)
     merges = _group_headings(plan, cells)
     first, last, count = plan.at.first, plan.at.last, len(plan.columns)
     return Sheet(
@@ -77,15 +77,14 @@ def positions_sheet(plan: Plan) -> Sheet:
     )
 
 
-def _proven(plan: Plan, fill: Fill) -> list[Area]:
-    """Where the fill begins if it is a column that the sheet of checks holds against the geometry.
+def _proven(plan: Plan, fills: list[Fill]) -> set[tuple[int, int]]:
+    """Where the columns begin that the sheet of checks holds against the geometry.
 
-    Outputs, words and what serves summaries are not, nor the start of a column that counts turns.
+    Outputs, words and what serves summaries are none of these, nor the start of a column that counts turns.
     """
     unproven = {column.col for column in plan.columns if column.kind in ("status", *SERVING)}
     unproven |= {plan.at.shown[output.symbol].col for output in plan.mechanism.outputs}
-    proven = fill.rows > 1 and fill.col not in unproven
-    return [Area(fill.row, fill.col, fill.row, fill.col)] if proven else []
+    return {(fill.row, fill.col) for fill in fills if fill.rows > 1 and fill.col not in unproven}
 
 
 def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, Content]:

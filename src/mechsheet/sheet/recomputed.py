@@ -47,9 +47,9 @@ def recomputed_sheet(plan: Plan, sheets: Sequence[Sheet]) -> Sheet:
     clear = plan.at.spots["#clear"]
     repeats: list[_Repeat] = []
     for sheet in sheets:
-        proven = plan.proven.get(sheet.title, ())
+        proven = plan.proven.get(sheet.title, set())
         for fill in sheet.fills if sheet.title != title else ():
-            if not any(_begins_in(area, fill) for area in proven):
+            if (fill.row, fill.col) not in proven:
                 again = _again(fill, sheet.title, clear)
                 repeats += [] if again is None else [_Repeat(sheet.title, fill, again)]
     heads = _columns(repeats, [sheet.title for sheet in sheets])
@@ -58,7 +58,7 @@ def recomputed_sheet(plan: Plan, sheets: Sequence[Sheet]) -> Sheet:
     aside = {key: COPIES + len(heads) + 1 + index for index, key in enumerate(apart)}
     marks = tuple(repeat.marks(place, aside) for repeat in repeats)
     values = tuple(repeat.values(aside) for repeat in repeats if repeat.apart)
-    return _Page(plan, title, marks, values, tuple(heads), tuple(apart)).sheet()
+    return _Page(plan, marks, values, tuple(heads), tuple(apart)).sheet()
 
 
 def _columns(repeats: Sequence[_Repeat], titles: Sequence[str]) -> list[tuple[str, int]]:
@@ -69,10 +69,6 @@ def _columns(repeats: Sequence[_Repeat], titles: Sequence[str]) -> list[tuple[st
 
 
 _STYLE = styles.decimals(styles.INNER, 0)
-
-
-def _begins_in(area: Area, fill: Fill) -> bool:
-    return area.first_row <= fill.row <= area.last_row and area.first_col <= fill.col <= area.last_col
 
 
 def _again(fill: Fill, title: str, clear: Spot) -> Node | None:
@@ -132,7 +128,6 @@ class _Page:
     """The sheet's cells around the copies."""
 
     plan: Plan
-    title: str
     marks: tuple[Fill, ...]
     values: tuple[Fill, ...]
     heads: tuple[tuple[str, int], ...]
@@ -154,7 +149,7 @@ class _Page:
         ]
         bottom = max(fill.row + fill.rows - 1 for fill in self.marks)
         return Sheet(
-            self.title,
+            self.plan.at.titles["recomputed"],
             tuple(cells),
             (*self._results(bottom, last), *self.marks, *self.values),
             columns=(Column(LABEL, LABEL, 26), Column(VALUE, VALUE, 14), Column(COPIES, last + 1 + len(values), 12)),

@@ -276,22 +276,23 @@ def interest_linear(rate_: float, period: float, periods: float, present: float)
 
 def from_fraction(value: float, denominator: float) -> float:
     """DOLLARDE: 1.02 in sixteenths is 1.125."""
-    below = math.trunc(denominator)
-    need(denominator >= 0)
-    if below == 0:
-        raise Problem("#DIV/0!")
-    whole = math.trunc(value)
-    return whole + (value - whole) * math.pow(10, math.ceil(math.log10(below))) / below
+    whole, below, digits = _whole_and_parts(value, denominator)
+    return whole + (value - whole) * digits / below
 
 
 def to_fraction(value: float, denominator: float) -> float:
     """DOLLARFR."""
+    whole, below, digits = _whole_and_parts(value, denominator)
+    return whole + (value - whole) * below / digits
+
+
+def _whole_and_parts(value: float, denominator: float) -> tuple[int, int, float]:
+    """The whole part, the denominator as a whole number, and the power of ten that has room for the numerator."""
     below = math.trunc(denominator)
     need(denominator >= 0)
     if below == 0:
         raise Problem("#DIV/0!")
-    whole = math.trunc(value)
-    return whole + (value - whole) * below / math.pow(10, math.ceil(math.log10(below)))
+    return math.trunc(value), below, math.pow(10, math.ceil(math.log10(below)))
 
 
 def grown(principal: float, rates: Cells) -> float:
