@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text, shifted
-from mechsheet.formula.printer import print_formula
+from mechsheet.formula.spellings import longest_spelling
 from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -286,7 +286,7 @@ class _Sheet:
         if not check.parts:
             return al.ZERO
         joined = al.total(check.parts) if check.total else al.largest(check.parts)
-        if len(print_formula(joined, "excel")) <= LIMIT:
+        if longest_spelling(joined) <= LIMIT:
             return joined
         col = self.parts
         self.put(HEAD_ROW, col, self.text(check.key), styles.HEAD)
@@ -349,7 +349,7 @@ def _chunks(parts: Sequence[Node]) -> list[list[Node]]:
     chunks: list[list[Node]] = [[]]
     room = LIMIT // 2
     for part in parts:
-        length = len(print_formula(part, "excel")) + 2
+        length = longest_spelling(part) + 2
         if length > room and chunks[-1]:
             chunks.append([])
             room = LIMIT // 2
