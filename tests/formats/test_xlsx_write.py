@@ -116,7 +116,7 @@ def test_fill_down_runs_are_shared_formulas(parts):
     [
         ("A1+$B$2", True),
         ("A1+length", True),
-        ("IF(SUM(A1:B2)>=-5%,\"x\"&TRUE,)", True),
+        ('IF(SUM(A1:B2)>=-5%,"x"&TRUE,)', True),
         ("A1+Sheet2!$B$2", False),
         ("A1+Sheet2!B2", False),
         ("A1+Sheet2!$B2", False),

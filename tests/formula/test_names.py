@@ -18,7 +18,9 @@ def test_refused(name):
     assert name_fault(name)
 
 
-@pytest.mark.parametrize("name", ["a_1", "r_", "_r", "phi", "theta12", "A0B0", "Krank", "ÇıkışUzvu", "φ0", "rc_", "C.x"])
+@pytest.mark.parametrize(
+    "name", ["a_1", "r_", "_r", "phi", "theta12", "A0B0", "Krank", "ÇıkışUzvu", "φ0", "rc_", "C.x"]
+)
 def test_allowed(name):
     assert name_fault(name) == ""
 

@@ -146,7 +146,7 @@ def _typed(value: float | str | bool | ErrorValue) -> tuple[str, str]:
             return "", number(value)
 
 
-_SHARED_SIGNS = frozenset("+ - * / ^ & % = < > <= >= <>".split())
+_SHARED_SIGNS = frozenset(["+", "-", "*", "/", "^", "&", "%", "=", "<", ">", "<=", ">=", "<>"])
 """Operators of a shared formula: no union, no intersection, no range between what is computed."""
 
 _NOT_SHARED = frozenset({"LET", "LAMBDA"})

@@ -24,12 +24,11 @@ _R1C1 = re.compile(r"[rzlfws]\d*[csko]\d*", re.IGNORECASE)
 
 Each letter of a row with each of a column: which of them belong together is documented nowhere, and few names are lost.
 """
-_TRUTHS = frozenset(
-    """
-    true false wahr falsch vrai faux doğru yanlış verdadero falso verdadeiro vero waar onwaar sant falskt sand falsk sann
-    usann tosi epätosi prawda fałsz pravda nepravda igaz hamis adevărat fals истина ложь αληθησ ψευδησ
-    """.split()
-)
+_TRUTHS = (
+    "true", "false", "wahr", "falsch", "vrai", "faux", "doğru", "yanlış", "verdadero", "falso", "verdadeiro", "vero",
+    "waar", "onwaar", "sant", "falskt", "sand", "falsk", "sann", "usann", "tosi", "epätosi", "prawda", "fałsz", "pravda",
+    "nepravda", "igaz", "hamis", "adevărat", "fals", "истина", "ложь", "αληθησ", "ψευδησ",
+)  # fmt: skip
 """TRUE and FALSE in the languages of Excel."""
 
 

@@ -1,4 +1,4 @@
-"""How long a formula is for those who read it in another language: SQRT is PIERWIASTEK to a Polish Excel, KAREKÖK to a Turkish.
+"""How long a formula is for those who read it in another language: SQRT is PIERWIASTEK in Polish, KAREKÖK in Turkish.
 
 A file holds English names. Excel counts the characters of a formula as its user reads it: one of 8,000 characters here may
 have 12,000 there, and can then not be edited any more.

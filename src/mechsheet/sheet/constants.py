@@ -1,7 +1,7 @@
 """Constants as a spreadsheet takes them from a keyboard: 15 digits, and no -0.
 
-Excel reads no more digits of a number in a formula, and keeps no more of one that is typed. So the numbers are rounded before
-the workbook is computed: what is stored beside a formula is what every program computes from what stands in the file.
+Excel reads no more digits of a number in a formula, and keeps no more of one that is typed. So the numbers are rounded
+before the workbook is computed: what is stored beside a formula is what every program computes from the file.
 """
 
 from __future__ import annotations

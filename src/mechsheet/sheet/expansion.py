@@ -22,7 +22,7 @@ from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Mechanism
 
 LIMIT = 7_500
-"""Characters of one formula in the language where it has most. A spreadsheet takes 8,192 of the text as its user reads it."""
+"""Characters of one formula in the language where it has most. Excel takes 8,192 of the text as its user reads it."""
 
 DEEPEST = 60
 """Levels of one formula, below the 64 that a spreadsheet takes."""

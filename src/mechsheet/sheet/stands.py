@@ -88,7 +88,7 @@ class _Block:
         self.writer.formula(self.rows[key], TOLERANCE, place, styles.decimals(styles.RESULT, places(self.plan, unit)))
 
     def colour(self, key: str, condition: Node, style: Style) -> None:
-        """The words' colour where a condition holds, which may read this sheet alone: other programs refuse another's cells."""
+        """The words' colour where a condition holds; it reads this sheet alone, other programs refuse another's cells."""
         row = self.rows[key]
         self.writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), condition, style))
 
