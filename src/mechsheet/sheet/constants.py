@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.formula.nodes import Node, Number, transform
+from mechsheet.formula.nodes import Node, Number, transform, walk
 from mechsheet.sheet.workbook import Cell, Conditional, Sheet, Validation, Workbook
 
 DIGITS = 15
@@ -52,6 +52,9 @@ def _conditional(rule: Conditional) -> Conditional:
 
 
 def _formula(formula: Node) -> Node:
+    # Looking is quicker than building anew, and few formulas hold such a number.
+    if all(_typed_number(node) is node for node in walk(formula)):
+        return formula
     return transform(formula, _typed_number)
 
 
