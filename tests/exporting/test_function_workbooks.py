@@ -233,7 +233,9 @@ def test_the_table_calls_the_function_as_the_text_does(folder):
     _, other = built(folder, PUMP)
     sheet = read(other).sheet("Tablo s15")
     block = sheet.formula_at(FIRST, 1)
-    assert (block.rows, block.cols) == (19, 6)
+    # Each cell is a dynamic array of its own: without, Excel shows =@AyarlıPompa(...).
+    assert (block.kind, block.rows, block.cols) == ("spill", 1, 1)
+    assert sheet.formula_at(FIRST + 18, 6).kind == "spill"
     assert print_formula(block.formula).casefold() == "ayarlipompa(krank,biyel,arakol,sabitu_y,eksantrik,b$7,$a8)"
     assert "LAMBDA" in read(other).sheets[0].constants.get(2, 0)
     result = CliRunner().invoke(main, ["check", str(other)])

@@ -20,6 +20,7 @@ from mechsheet.formula.nodes import Call, CellRef, Node, Number, Text
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism, TableRequest, Words
 from mechsheet.sheet import styles
+from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.recomputed import recomputed_sheet
@@ -92,7 +93,7 @@ def functions_workbook(mechanism: Mechanism, form: str) -> tuple[Workbook, Plan]
     functions = functions_of(source, mechanism.language, taken)
     names = function_names(functions) if form == "basic" else {function.key: function.name for function in functions}
     work = _Work(plan, source, form, {function.key: function for function in functions}, names)
-    return work.workbook(workbook), plan
+    return with_typed_constants(work.workbook(workbook)), plan
 
 
 class _Work:

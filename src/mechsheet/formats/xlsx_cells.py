@@ -2,11 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from mechsheet.diagnostics import Fault, OutputError
-from mechsheet.formula.nodes import CellRef, ErrorValue, Node, Scalar, Text, shifted, walk
+from mechsheet.formula.functions import FUNCTIONS
+from mechsheet.formula.nodes import (
+    Binary,
+    Boolean,
+    Call,
+    CellRef,
+    ErrorValue,
+    Missing,
+    NameRef,
+    Node,
+    Number,
+    RangeRef,
+    Scalar,
+    Text,
+    Unary,
+    shifted,
+    walk,
+)
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name, cell_address, column_letters
 from mechsheet.sheet.workbook import Cell, Fill, Rich, Sheet, Style
@@ -27,15 +44,19 @@ class SheetData:
 
     style_index  the number of a style in the workbook's table
     strings      the numbers of the texts in the workbook's table, by place
-    texts   the first formula of each fill, by the place where it begins
-    shared  the number of each shared formula, by the same place, in order of writing
+    texts      the first formula of each fill, by the place where it begins
+    functions  names of the workbook that are functions
+    shared     the number of each shared formula, by the same place, in order of writing
+    shareable  whether a fill can be shared, by the same place
     """
 
     sheet: Sheet
     style_index: Callable[[Style], int]
     strings: dict[tuple[int, int], int]
     texts: dict[tuple[int, int], str]
+    functions: frozenset[str] = frozenset()
     shared: dict[tuple[int, int], int] = field(default_factory=dict)
+    shareable: dict[tuple[int, int], bool] = field(default_factory=dict)
     moving: ColumnTexts = field(default_factory=lambda: ColumnTexts("excel", ooxml_escaped))
 
     def rows(self) -> Iterator[str]:
@@ -67,10 +88,12 @@ class SheetData:
 
     def _fill(self, fill: Fill, band: Band) -> Iterator[tuple[int, list[str]]]:
         style = self.style_index(fill.style)
+        dynamic = calls_one_of(fill.formula, self.functions)
+        mark = ' cm="1"' if dynamic else ""
         for col in range(fill.col, fill.col + fill.cols):
             letters = column_letters(col)
-            heads = [f'<c r="{letters}{row + 1}" s="{style}"' for row in range(band.first, band.last)]
-            formulas = self._formulas(fill, col, band)
+            heads = [f'<c r="{letters}{row + 1}" s="{style}"{mark}' for row in range(band.first, band.last)]
+            formulas = self._dynamic(fill, col, band) if dynamic else self._formulas(fill, col, band)
             values = column_values(fill, col, band.first, band.last)
             yield col, _formula_cells(heads, formulas, values, cell_address(self.sheet.title, band.first, col))
 
@@ -79,13 +102,26 @@ class SheetData:
         start = (fill.row, fill.col)
         if fill.rows * fill.cols == 1:
             return [f"<f>{self.texts[start]}</f>"]
-        if not can_be_shared(fill.formula):
+        if not self._is_shared(fill):
             return [f"<f>{text}</f>" for text in self.moving.rows(fill, col, band.first, band.last)]
         index = self.shared.setdefault(start, len(self.shared))
         if (band.first, col) == start:
             area = area_name(fill.row, fill.col, fill.rows, fill.cols)
             return [f'<f t="shared" ref="{area}" si="{index}">{self.texts[start]}</f>']
         return [f'<f t="shared" si="{index}"/>'] * (band.last - band.first)
+
+    def _is_shared(self, fill: Fill) -> bool:
+        """Whether the cells of a fill refer to its first formula; asked band by band, found once."""
+        start = (fill.row, fill.col)
+        if start not in self.shareable:
+            self.shareable[start] = can_be_shared(fill)
+        return self.shareable[start]
+
+    def _dynamic(self, fill: Fill, col: int, band: Band) -> list[str]:
+        """The <f> elements of dynamic arrays of one cell each: without, Excel shows `=@Pump(...)` for a call of a LAMBDA."""
+        letters = column_letters(col)
+        texts = self.moving.rows(fill, col, band.first, band.last)
+        return [f'<f t="array" ref="{letters}{row}">{text}</f>' for row, text in enumerate(texts, band.first + 1)]
 
 
 def _formula_cells(heads: list[str], formulas: list[str], values: Sequence[Scalar], place: str) -> list[str]:
@@ -110,14 +146,42 @@ def _typed(value: float | str | bool | ErrorValue) -> tuple[str, str]:
             return "", number(value)
 
 
-def can_be_shared(formula: Node) -> bool:
-    """Whether cells may refer to this formula instead of repeating it.
+_SHARED_SIGNS = frozenset(["+", "-", "*", "/", "^", "&", "%", "=", "<", ">", "<=", ">=", "<>"])
+"""Operators of a shared formula: no union, no intersection, no range between what is computed."""
 
-    Excel moves a relative reference to another sheet wrongly when it stands in a shared formula, and cannot save the
-    file (github.com/JanKallman/EPPlus issue 92); absolute ones and names it shares itself.
+_NOT_SHARED = frozenset({"LET", "LAMBDA"})
+
+
+def can_be_shared(fill: Fill) -> bool:
+    """Whether the cells of a fill may refer to its first formula instead of repeating it.
+
+    A shared formula holds references to its own sheet, names of the workbook, constants, operators and functions of Excel
+    2007: no sheet, union, intersection, array constant, #REF! or structured reference, relative or not ([MS-XLS] 2.5.198.103
+    SharedParsedFormula; none of 7,594 shared formulas in Excel's own files has one). Strict readers
+    refuse a workbook with another one, and Excel moves it wrongly (github.com/JanKallman/EPPlus issue 92).
     """
-    elsewhere = (node for node in walk(formula) if isinstance(node, CellRef) and node.sheet is not None)
-    return all(reference.row_abs and reference.col_abs for reference in elsewhere)
+    # In its last row or column a reference may leave the sheet.
+    last = shifted(fill.formula, fill.rows - 1, fill.cols - 1)
+    return all(_fits_shared(node) for node in walk(fill.formula)) and not any(
+        isinstance(node, ErrorValue) for node in walk(last)
+    )
+
+
+def _fits_shared(node: Node) -> bool:
+    match node:
+        case Number() | Text() | Boolean() | Missing() | RangeRef() | NameRef(_, None) | CellRef(sheet=None):
+            return True
+        case Unary(op, _) | Binary(op, _, _):
+            return op in _SHARED_SIGNS
+        case Call(name, _):
+            known = FUNCTIONS.get(name)
+            return known is not None and name not in _NOT_SHARED and not known.ooxml.startswith("_xlfn.")
+    return False
+
+
+def calls_one_of(formula: Node, functions: Collection[str]) -> bool:
+    """Whether a formula calls a function that is a name of the workbook."""
+    return bool(functions) and any(isinstance(node, Call) and node.name in functions for node in walk(formula))
 
 
 def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:

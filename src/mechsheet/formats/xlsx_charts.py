@@ -53,6 +53,8 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
 
     def _write_lang(self) -> None:
         self._xml_empty_tag("c:lang", [("val", self.language)])
+        # Said, because a missing one means square corners to Excel and round ones to readers that follow the schema.
+        self._xml_empty_tag("c:roundedCorners", [("val", 0)])
 
     def _write_disp_blanks_as(self) -> None:
         self._xml_empty_tag("c:dispBlanksAs", [("val", "gap")])

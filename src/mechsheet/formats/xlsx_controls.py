@@ -7,6 +7,7 @@ relationship. Sources: ECMA-376-4 (VML for spreadsheets), [MS-XLSX] (formControl
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from xlsxwriter.vml import Vml
@@ -78,7 +79,7 @@ def controls_element(controls: list[PlacedControl], first_shape: int, first_rela
 
 
 def _control_element(placed: PlacedControl, shape: int, relationship: int) -> str:
-    col, row, dx, dy, end_col, end_row, end_dx, end_dy = placed.vertices[:8]
+    col, row, dx, dy, end_col, end_row, end_dx, end_dy = _whole(placed.vertices)
     name = attribute(placed.control.name)
     return (
         f'<mc:AlternateContent xmlns:mc="{_MC}"><mc:Choice xmlns:x14="{X14}" Requires="x14">'
@@ -89,14 +90,22 @@ def _control_element(placed: PlacedControl, shape: int, relationship: int) -> st
     )
 
 
-def _corner(col: float, dx: float, row: float, dy: float) -> str:
+def _corner(col: int, dx: int, row: int, dy: int) -> str:
     """A corner as cell and offset, in EMU (9525 to a pixel)."""
     values = (("col", col), ("colOff", dx * 9525), ("row", row), ("rowOff", dy * 9525))
-    return "".join(f'<xdr:{tag} xmlns:xdr="{_XDR}">{int(value)}</xdr:{tag}>' for tag, value in values)
+    return "".join(f'<xdr:{tag} xmlns:xdr="{_XDR}">{value}</xdr:{tag}>' for tag, value in values)
+
+
+def _whole(vertices: Sequence[float]) -> tuple[int, ...]:
+    """The first eight numbers of an object's place, which a file holds as whole pixels; heights of rows may be fractions."""
+    return tuple(round(value) for value in vertices[:8])
 
 
 class ControlVml(Vml):  # type: ignore[misc]
     """A VML drawing whose buttons are our controls; comments follow in the same part, as Excel wants it."""
+
+    def _write_anchor(self, vertices: Sequence[float]) -> None:
+        self._xml_data_element("x:Anchor", _anchor(vertices))
 
     def _write_button_shape(self, shape_id: int, z_index: int, placed: PlacedControl) -> None:
         left, top, width, height = self._pixels_to_points(placed.vertices)
@@ -122,12 +131,17 @@ class ControlVml(Vml):  # type: ignore[misc]
         self._xml_end_tag("v:shape")
 
 
+def _anchor(vertices: Sequence[float]) -> str:
+    """What <x:Anchor> holds: eight whole numbers, or strict readers refuse the workbook."""
+    col, row, dx, dy, end_col, end_row, end_dx, end_dy = _whole(vertices)
+    return f"{col}, {dx}, {row}, {dy}, {end_col}, {end_dx}, {end_row}, {end_dy}"
+
+
 def _client_data(placed: PlacedControl) -> list[tuple[str, str]]:
     """The children of <x:ClientData>, in the order Excel writes them."""
     control = placed.control
-    col, row, dx, dy, end_col, end_row, end_dx, end_dy = (int(value) for value in placed.vertices[:8])
     return [
-        ("x:Anchor", f"{col}, {dx}, {row}, {dy}, {end_col}, {end_dx}, {end_row}, {end_dy}"),
+        ("x:Anchor", _anchor(placed.vertices)),
         ("x:PrintObject", "False"),
         ("x:FmlaLink", placed.link),
         ("x:Val", str(placed.value)),

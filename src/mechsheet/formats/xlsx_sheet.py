@@ -16,6 +16,7 @@ from .looks import MARGIN_END, MARGIN_SIDE, NOTE_PIXELS, TEXT_SIZE, note_height
 from .xlsx_cells import SheetData
 from .xlsx_charts import OneCellDrawing, cached_values, new_chart
 from .xlsx_controls import PlacedControl, controls_element
+from .xlsx_ignored import ignored_errors
 from .xlsx_styles import conditional_properties
 from .xml_text import legal
 
@@ -61,6 +62,14 @@ class DataWorksheet(Worksheet):  # type: ignore[misc]
         self.rel_count += len(self.controls)
         for placed in self.controls:
             self.external_table_links.append(["/ctrlProp", f"../ctrlProps/ctrlProp{placed.number}.xml"])
+
+    def _write_ignored_errors(self) -> None:
+        ignored = ignored_errors(self.data.sheet)
+        if ignored:
+            self._xml_start_tag("ignoredErrors")
+            for ranges, kinds in ignored:
+                self._xml_empty_tag("ignoredError", [("sqref", ranges), *((kind, 1) for kind in kinds)])
+            self._xml_end_tag("ignoredErrors")
 
     def _button_vertices(self, placed: PlacedControl) -> tuple[float, ...]:
         return placed.vertices

@@ -25,14 +25,15 @@ from .archive import FIXED_TIME, Archive, new_archive
 from .bands import linked_value
 from .limits import check_workbook
 from .looks import COLUMN_PIXELS, FONT, FONT_SIZE, ROW_PIXELS, locale
-from .xlsx_cells import SheetData, formula_texts
+from .xlsx_cells import SheetData, calls_one_of, formula_texts
 from .xlsx_controls import CONTENT_TYPE, ControlVml, control_properties
 from .xlsx_sheet import DataWorksheet, fill_sheet, place_control
 from .xlsx_styles import NamedStyles, StyleTable, rich_text
 from .xml_text import legal, ooxml_escaped
 
 _DEFAULTS = {
-    "default_format_properties": {"font_name": FONT, "font_size": FONT_SIZE},
+    # Without a scheme: with one, Excel shows the theme's font (Calibri) and not the one that is named.
+    "default_format_properties": {"font_name": FONT, "font_size": FONT_SIZE, "font_scheme": "none"},
     "default_row_height": ROW_PIXELS,
     "default_column_width": COLUMN_PIXELS,
 }
@@ -93,7 +94,9 @@ class _Book(XlsxWorkbook):  # type: ignore[misc]
         # Numbered now, because styles are written from the table that this fills.
         for style in [cell.style for cell in sheet.cells] + [fill.style for fill in sheet.fills]:
             self.styles.index(style)
-        page.data = SheetData(sheet, self.styles.index, strings, formula_texts(sheet))
+        functions = frozenset(function.name for function in self.source.functions)
+        page.data = SheetData(sheet, self.styles.index, strings, formula_texts(sheet), functions)
+        page.has_dynamic_arrays = any(calls_one_of(fill.formula, functions) for fill in sheet.fills)
         properties = self.source.properties
         fill_sheet(page, sheet, self, locale(properties.language), legal(properties.author))
         placed = sum(len(other.buttons_list) for other in self.worksheets())
@@ -189,6 +192,8 @@ class _Package(Packager):  # type: ignore[misc]
             content._add_override((f"/xl/ctrlProps/ctrlProp{placed.number}.xml", CONTENT_TYPE))
         if self.workbook.str_table.count:
             content._add_shared_strings()
+        if self.workbook.has_metadata:
+            content._add_metadata()
         content._set_xml_writer(self._filename("[Content_Types].xml"))
         content._assemble_xml_file()
 

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from mechsheet.formula.nodes import ErrorValue, Scalar
 
 _ILLEGAL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+_NEGATIVE_ZERO = "-0"
 _OOXML_ESCAPE = re.compile("(_x[0-9A-Fa-f]{4}_)")
 
 
@@ -36,10 +37,13 @@ def ooxml_escaped(text: str) -> str:
 
 
 def number(value: float) -> str:
-    """The shortest text that reads back as the same float64. A number that is not finite is a bug of the caller."""
+    """The shortest text that reads back as the same float64, and 0 for -0, which no spreadsheet program writes.
+
+    A number that is not finite is a bug of the caller.
+    """
     if not math.isfinite(value):
         raise ValueError(f"{value} reached a file writer")
-    return float.__repr__(float(value)).removesuffix(".0")
+    return float.__repr__(float(value) + 0.0).removesuffix(".0")
 
 
 def numbers(values: Sequence[Scalar]) -> list[str] | None:
@@ -51,6 +55,8 @@ def numbers(values: Sequence[Scalar]) -> list[str] | None:
         return None
     if not all(map(math.isfinite, values)):  # type: ignore[arg-type]
         raise ValueError("a number that is not finite reached a file writer")
+    if _NEGATIVE_ZERO in texts:
+        texts = ["0" if text == _NEGATIVE_ZERO else text for text in texts]
     return texts
 
 

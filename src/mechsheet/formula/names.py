@@ -19,7 +19,17 @@ _CELL = re.compile(r"[a-z]{1,3}\d+", re.IGNORECASE)
 _COMMON = ("math", "logic", "fold", "lookup", "conditional", "text")
 _FUNCTIONS = frozenset(row.name for row in FUNCTIONS.values() if row.module in _COMMON)
 """Functions that everybody knows: a cell called so would be legal and misleading. (`phi` is a good name of an angle.)"""
-_R1C1 = re.compile(r"(r\d*)?(c\d*)?", re.IGNORECASE)
+_R1C1 = re.compile(r"[rzlfws]\d*[csko]\d*", re.IGNORECASE)
+"""R1C1 and RC as the Excels of other languages spell them: Z1S1 (German), L1C1 (French), F1C1 (Spanish), W1K1 (Polish) ...
+
+Each letter of a row with each of a column: which of them belong together is documented nowhere, and few names are lost.
+"""
+_TRUTHS = (
+    "true", "false", "wahr", "falsch", "vrai", "faux", "doğru", "yanlış", "verdadero", "falso", "verdadeiro", "vero",
+    "waar", "onwaar", "sant", "falskt", "sand", "falsk", "sann", "usann", "tosi", "epätosi", "prawda", "fałsz", "pravda",
+    "nepravda", "igaz", "hamis", "adevărat", "fals", "истина", "ложь", "αληθησ", "ψευδησ",
+)  # fmt: skip
+"""TRUE and FALSE in the languages of Excel."""
 
 
 def folded(name: str) -> str:
@@ -27,6 +37,9 @@ def folded(name: str) -> str:
     for letter in "ıİI":
         name = name.replace(letter, "i")
     return unicodedata.normalize("NFKC", name).casefold()
+
+
+_FOLDED_TRUTHS = frozenset(folded(word) for word in _TRUTHS)
 
 
 def name_fault(name: str) -> str:
@@ -41,9 +54,11 @@ def name_fault(name: str) -> str:
         return "must begin with a letter or _ and go on with letters, digits, _ or ."
     if _CELL.fullmatch(name):
         return "looks like the address of a cell"
+    if len(name) == 1:
+        return "is a single letter, and letters stand for a row or a column in some language's Excel: R and C, Z and S, ..."
     if _R1C1.fullmatch(name):
-        return "looks like an address in R1C1 form"
-    if name.upper() in {"TRUE", "FALSE"} or name.lower().startswith(("_xlnm", "_xlfn", "_xlpm")):
+        return "looks like an address in R1C1 form, in some language"
+    if folded(name) in _FOLDED_TRUTHS or name.lower().startswith(("_xlnm", "_xlfn", "_xlpm")):
         return "is reserved by spreadsheet programs"
     if name.upper() in _FUNCTIONS:
         return "is the name of a function"
@@ -51,7 +66,7 @@ def name_fault(name: str) -> str:
 
 
 def safe_name(symbol: str, taken: Collection[str]) -> str:
-    """A legal cell name like `symbol` (a1 becomes a_1) that differs from all of `taken` (folded names)."""
+    """A legal cell name like `symbol` (a1 becomes a_1, r becomes r_) that differs from all of `taken` (folded names)."""
     plain = unicodedata.normalize("NFC", symbol).replace(".", "_")
     plain = re.sub(r"[^\w.]", "_", plain) or "_"
     candidates = [plain, re.sub(r"(?<=[^\W\d])(\d+)$", r"_\1", plain), f"{plain}_", f"_{plain}"]

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text, shifted
-from mechsheet.formula.printer import print_formula
+from mechsheet.formula.spellings import longest_spelling
 from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.aside import aside
 from mechsheet.sheet.consistency import RECOMPUTED, Whole, whole_table
 from mechsheet.sheet.expansion import LIMIT
-from mechsheet.sheet.plan import EXISTS, Plan, unit_text
+from mechsheet.sheet.plan import Plan, unit_text
 from mechsheet.sheet.recomputed import place_recomputed
 from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
 from mechsheet.sheet.symbols import plain
@@ -95,9 +95,7 @@ class _Sheet:
         self._top()
         self.cells += beside.cells
         self.fills += beside.fills
-        area = Area(FIRST, NUMBER, self.last_row, self.last_col)
-        missing = Binary("=", CellRef(plan.at.first, EXISTS, col_abs=True, sheet=plan.table), al.ZERO)
-        self.conditionals.append(Conditional(area, missing, styles.MISSING))
+        self._grey_where_missing()
         for word, style in (("ok", styles.GOOD), ("look", styles.BAD)):
             self._coloured(Area(VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), word, style)
             for col in SIDE:
@@ -183,6 +181,14 @@ class _Sheet:
             self.put(row, DRIVER_COL, name if row == HEAD_ROW else None, style)
             if row not in (GROUP_ROW, HEAD_ROW):
                 self.merges.append(Merge(Area(row, NUMBER, row, DRIVER_COL)))
+
+    def _grey_where_missing(self) -> None:
+        """Rows that do not exist, told by the text that every check but those between rows has there."""
+        col = next((col for col, check in enumerate(self.checks, DATA) if not check.after), None)
+        if col is not None:
+            missing = Call("ISTEXT", (CellRef(FIRST, col, col_abs=True),))
+            area = Area(FIRST, NUMBER, self.last_row, self.last_col)
+            self.conditionals.append(Conditional(area, missing, styles.MISSING))
 
     def _column(self, col: int, check: Check) -> None:
         """The column and its head."""
@@ -280,7 +286,7 @@ class _Sheet:
         if not check.parts:
             return al.ZERO
         joined = al.total(check.parts) if check.total else al.largest(check.parts)
-        if len(print_formula(joined, "excel")) <= LIMIT:
+        if longest_spelling(joined) <= LIMIT:
             return joined
         col = self.parts
         self.put(HEAD_ROW, col, self.text(check.key), styles.HEAD)
@@ -343,7 +349,7 @@ def _chunks(parts: Sequence[Node]) -> list[list[Node]]:
     chunks: list[list[Node]] = [[]]
     room = LIMIT // 2
     for part in parts:
-        length = len(print_formula(part, "excel")) + 2
+        length = longest_spelling(part) + 2
         if length > room and chunks[-1]:
             chunks.append([])
             room = LIMIT // 2

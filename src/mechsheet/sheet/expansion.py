@@ -15,13 +15,14 @@ from dataclasses import dataclass
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, children, symbols, transform, walk
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
+from mechsheet.formula.spellings import extra_characters, longest_spelling
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Mechanism
 
-LIMIT = 7_000
-"""Characters of one formula. A spreadsheet takes 8,192, of the text as its user reads it: SQRT is KAREKÖK in Turkish."""
+LIMIT = 7_500
+"""Characters of one formula in the language where it has most. Excel takes 8,192 of the text as its user reads it."""
 
 DEEPEST = 60
 """Levels of one formula, below the 64 that a spreadsheet takes."""
@@ -112,7 +113,7 @@ class _Work:
 
     def _set(self, symbol: str, form: Node) -> None:
         self.forms[symbol] = form
-        self.lengths[symbol] = len(print_formula(form, "excel"))
+        self.lengths[symbol] = longest_spelling(form)
         self.depths[symbol] = depth(form)
 
     def expand(self, symbol: str, rule: Node) -> None:
@@ -120,7 +121,7 @@ class _Work:
         uses = Counter(part.name for part in walk(rule) if isinstance(part, Symbol))
         for name in uses:
             self.form(name)
-        plain = len(print_formula(rule, "text"))
+        plain = len(print_formula(rule, "text")) + extra_characters(rule)
         while self._too_long(rule, uses, plain):
             movable = [name for name in uses if name in self.rules and self.lengths[name] > SHORT]
             if not movable:

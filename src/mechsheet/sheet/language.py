@@ -43,6 +43,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "head.exists": ("exists", "var mı"),
     "column.shown": ("the same in degrees", "aynısı, derece olarak"),
     "column.guarded": ("the same, in rows that exist", "aynısı, var olan satırlarda"),
+    "column.here": ("→ the row that the drawing shows", "→ çizimin gösterdiği satır"),
     "column.radians": ("the driver in radians", "tahrik, radyan olarak"),
     "column.blank": ("value or nothing, for the summaries", "değer ya da boş, özetler için"),
     "column.rounded": ("the same to twelve digits, to find extremes", "aynısı, on iki basamak: uç değerleri bulmak için"),

@@ -6,6 +6,7 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
 from mechsheet.sheet.charts import chart_requests, charts_of, traced_points, with_room
 from mechsheet.sheet.checks import checks_sheet
+from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing import drawing_of
 from mechsheet.sheet.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes import notes_sheet
@@ -48,7 +49,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         keywords="mechanism, linkage, mechsheet",
         language=plan.language,
     )
-    return Workbook(sheets, tuple(plan.names), properties), plan
+    return with_typed_constants(Workbook(sheets, tuple(plan.names), properties)), plan
 
 
 def _description_sheet(plan: Plan) -> Sheet:

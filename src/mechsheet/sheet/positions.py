@@ -46,7 +46,12 @@ def positions_sheet(plan: Plan) -> Sheet:
         word = column.kind in ("number", "status", "exists")
         heading = label if word else rich(label, f" [{unit}]" if unit else "")
         cells.append(Cell(SYMBOL_ROW, column.col, heading, styles.HEAD))
-        cells.append(Cell(FORMULA_ROW, column.col, formula, styles.FORMULA_TEXT))
+        if column.kind == "number":
+            # The rules for colours read it here: other programs refuse a rule that reads another sheet.
+            shown = plan.at.reading_shown("#position", plan.table, None)
+            fills.append(Fill(FORMULA_ROW, column.col, shown, styles.numbered(styles.FORMULA_TEXT, '"→ "0')))
+        else:
+            cells.append(Cell(FORMULA_ROW, column.col, formula, styles.FORMULA_TEXT))
         words = _meaning(plan, column)
         if words:
             comments.append(Comment(SYMBOL_ROW, column.col, words))
@@ -145,6 +150,8 @@ def _driver_unit(plan: Plan) -> str:
 
 
 def _meaning(plan: Plan, column: TableColumn) -> str:
+    if column.kind == "number":
+        return plan.text("column.here")
     if column.equation is None:
         return ""
     label: Words = column.equation.label
@@ -348,7 +355,7 @@ def _conditionals(plan: Plan, area: Area) -> tuple[Conditional, ...]:
     """The row of the position shown stands out; rows without a position are grey."""
     row = plan.at.first
     exists = CellRef(row, EXISTS, col_abs=True)
-    here = Binary("=", CellRef(row, NUMBER, col_abs=True), plan.at.reading_shown("#position", plan.table, None))
+    here = Binary("=", CellRef(row, NUMBER, col_abs=True), CellRef(FORMULA_ROW, NUMBER, True, True))
     return (
         Conditional(area, here, styles.CURRENT),
         Conditional(area, Binary("=", exists, Number(0.0)), styles.MISSING),

@@ -7,12 +7,14 @@ formula, which reads what the cell reads (not other copies): 0 where both agree,
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, transform
-from mechsheet.formula.printer import print_formula
+from mechsheet.formula.nodes import Binary, Call, CellRef, NameRef, Node, Number, RangeRef, Text, transform, walk
 from mechsheet.formula.references import column_letters
+from mechsheet.formula.spellings import longest_spelling
 from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -26,11 +28,20 @@ then the copies, each FIRST rows below the row of its cell."""
 LABEL, VALUE, COPIES = range(3)
 """First columns; the copies stand from the third on."""
 
-LONGEST = 8000
-"""Characters of a formula that has a copy; Excel takes 8,192, and the copy stands inside a comparison."""
+LONGEST = 7_500
+"""Characters of a copy, in the language where it has most; Excel takes 8,192, and the copy stands inside a comparison."""
 
 SHORT = 100
 """Parts of a tree up to which its text is never that long: it need not be printed to see that."""
+
+STEP = "#{number}"
+"""What stands for a step in the formula that reads it."""
+
+SHORTEST_STEP = 40
+"""A call of so few characters is no step."""
+
+Key = tuple[str, int, int]
+"""A column beside the marks: sheet, 0 for a copy or the number of a step, column of the cell on that sheet."""
 
 WRONG = Text("#")
 """Stands for an error: two errors are alike."""
@@ -51,28 +62,30 @@ def recomputed_sheet(plan: Plan, sheets: Sequence[Sheet]) -> Sheet:
         for fill in sheet.fills if sheet.title != title else ():
             if (fill.row, fill.col) not in proven:
                 again = _again(fill, sheet.title, clear)
-                repeats += [] if again is None else [_Repeat(sheet.title, fill, again)]
-    heads = _columns(repeats, [sheet.title for sheet in sheets])
-    apart = _columns([repeat for repeat in repeats if repeat.apart], [sheet.title for sheet in sheets])
+                repeats += [] if again is None else [_Repeat(sheet.title, fill, *again)]
+    titles = [sheet.title for sheet in sheets]
+    heads = _sorted({key for repeat in repeats for key in repeat.columns()}, titles)
+    apart = _sorted({key for repeat in repeats for key in repeat.apart()}, titles)
     place = {key: COPIES + index for index, key in enumerate(heads)}
     aside = {key: COPIES + len(heads) + 1 + index for index, key in enumerate(apart)}
     marks = tuple(repeat.marks(place, aside) for repeat in repeats)
-    values = tuple(repeat.values(aside) for repeat in repeats if repeat.apart)
+    values = tuple(value for repeat in repeats for value in repeat.values(aside))
     return _Page(plan, marks, values, tuple(heads), tuple(apart)).sheet()
 
 
-def _columns(repeats: Sequence[_Repeat], titles: Sequence[str]) -> list[tuple[str, int]]:
-    """The columns that stand in them, sheet after sheet, from left to right: those of one fill beside each other."""
-    return sorted(
-        {key for repeat in repeats for key in repeat.columns()}, key=lambda key: (titles.index(key[0]), key[1])
-    )
+AnyKey = TypeVar("AnyKey", tuple[str, int], Key)
+
+
+def _sorted(keys: Collection[AnyKey], titles: Sequence[str]) -> list[AnyKey]:
+    """Sheet after sheet, from left to right: the columns of one fill beside each other."""
+    return sorted(keys, key=lambda key: (titles.index(key[0]), *key[1:]))
 
 
 _STYLE = styles.decimals(styles.INNER, 0)
 
 
-def _again(fill: Fill, title: str, clear: Spot) -> Node | None:
-    """A fill's formula as this sheet has it; None for one that depends on this sheet's result, or that is too long."""
+def _again(fill: Fill, title: str, clear: Spot) -> tuple[Node, tuple[Node, ...]] | None:
+    """A fill's formula as this sheet has it, and its steps; None for one that reads this sheet's result, or is too long."""
     circular = False
     parts = 0
 
@@ -86,20 +99,50 @@ def _again(fill: Fill, title: str, clear: Spot) -> Node | None:
         return Call("ROW", (CellRef(fill.row, fill.col, sheet=title),)) if part == Call("ROW") else part
 
     again = transform(fill.formula, change)
-    too_long = parts > SHORT and len(print_formula(again, "excel")) > LONGEST
-    return None if circular or too_long else again
+    if circular:
+        return None
+    return _in_steps(again) if parts > SHORT else (again, ())
+
+
+def _in_steps(formula: Node) -> tuple[Node, tuple[Node, ...]] | None:
+    """A formula that is too long as one that reads steps, each in a cell of its own; None where it cannot be cut.
+
+    A step is the call that takes most characters, however often it is repeated. None reads a range, which can be an array
+    there, and none is a sum: programs take a sum that is a formula's last step for 0 when it is rounding.
+    """
+    steps: list[Node] = []
+    while longest_spelling(formula) > LONGEST:
+        calls = Counter(part for part in walk(formula) if isinstance(part, Call))
+        lengths = {call: longest_spelling(call) for call in calls}
+        fit = [call for call in calls if SHORTEST_STEP < lengths[call] <= LONGEST and not _reads_range(call)]
+        if not fit:
+            return None
+        step = max(fit, key=lambda call: calls[call] * lengths[call])
+        steps.append(step)
+        formula = _put(formula, step, NameRef(STEP.format(number=len(steps))))
+    return formula, tuple(steps)
+
+
+def _put(formula: Node, step: Node, cell: Node) -> Node:
+    """The formula with `cell` in place of a step."""
+    return transform(formula, lambda part: cell if part == step else part)
+
+
+def _reads_range(node: Node) -> bool:
+    return any(isinstance(part, RangeRef) for part in walk(node))
 
 
 @dataclass(frozen=True, slots=True)
 class _Repeat:
-    """A fill of the sheet `title`, and its formula as this sheet has it."""
+    """A fill of the sheet `title`, its formula as this sheet has it, and the steps which that reads by names."""
 
     title: str
     fill: Fill
     again: Node
+    steps: tuple[Node, ...] = ()
 
     @property
-    def apart(self) -> bool:
+    def is_apart(self) -> bool:
         """Whether the copy must stand in a cell of its own: programs take a sum or difference that is a formula's last step
         for 0 when it is rounding, and do not when it stands inside another formula."""
         return isinstance(self.again, Binary) and self.again.op in ("+", "-")
@@ -108,19 +151,48 @@ class _Repeat:
         """(sheet, column) of its cells."""
         return [(self.title, self.fill.col + index) for index in range(self.fill.cols)]
 
-    def marks(self, place: Mapping[tuple[str, int], int], aside: Mapping[tuple[str, int], int]) -> Fill:
+    def apart(self) -> list[Key]:
+        """The columns that it needs beside the marks, the copy's own as number 0."""
+        numbers = [*([0] if self.is_apart else []), *range(1, 1 + len(self.steps))]
+        # A step's columns lie beside each other, as its formula wants it.
+        return [(self.title, number, col) for number in numbers for _, col in self.columns()]
+
+    def marks(self, place: Mapping[tuple[str, int], int], aside: Mapping[Key, int]) -> Fill:
         """0 where the cell and its copy agree, else 1."""
-        fill, key = self.fill, (self.title, self.fill.col)
+        fill = self.fill
         own = CellRef(fill.row, fill.col, sheet=self.title)
-        again = CellRef(fill.row + FIRST, aside[key]) if self.apart else self.again
+        again = self._cell(0, aside) if self.is_apart else self._bound(self.again, aside)
         alike = Binary("=", Call("IFERROR", (again, WRONG)), Call("IFERROR", (own, WRONG)))
         mark = Call("IF", (alike, al.ZERO, al.ONE))
-        return replace(fill, row=fill.row + FIRST, col=place[key], formula=mark, style=_STYLE)
+        return replace(fill, row=fill.row + FIRST, col=place[self.title, fill.col], formula=mark, style=_STYLE)
 
-    def values(self, aside: Mapping[tuple[str, int], int]) -> Fill:
-        """The copy in cells of its own."""
-        col = aside[self.title, self.fill.col]
-        return replace(self.fill, row=self.fill.row + FIRST, col=col, formula=self.again, style=styles.INNER)
+    def values(self, aside: Mapping[Key, int]) -> list[Fill]:
+        """The copy in cells of its own, and the steps."""
+        formulas = [*([(0, self.again)] if self.is_apart else []), *enumerate(self.steps, 1)]
+        return [
+            replace(
+                self.fill,
+                row=self.fill.row + FIRST,
+                col=aside[self.title, number, self.fill.col],
+                formula=self._bound(formula, aside),
+                style=styles.INNER,
+            )
+            for number, formula in formulas
+        ]
+
+    def _cell(self, number: int, aside: Mapping[Key, int]) -> CellRef:
+        return CellRef(self.fill.row + FIRST, aside[self.title, number, self.fill.col])
+
+    def _bound(self, formula: Node, aside: Mapping[Key, int]) -> Node:
+        """The formula with the cells of its steps."""
+        cells = {STEP.format(number=number): self._cell(number, aside) for number in range(1, 1 + len(self.steps))}
+        return (
+            transform(
+                formula, lambda part: cells[part.name] if isinstance(part, NameRef) and part.name in cells else part
+            )
+            if cells
+            else formula
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +203,7 @@ class _Page:
     marks: tuple[Fill, ...]
     values: tuple[Fill, ...]
     heads: tuple[tuple[str, int], ...]
-    apart: tuple[tuple[str, int], ...]
+    apart: tuple[Key, ...]
 
     def sheet(self) -> Sheet:
         """The finished sheet."""
@@ -139,7 +211,7 @@ class _Page:
         last = COPIES + len(self.heads) - 1
         labels = ((DIFFER_ROW, "differ"), (WHERE_ROW, "where"), (ANY_ROW, "any"))
         names = [f"{title}!{column_letters(col)}" for title, col in self.heads]
-        values = [text("recomputed.value", column=f"{title}!{column_letters(col)}") for title, col in self.apart]
+        values = [text("recomputed.value", column=f"{title}!{column_letters(col)}") for title, _, col in self.apart]
         cells = [
             Cell(TITLE_ROW, LABEL, text("recomputed.title"), styles.TITLE),
             Cell(ABOUT_ROW, LABEL, text("recomputed.about"), styles.SUBTITLE),

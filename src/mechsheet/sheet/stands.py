@@ -88,9 +88,13 @@ class _Block:
         self.writer.formula(self.rows[key], TOLERANCE, place, styles.decimals(styles.RESULT, places(self.plan, unit)))
 
     def colour(self, key: str, condition: Node, style: Style) -> None:
-        """The words' colour where a condition holds."""
+        """The words' colour where a condition holds; it reads this sheet alone, other programs refuse another's cells."""
         row = self.rows[key]
         self.writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), condition, style))
+
+    def words(self, key: str) -> CellRef:
+        """The cell of a line's words."""
+        return CellRef(self.rows[key], MEANING, True, True)
 
     def value(self, name: str) -> Node:
         """A cell that another sheet has registered."""
@@ -189,7 +193,7 @@ class _Block:
         self.line(
             key, self.text("input"), unit_text(self.driver.unit), Call("IFERROR", (extent, Text(""))), style, words
         )
-        self.colour(key, Binary("<", ranges, al.ZERO), styles.BAD)
+        self.colour(key, Binary("=", self.words(key), self.said("nowhere")), styles.BAD)
 
     def checks(self) -> None:
         """The largest gap of a joint, and the leaps, from the sheet of checks."""
@@ -197,7 +201,7 @@ class _Block:
         unit = self.plan.mechanism.length_unit
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line("closure", self.text("closure"), unit, self.value("#worst"), style, clear)
-        good = Binary("=", clear, Text(self.plan.text("checks.clear")))
+        good = Binary("=", self.words("closure"), Text(self.plan.text("checks.clear")))
         self.colour("closure", good, styles.GOOD)
         self.colour("closure", Call("NOT", (good,)), styles.BAD)
         cell = CellRef(self.rows["leaps"], VALUE, True, True)
