@@ -46,13 +46,21 @@ def answers(program: str, path: Path) -> Answers:
     return PROGRAMS[program](path)
 
 
+def names_of(programs: str | Iterable[str]) -> list[str]:
+    """The programs asked for: several names, or one text with commas between them."""
+    names = programs.split(",") if isinstance(programs, str) else list(programs)
+    if not all(isinstance(name, str) for name in names):
+        raise MissingProgramError(Fault(f"programs are named by texts: {', '.join(PROGRAMS)}"))
+    return list(dict.fromkeys(name.strip() for name in names if name.strip()))
+
+
 def refuse_unknown(programs: Iterable[str]) -> None:
     """Raise MissingProgramError with a near miss for every name that is no program's."""
     unknown = [program for program in programs if program not in PROGRAMS]
     if unknown:
         every = f"programs: {', '.join(PROGRAMS)}"
         raise MissingProgramError(
-            Fault(f'no program is called "{program}"', key="--with", hint=near_miss(program, PROGRAMS) or every)
+            Fault(f'no program is called "{program}"', hint=near_miss(program, PROGRAMS) or every)
             for program in unknown
         )
 
@@ -136,7 +144,7 @@ def _gnumeric(path: Path) -> Answers:
 def _only_xlsx(path: Path, program: str) -> None:
     if path.suffix.lower() not in (".xlsx", ".xlsm"):
         hint = "libreoffice and gnumeric read both formats"
-        raise WorkbookError(Fault(f"{program} reads .xlsx only", readable_name(path), key="--with", hint=hint))
+        raise WorkbookError(Fault(f"{program} reads .xlsx only", readable_name(path), hint=hint))
 
 
 def _formulas(path: Path) -> Answers:

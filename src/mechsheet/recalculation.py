@@ -15,7 +15,7 @@ from mechsheet.formula.nodes import CellRef, ErrorValue, Scalar
 from mechsheet.formula.references import cell_name, parse_reference
 
 if TYPE_CHECKING:
-    from mechsheet.checking.stored import Stored
+    from mechsheet.checking import Rules, Stored
 
 Place = tuple[str, int, int]
 
@@ -62,11 +62,11 @@ class Result:
         ]
         return [list(row) for row in zip(*columns, strict=True)]
 
-    def compare_with_stored(self) -> Stored:
-        """The values computed against those stored in the file."""
-        from mechsheet.checking.stored import compare_with_stored
+    def compare_with_stored(self, rules: Rules | None = None) -> Stored:
+        """The values stored in the file against what its formulas give, whatever was set."""
+        from mechsheet.checking.stored import judge_stored
 
-        return compare_with_stored(self.book, self.values, which_error=self.path.suffix.lower() not in (".ods", ".ots"))
+        return judge_stored(self.book, rules)[0]
 
     def named(self) -> dict[str, object]:
         """The value of every defined name that is one cell."""
