@@ -1,9 +1,11 @@
-"""Other programs as judges: what LibreOffice, gnumeric, formulas and IronCalc compute from a finished file."""
+"""Other programs as judges: what LibreOffice, gnumeric, formulas, IronCalc and ONLYOFFICE compute from a finished file."""
 
 from __future__ import annotations
 
+import importlib.util
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -210,6 +212,34 @@ def _ironcalc(path: Path) -> Answers:
     return Answers(find)
 
 
+ONLYOFFICE = """
+import sys
+import docbuilder
+builder = docbuilder.CDocBuilder()
+builder.Initialize()
+opened = builder.OpenFile(sys.argv[1], "")
+done = opened == 0 and builder.ExecuteCommand("Api.RecalculateAllFormulas();") and builder.SaveFile("xlsx", sys.argv[2]) == 0
+builder.CloseFile()
+sys.exit(0 if done else "the file cannot be opened, computed or saved")
+"""
+"""What a Python of its own does with the package document-builder, which is under the AGPL and never loaded into ours.
+
+It believes stored values until it is told to compute.
+"""
+
+
+def _onlyoffice(path: Path) -> Answers:
+    if importlib.util.find_spec("docbuilder") is None:
+        hint = "pip install 'mechsheet[onlyoffice]' (100 MB, AGPL, runs as a program of its own)"
+        raise MissingProgramError(Fault("ONLYOFFICE's document-builder is not installed", hint=hint))
+    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+        result = Path(folder) / "answers.xlsx"
+        _run([sys.executable, "-c", ONLYOFFICE, str(path.resolve()), str(result)])
+        if not result.exists():
+            raise WorkbookError(Fault("ONLYOFFICE could not open it", readable_name(path)))
+        return stored_values(result)
+
+
 def cannot_judge(program: str, names: Iterable[str]) -> str:
     """Why a program cannot read a workbook with these defined names, "" when it can.
 
@@ -226,5 +256,6 @@ PROGRAMS: Mapping[str, Callable[[Path], Answers]] = {
     "gnumeric": _gnumeric,
     "formulas": _formulas,
     "ironcalc": _ironcalc,
+    "onlyoffice": _onlyoffice,
 }
 """Name on the command line -> how to ask it."""
