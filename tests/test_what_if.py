@@ -316,7 +316,9 @@ def test_the_example_of_the_documentation(monkeypatch):
         exec(compile(example, "what-if.md", "exec"), {})
 
 
-@pytest.mark.parametrize("value", [np.float32(5.5), np.int64(5), np.float64(5.5), np.uint8(5), Decimal("5.5"), Fraction(11, 2)])
+@pytest.mark.parametrize(
+    "value", [np.float32(5.5), np.int64(5), np.float64(5.5), np.uint8(5), Decimal("5.5"), Fraction(11, 2)]
+)
 def test_numbers_of_every_type(value):
     session = Session(columns("A1*2"))
     session["S!A1"] = value

@@ -31,7 +31,9 @@ def cell_value(where: str, value: Any, held: Scalar, force: bool = False) -> Sca
         return number if math.isfinite(number) else Fault(f"{number} is no number that a cell can hold", key=where)
     if not (value is None or is_truth or isinstance(value, str)):
         kind = type(value).__name__
-        return Fault(f"a {kind} is no value of one cell: {_shown(value)}", key=where, hint="one number, for example 66.5")
+        return Fault(
+            f"a {kind} is no value of one cell: {_shown(value)}", key=where, hint="one number, for example 66.5"
+        )
     scalar: Scalar = bool(value) if is_truth else value
     if force:
         return scalar

@@ -143,7 +143,10 @@ def test_files_without_stored_values(tmp_path):
     workbook.active.append([1, "=A1+1"])
     workbook.save(tmp_path / "a.xlsx")
     result = run("recalc", tmp_path / "a.xlsx", "--check")
-    assert (result.exit_code, result.stdout) == (0, "1 formulas: 0 as stored, 0 differ\n  no value is stored: nothing was compared\n")
+    assert (result.exit_code, result.stdout) == (
+        0,
+        "1 formulas: 0 as stored, 0 differ\n  no value is stored: nothing was compared\n",
+    )
 
 
 @pytest.fixture
