@@ -359,7 +359,7 @@ def test_places_are_texts(where):
 
 def test_several_values_are_set_or_none():
     session = Session(columns("A1*2"))
-    with pytest.raises(WorkbookError, match="write 66.5"):
+    with pytest.raises(WorkbookError, match=r"write 66\.5"):
         session.update({"S!A1": 7.0, "S!A2": "66,5"})
     assert session["S!D1"] == 2.0
 

@@ -22,11 +22,11 @@ def run(*arguments):
     return result
 
 
-ODS = """<?xml version="1.0" encoding="UTF-8"?>
-<office:document-content xmlns:office="urn:oasis:names:tc:opendocument:xmlns:office:1.0"
- xmlns:table="urn:oasis:names:tc:opendocument:xmlns:table:1.0" xmlns:text="urn:oasis:names:tc:opendocument:xmlns:text:1.0"
- xmlns:of="urn:oasis:names:tc:opendocument:xmlns:of:1.2" xmlns:calcext="urn:org:documentfoundation:names:experimental:calc:xmlns:calcext:1.0"
- office:version="1.3"><office:body><office:spreadsheet>{}</office:spreadsheet></office:body></office:document-content>"""
+URN = "urn:oasis:names:tc:opendocument:xmlns"
+ODS = f"""<?xml version="1.0" encoding="UTF-8"?>
+<office:document-content xmlns:office="{URN}:office:1.0" xmlns:table="{URN}:table:1.0" xmlns:text="{URN}:text:1.0"
+ xmlns:of="{URN}:of:1.2" office:version="1.3"><office:body><office:spreadsheet>{{}}</office:spreadsheet></office:body>
+</office:document-content>"""
 
 
 def cell_xml(formula, value):
