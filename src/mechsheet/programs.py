@@ -215,16 +215,22 @@ def _ironcalc(path: Path) -> Answers:
 ONLYOFFICE = """
 import sys
 import docbuilder
+COMPARE = (
+    "String.prototype.localeCompare = function (other) {"
+    " var one = this.toLowerCase(), two = String(other).toLowerCase(); return one < two ? -1 : one > two ? 1 : 0; };"
+)
 builder = docbuilder.CDocBuilder()
 builder.Initialize()
-opened = builder.OpenFile(sys.argv[1], "")
-done = opened == 0 and builder.ExecuteCommand("Api.RecalculateAllFormulas();") and builder.SaveFile("xlsx", sys.argv[2]) == 0
+done = builder.OpenFile(sys.argv[1], "") == 0
+done = done and builder.ExecuteCommand(COMPARE + " Api.RecalculateAllFormulas();")
+done = done and builder.SaveFile("xlsx", sys.argv[2]) == 0
 builder.CloseFile()
 sys.exit(0 if done else "the file cannot be opened, computed or saved")
 """
 """What a Python of its own does with the package document-builder, which is under the AGPL and never loaded into ours.
 
-It believes stored values until it is told to compute.
+It believes stored values until it is told to compute. Its package 10.0 cannot compare texts (`Internal error. Icu error`
+where formulas look a text up), so it is told how.
 """
 
 
