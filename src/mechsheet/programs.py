@@ -235,6 +235,7 @@ where formulas look a text up), so it is told how.
 
 
 def _onlyoffice(path: Path) -> Answers:
+    _only_xlsx(path, "onlyoffice")
     if importlib.util.find_spec("docbuilder") is None:
         hint = "pip install 'mechsheet[onlyoffice]' (100 MB, AGPL, runs as a program of its own)"
         raise MissingProgramError(Fault("ONLYOFFICE's document-builder is not installed", hint=hint))
@@ -249,12 +250,12 @@ def _onlyoffice(path: Path) -> Answers:
 def cannot_judge(program: str, names: Iterable[str]) -> str:
     """Why a program cannot read a workbook with these defined names, "" when it can.
 
-    IronCalc 0.9 knows no names that begin with a letter beyond ASCII: everything that reads them is an error there.
+    IronCalc 0.9 and ONLYOFFICE 10.0 know no names that begin with a letter beyond ASCII: what reads them is an error there.
     """
-    foreign = [name for name in names if program == "ironcalc" and not name[:1].isascii()]
+    foreign = [name for name in names if program in ("ironcalc", "onlyoffice") and not name[:1].isascii()]
     if not foreign:
         return ""
-    return f"ironcalc was not asked: it cannot read names that begin with a letter beyond ASCII ({', '.join(foreign)})"
+    return f"{program} was not asked: it cannot read names that begin with a letter beyond ASCII ({', '.join(foreign)})"
 
 
 PROGRAMS: Mapping[str, Callable[[Path], Answers]] = {

@@ -1,5 +1,6 @@
 """`check` and `recalc --check` as gates in front of other people's workbooks: the same verdict, options, exit codes, reports."""
 
+import importlib.util
 import json
 from xml.etree import ElementTree
 from xml.sax.saxutils import escape
@@ -319,3 +320,20 @@ def test_options_of_the_gate_go_with_check_only(tmp_path):
     assert run("recalc", book, book).exit_code == 2
     assert run("recalc", book, "--check", "-o", tmp_path / "x.xlsx").exit_code == 2
     assert run("check", book, "--mutate", "1", "--baseline", "x").exit_code == 2
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(
+    importlib.util.find_spec("docbuilder") is None, reason="document-builder (100 MB, AGPL) is not installed"
+)
+def test_onlyoffice_computes_for_itself(tmp_path):
+    stale = write_xlsx(tmp_path / "book.xlsx", STALE)
+    found = check(stale, "onlyoffice").comparisons
+    assert [(item.judge, item.agrees) for item in found] == [("stored values", False), ("onlyoffice", True)]
+
+
+def test_onlyoffice_says_how_to_get_it(tmp_path, monkeypatch):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    result = run("check", write_xlsx(tmp_path / "book.xlsx", GOOD), "--with", "onlyoffice")
+    assert result.exit_code == 2
+    assert "mechsheet[onlyoffice]" in result.stderr and "all agree" in result.stdout
