@@ -1,4 +1,4 @@
-"""`check` and `recalc --check` as gates in front of other people's workbooks: the same verdict, options, exit codes, reports."""
+"""`check` and `recalc --check` as gates: the same verdict, options, exit codes and reports, on .xlsx and .ods."""
 
 import importlib.util
 import json
@@ -324,7 +324,7 @@ def test_options_of_the_gate_go_with_check_only(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.skipif(
-    importlib.util.find_spec("docbuilder") is None, reason="document-builder (100 MB, AGPL) is not installed"
+    importlib.util.find_spec("docbuilder") is None, reason="document-builder is not installed (100 MB, AGPL)"
 )
 def test_onlyoffice_computes_for_itself(tmp_path):
     stale = write_xlsx(tmp_path / "book.xlsx", STALE)
