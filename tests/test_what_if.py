@@ -2,6 +2,8 @@
 
 import math
 import re
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -97,7 +99,7 @@ def test_any_changes_give_what_a_full_recalculation_gives(changes):
         if what == "get":
             session.get(where)
         elif what == "set":
-            session.set(where, value)
+            session.set(where, value, force=True)
             inputs[place_of(where)] = value
         else:
             session.reset(where)
@@ -215,7 +217,7 @@ def test_kinds_of_numbers_and_resets():
         assert session.get("S!D1") == 7.0
         session.reset()
     assert session.get("S!D1") == 5.0
-    session.update({"S!B1": 10, "S!A2": True, "S!A3": "4"})
+    session.update({"S!B1": 10, "S!A2": True, "S!A3": "4"}, force=True)
     assert session.get("S!D1:D3").tolist() == [10, 10, 40]
     session.reset("S!A2")
     session.reset("S!A2")
@@ -244,7 +246,7 @@ def test_texts_of_long_loops_are_forgotten(monkeypatch):
 def test_inputs_stay_what_they_are_when_texts_are_forgotten(monkeypatch):
     monkeypatch.setattr(live_module, "MOST_TEXTS", 5)
     session = Session(columns('A1&"x"', "$B$1*$A$3+SIN(A1)", rows=300))
-    session["S!B1"] = "no number"
+    session.set("S!B1", "no number", force=True)
     for number in range(20):
         session["S!A1"] = float(number)
         assert session["S!D1"] == f"{number}x"
@@ -259,7 +261,7 @@ def test_what_is_read_may_depend_on_values():
     assert (session["S!D1"], session["S!E1"]) == (2.0, 1.0)
     session["S!B1"] = 7.0
     assert (session["S!D1"], session["S!E1"], session["S!F1"]) == (6.0, 3.0, 18.0)
-    session["S!A3"] = "text"
+    session.set("S!A3", "text", force=True)
     assert (session["S!D1"], session["S!E1"]) == (ErrorValue("#VALUE!"), "text")
     session.reset()
     assert (session["S!D1"], session["S!E1"]) == (2.0, 1.0)
@@ -312,3 +314,63 @@ def test_the_example_of_the_documentation(monkeypatch):
     assert examples
     for example in examples:
         exec(compile(example, "what-if.md", "exec"), {})
+
+
+@pytest.mark.parametrize(
+    "value", [np.float32(5.5), np.int64(5), np.float64(5.5), np.uint8(5), Decimal("5.5"), Fraction(11, 2)]
+)
+def test_numbers_of_every_type(value):
+    session = Session(columns("A1*2"))
+    session["S!A1"] = value
+    assert session["S!D1"] == 2 * float(value)
+
+
+@pytest.mark.parametrize(
+    ("value", "hint"),
+    [
+        ("66,5", "write 66.5"),
+        (" 66,5 ", "write 66.5"),
+        ("66.5", "the cell holds a number"),
+        (True, "write 1"),
+        (np.bool_(False), "write 0"),
+        (None, "the cell holds a number"),
+        ([1], "one number"),
+        (np.array([1.0, 2.0]), "one number"),
+        ({"a": 1}, "one number"),
+    ],
+)
+def test_a_cell_of_numbers_takes_nothing_else(value, hint):
+    """A text in the place of a length makes every result an error, or worse a number, without a word."""
+    session = Session(columns("A1*2"))
+    with pytest.raises(WorkbookError) as problem:
+        session["S!A1"] = value
+    [fault] = problem.value.faults
+    assert fault.key == "S!A1" and hint in fault.hint and "--set" not in str(fault)
+    assert session["S!D1"] == 2.0
+
+
+@pytest.mark.parametrize("where", [None, 3, ("S!A1",), ["S!A1"]])
+def test_places_are_texts(where):
+    session = Session(columns("A1*2"))
+    for ask in (session.get, session.number, session.table, lambda place: session.set(place, 1.0)):
+        with pytest.raises(WorkbookError, match="no name of a cell"):
+            ask(where)
+
+
+def test_several_values_are_set_or_none():
+    session = Session(columns("A1*2"))
+    with pytest.raises(WorkbookError, match=r"write 66\.5"):
+        session.update({"S!A1": 7.0, "S!A2": "66,5"})
+    assert session["S!D1"] == 2.0
+
+
+@pytest.mark.parametrize("suffix", [".xlsx", ".ods"])
+def test_recalc_refuses_the_same_values(suffix):
+    source = ROOT / "generated" / f"scotch-yoke{suffix}"
+    name = mechsheet.open_book(source).names[0]
+    for value in ("66,5", True, None, [1]):
+        with pytest.raises(WorkbookError) as problem:
+            mechsheet.recalc(source, {name: value})
+        assert "--set" not in str(problem.value) and name in str(problem.value)
+    with pytest.raises(WorkbookError, match="no name of a cell"):
+        mechsheet.recalc(source, {3: 1.0})

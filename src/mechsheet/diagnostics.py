@@ -18,6 +18,8 @@ class Fault:
     key      dotted key of a description ("driver.link"), or a cell ("Positions!C9"), or ""
     source   the line itself, shown under the message
     hint     the near miss, or the list of what is allowed
+    about    what it is about, where programs ask: "function" of a function that is not known, "volatile" of one that gives
+             another value at every recalculation; else ""
     """
 
     message: str
@@ -26,6 +28,7 @@ class Fault:
     key: str = ""
     source: str = ""
     hint: str = ""
+    about: str = ""
 
     def __str__(self) -> str:
         place = self.file + (f":{self.line}" if self.line is not None else "")

@@ -1,9 +1,11 @@
-"""Other programs as judges: what LibreOffice, gnumeric, formulas and IronCalc compute from a finished file."""
+"""Other programs as judges: what LibreOffice, gnumeric, formulas, IronCalc and ONLYOFFICE compute from a finished file."""
 
 from __future__ import annotations
 
+import importlib.util
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -46,13 +48,21 @@ def answers(program: str, path: Path) -> Answers:
     return PROGRAMS[program](path)
 
 
+def names_of(programs: str | Iterable[str]) -> list[str]:
+    """The programs asked for: several names, or one text with commas between them."""
+    names = programs.split(",") if isinstance(programs, str) else list(programs)
+    if not all(isinstance(name, str) for name in names):
+        raise MissingProgramError(Fault(f"programs are named by texts: {', '.join(PROGRAMS)}"))
+    return list(dict.fromkeys(name.strip() for name in names if name.strip()))
+
+
 def refuse_unknown(programs: Iterable[str]) -> None:
     """Raise MissingProgramError with a near miss for every name that is no program's."""
     unknown = [program for program in programs if program not in PROGRAMS]
     if unknown:
         every = f"programs: {', '.join(PROGRAMS)}"
         raise MissingProgramError(
-            Fault(f'no program is called "{program}"', key="--with", hint=near_miss(program, PROGRAMS) or every)
+            Fault(f'no program is called "{program}"', hint=near_miss(program, PROGRAMS) or every)
             for program in unknown
         )
 
@@ -136,7 +146,7 @@ def _gnumeric(path: Path) -> Answers:
 def _only_xlsx(path: Path, program: str) -> None:
     if path.suffix.lower() not in (".xlsx", ".xlsm"):
         hint = "libreoffice and gnumeric read both formats"
-        raise WorkbookError(Fault(f"{program} reads .xlsx only", readable_name(path), key="--with", hint=hint))
+        raise WorkbookError(Fault(f"{program} reads .xlsx only", readable_name(path), hint=hint))
 
 
 def _formulas(path: Path) -> Answers:
@@ -202,15 +212,50 @@ def _ironcalc(path: Path) -> Answers:
     return Answers(find)
 
 
+ONLYOFFICE = """
+import sys
+import docbuilder
+COMPARE = (
+    "String.prototype.localeCompare = function (other) {"
+    " var one = this.toLowerCase(), two = String(other).toLowerCase(); return one < two ? -1 : one > two ? 1 : 0; };"
+)
+builder = docbuilder.CDocBuilder()
+builder.Initialize()
+done = builder.OpenFile(sys.argv[1], "") == 0
+done = done and builder.ExecuteCommand(COMPARE + " Api.RecalculateAllFormulas();")
+done = done and builder.SaveFile("xlsx", sys.argv[2]) == 0
+builder.CloseFile()
+sys.exit(0 if done else "the file cannot be opened, computed or saved")
+"""
+"""What a Python of its own does with the package document-builder, which is under the AGPL and never loaded into ours.
+
+It believes stored values until it is told to compute. Its package 10.0 cannot compare texts (`Internal error. Icu error`
+where formulas look a text up), so it is told how.
+"""
+
+
+def _onlyoffice(path: Path) -> Answers:
+    _only_xlsx(path, "onlyoffice")
+    if importlib.util.find_spec("docbuilder") is None:
+        hint = "pip install 'mechsheet[onlyoffice]' (100 MB, AGPL, runs as a program of its own)"
+        raise MissingProgramError(Fault("ONLYOFFICE's document-builder is not installed", hint=hint))
+    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+        result = Path(folder) / "answers.xlsx"
+        _run([sys.executable, "-c", ONLYOFFICE, str(path.resolve()), str(result)])
+        if not result.exists():
+            raise WorkbookError(Fault("ONLYOFFICE could not open it", readable_name(path)))
+        return stored_values(result)
+
+
 def cannot_judge(program: str, names: Iterable[str]) -> str:
     """Why a program cannot read a workbook with these defined names, "" when it can.
 
-    IronCalc 0.9 knows no names that begin with a letter beyond ASCII: everything that reads them is an error there.
+    IronCalc 0.9 and ONLYOFFICE 10.0 know no names that begin with a letter beyond ASCII: what reads them is an error there.
     """
-    foreign = [name for name in names if program == "ironcalc" and not name[:1].isascii()]
+    foreign = [name for name in names if program in ("ironcalc", "onlyoffice") and not name[:1].isascii()]
     if not foreign:
         return ""
-    return f"ironcalc was not asked: it cannot read names that begin with a letter beyond ASCII ({', '.join(foreign)})"
+    return f"{program} was not asked: it cannot read names that begin with a letter beyond ASCII ({', '.join(foreign)})"
 
 
 PROGRAMS: Mapping[str, Callable[[Path], Answers]] = {
@@ -218,5 +263,6 @@ PROGRAMS: Mapping[str, Callable[[Path], Answers]] = {
     "gnumeric": _gnumeric,
     "formulas": _formulas,
     "ironcalc": _ironcalc,
+    "onlyoffice": _onlyoffice,
 }
 """Name on the command line -> how to ask it."""

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mechsheet.areas import Area, area_of
+from mechsheet.cell_values import cell_value, typed
 from mechsheet.diagnostics import Fault, WorkbookError, near_miss, readable_name
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import CellRef, ErrorValue, Scalar
 from mechsheet.formula.references import cell_name, parse_reference
 
 if TYPE_CHECKING:
-    from mechsheet.checking.stored import Stored
+    from mechsheet.checking import Rules, Stored
 
 Place = tuple[str, int, int]
 
@@ -62,11 +62,11 @@ class Result:
         ]
         return [list(row) for row in zip(*columns, strict=True)]
 
-    def compare_with_stored(self) -> Stored:
-        """The values computed against those stored in the file."""
-        from mechsheet.checking.stored import compare_with_stored
+    def compare_with_stored(self, rules: Rules | None = None) -> Stored:
+        """The values stored in the file against what its formulas give, whatever was set."""
+        from mechsheet.checking.stored import judge_stored
 
-        return compare_with_stored(self.book, self.values, which_error=self.path.suffix.lower() not in (".ods", ".ots"))
+        return judge_stored(self.book, rules)[0]
 
     def named(self) -> dict[str, object]:
         """The value of every defined name that is one cell."""
@@ -88,12 +88,13 @@ def plain(value: Scalar) -> object:
     return str(value) if isinstance(value, ErrorValue) else value
 
 
-def recalc(path: str | Path, settings: Mapping[str, str | float] | None = None) -> Result:
+def recalc(path: str | Path, settings: Mapping[str, Any] | None = None) -> Result:
     """Read a workbook, set inputs (`{"a_1": 65}` by defined name, or `{"Sheet!B2": 65}`), and compute every formula.
 
-    Values given as texts are taken as typed into a cell: `65`, `TRUE`, `'65` (a text), anything else a text.
+    Numbers may be of any type, numpy's too. Values given as texts are taken as typed into a cell: `65`, `TRUE`, `'65` (a
+    text), anything else a text; but a cell that holds a number in the file takes a number only, or what has a `'` before it.
     What cannot be computed as it is meant is in `remarks`. Raises WorkbookError: not a workbook, an unknown name, a cell
-    that is computed itself.
+    that is computed itself, a value that the cell cannot take.
     """
     from mechsheet.engine import compile_book
     from mechsheet.formats import read
@@ -107,41 +108,48 @@ def recalc(path: str | Path, settings: Mapping[str, str | float] | None = None) 
         if isinstance(place, Fault):
             faults.append(place)
             continue
-        sheet = book.sheet(place[0])
-        if sheet is not None and sheet.formula_at(place[1], place[2]) is not None:
-            faults.append(Fault(f"{name} is computed by a formula: set what it is computed from", key="--set"))
-        changes[place] = _value(value)
+        found = _value(book, name, place, value)
+        if isinstance(found, Fault):
+            faults.append(found)
+        else:
+            changes[place] = found
     if faults:
         raise WorkbookError([replace(fault, file=readable_name(path)) for fault in faults])
     plan = compile_book(book)
     values = plan.evaluate(changes)
-    return Result(book, values, path, changes, (*book.remarks, *values.remarks))
+    remarks = (*book.remarks, *values.remarks)
+    if changes and any(fault.about == "function" for fault in remarks):
+        remarks = (*remarks, Fault(NOT_FOLLOWING, file=book.source))
+    return Result(book, values, path, changes, remarks)
 
 
-def _value(value: str | float) -> Scalar:
-    """A typed value: a number or truth value if it reads as one."""
-    if isinstance(value, bool):
-        return value
-    if isinstance(value, float | int):
-        return float(value)
-    if value.startswith("'"):
-        return value[1:]
-    if value.upper() in ("TRUE", "FALSE"):
-        return value.upper() == "TRUE"
-    try:
-        number = float(value)
-    except ValueError:
-        return value
-    return number if math.isfinite(number) and "_" not in value else value
+NOT_FOLLOWING = (
+    "stored values that are kept do not follow what was set: where their functions read it, they and what depends on them "
+    "are those of the values before"
+)
+"""What is said when inputs are set in a workbook with functions that only another program knows."""
+
+
+def _value(book: Book, name: str, place: Place, value: Any) -> Scalar | Fault:
+    """What a cell is to hold, or why it cannot."""
+    sheet = book.sheet(place[0])
+    if sheet is None:
+        return Fault("no sheet of this workbook", key=name)
+    if sheet.formula_at(place[1], place[2]) is not None:
+        return Fault("computed by a formula: set what it is computed from", key=name)
+    held = sheet.constants.get(place[1], place[2])
+    return typed(name, value, held) if isinstance(value, str) else cell_value(name, value, held)
 
 
 def _place(book: Book, name: str) -> Place | Fault:
     """The cell that a name means: a defined name, `a1` for the safe name `a_1`, or Sheet!B2."""
+    if not isinstance(name, str):
+        return Fault(f"{name!r} is no name of a cell", hint='a text: "a1", "Sheet!B2"')
     if "!" in name:
         reference = parse_reference(name)
         if reference is None or reference.sheet is None or book.sheet(reference.sheet) is None:
             titles = [sheet.title for sheet in book.sheets]
-            return Fault(f'"{name}" is no cell of this workbook', key="--set", hint=f"sheets: {', '.join(titles)}")
+            return Fault(f'"{name}" is no cell of this workbook', hint=f"sheets: {', '.join(titles)}")
         return reference.sheet, reference.row, reference.col
     candidates = [found for found in book.names if found.name.casefold() == name.casefold()]
     if not candidates:
@@ -153,7 +161,6 @@ def _place(book: Book, name: str) -> Place | Fault:
         known = [found.name for found in book.names]
         return Fault(
             f'no cell is named "{name}"',
-            key="--set",
             hint=near_miss(name, known) or f"names: {', '.join(known[:20]) or 'none'}",
         )
     return cells[0].sheet, cells[0].row, cells[0].col

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.cell_values import cell_value
 from mechsheet.diagnostics import Fault, FormulaError, WorkbookError, near_miss
 from mechsheet.engine import Live, compile_book
 from mechsheet.engine.layout import Area
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 Numbers: TypeAlias = NDArray[np.float64]
 Value: TypeAlias = "float | int | str | bool | ErrorValue | np.number[Any] | None"
-"""What can be put into a cell; None empties it."""
+"""What can be put into a cell."""
 
 _SHOWN_NAMES = 20
 
@@ -73,25 +73,33 @@ class Session:
 
     # inputs
 
-    def set(self, where: str, value: Value) -> None:
-        """Put a value into a cell, None to empty it.
+    def set(self, where: str, value: Value, force: bool = False) -> None:
+        """Put a value into a cell: a number of any type, numpy's too; a text or a truth value where no number stands.
 
-        Raises WorkbookError when there is no such cell, when a formula computes it, or for a number that is not finite.
+        A cell that holds a number in the file takes numbers only: a text or None there would spoil what is computed from
+        it without a word. With `force` it takes anything, None to empty it. Raises WorkbookError when there is no such
+        cell, when a formula computes it, for a value that it cannot take, or a number that is not finite.
         """
-        self.update({where: value})
+        self.update({_place(where): value}, force)
 
     __setitem__ = set
 
-    def update(self, changes: Mapping[str, Value]) -> None:
+    def update(self, changes: Mapping[str, Value], force: bool = False) -> None:
         """Set several cells, or none of them when one cannot be set (the WorkbookError then has one fault for each)."""
         faults: list[Fault] = []
         cells: dict[tuple[int, int, int], Scalar] = {}
         for where, value in changes.items():
             try:
                 cell = self._cell(where)
-                cells[cell] = _scalar(where, value)
             except WorkbookError as problem:
                 faults += problem.faults
+                continue
+            sheet, row, col = cell
+            found = cell_value(where, value, self._book.sheets[sheet].constants.get(row, col), force)
+            if isinstance(found, Fault):
+                faults.append(found)
+            else:
+                cells[cell] = found
         if faults:
             raise WorkbookError(faults)
         if not all(map(self._live.holds_constant, cells)):
@@ -182,7 +190,7 @@ class Session:
     # places
 
     def _area(self, where: str) -> Area:
-        found = self._areas.get(where)
+        found = self._areas.get(_place(where))
         if found is None:
             found = self._found(where)
             if found.rows == MAX_ROWS or found.cols == MAX_COLUMNS:  # whole columns, rows: as far as there is something
@@ -223,14 +231,11 @@ class Session:
         return None if found is None else found.formula
 
 
-def _scalar(where: str, value: Value) -> Scalar:
-    """A value as cells hold it."""
-    if value is None or isinstance(value, bool | str | ErrorValue):
-        return value
-    number = float(value)
-    if not math.isfinite(number):
-        raise _error(where, f"{number} is no number that a cell can hold")
-    return number
+def _place(where: object) -> str:
+    """Places are texts. Raises WorkbookError."""
+    if isinstance(where, str):
+        return where
+    raise WorkbookError(Fault(f"{where!r} is no name of a cell", hint='a text: "a1", "Sheet!B2", "Sheet!B2:D9"'))
 
 
 def _quoted(where: str) -> str:

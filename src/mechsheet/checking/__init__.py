@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from mechsheet.building import build
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.audit import audit
+from mechsheet.checking.baseline import Baseline, read_baseline
 from mechsheet.checking.cells import Angles, angles_in, compare_cells
 from mechsheet.checking.expected import expected_for, functions_in, inside
 from mechsheet.checking.inputs import description_in
@@ -16,71 +18,110 @@ from mechsheet.checking.moves import MovedValues
 from mechsheet.checking.mutate import Mutation, mutate
 from mechsheet.checking.perturb import Perturbation, perturb
 from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
+from mechsheet.checking.rules import Rules
+from mechsheet.checking.stored import Stored, judge_stored
 from mechsheet.checking.twins import with_twins
 from mechsheet.description import load
 from mechsheet.description.locate import located
-from mechsheet.diagnostics import MechanismError, WorkbookError, readable_name
-from mechsheet.engine import evaluate
+from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
 from mechsheet.formats import read
 from mechsheet.formula.book import Book
 from mechsheet.model import Mechanism
-from mechsheet.programs import answers, cannot_judge
+from mechsheet.programs import answers, cannot_judge, names_of, refuse_unknown
 
 __all__ = [
     "TOLERANCE",
+    "Baseline",
     "Comparison",
     "Edit",
     "Mutation",
     "Perturbation",
     "Report",
+    "Rules",
+    "Stored",
     "Tally",
     "check",
     "difference",
+    "judge",
     "mutate",
     "perturb",
+    "read_baseline",
     "with_twins",
 ]
 
 
-def check(path: str | Path, programs: Sequence[str] = (), progress: Callable[[str], None] | None = None) -> Report:
+def check(
+    path: str | Path,
+    programs: str | Sequence[str] = (),
+    progress: Callable[[str], None] | None = None,
+    rules: Rules | None = None,
+    baseline: Baseline | None = None,
+) -> Report:
     """Judge a description (.toml) or a workbook: engine against stored values, reference, and the named programs.
 
-    Raises MechsheetError when the file cannot be read, MissingProgramError when a program is not installed.
+    programs  names, or one text with commas: "libreoffice,ironcalc"
+    rules     tolerances, and cells that are left out;  baseline  differences of stored values that are accepted
+
+    A program that is not installed or cannot read the file is in `Report.missing`. Raises MechsheetError when the file
+    cannot be read, and MissingProgramError for a name that is no program's.
     """
+    report = judge(path, programs, progress, rules, baseline)
+    if report.stored is not None and report.stored.unmeant:
+        raise WorkbookError(report.stored.unmeant.values())
+    return report
+
+
+def judge(
+    path: str | Path,
+    programs: str | Sequence[str] = (),
+    progress: Callable[[str], None] | None = None,
+    rules: Rules | None = None,
+    baseline: Baseline | None = None,
+) -> Report:
+    """As `check`; cells to ignore that mean nothing in this file are left to the caller, who may have other files."""
+    asked = names_of(programs)
+    refuse_unknown(asked)
     path = Path(path)
-    say = progress or (lambda _: None)
+    work = _Work(asked, progress or (lambda _: None), rules or Rules(), baseline)
     if path.suffix.lower() == ".toml":
-        return _check_description(path, programs, say)
-    say("reading")
+        return _check_description(path, work)
+    work.say("reading")
+    return _check_book(read(path), path, readable_name(path), work)
 
-    return _check_book(read(path), path, readable_name(path), programs, say)
+
+@dataclass(frozen=True, slots=True)
+class _Work:
+    """What was asked for."""
+
+    programs: Sequence[str]
+    say: Callable[[str], None]
+    rules: Rules
+    baseline: Baseline | None
 
 
-def _check_description(path: Path, programs: Sequence[str], say: Callable[[str], None]) -> Report:
+def _check_description(path: Path, work: _Work) -> Report:
     """Build the workbook aside and judge that file."""
 
     mechanism = load(path)
     try:
-        return _check_built(mechanism, readable_name(path), programs, say)
+        return _check_built(mechanism, readable_name(path), work)
     except MechanismError as error:
         raise located(error, mechanism.text, readable_name(path)) from error
 
 
-def _check_built(mechanism: Mechanism, shown: str, programs: Sequence[str], say: Callable[[str], None]) -> Report:
+def _check_built(mechanism: Mechanism, shown: str, work: _Work) -> Report:
     with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
-        say("building")
+        work.say("building")
         (built,) = build(mechanism, folder)
-        return _check_book(read(built), built, shown, programs, say)
+        return _check_book(read(built), built, shown, work)
 
 
-def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say: Callable[[str], None]) -> Report:
-
-    say("recalculating")
-    values = evaluate(book)
-    if book.remarks or values.remarks:  # what is not computed as it is meant cannot be judged
-        raise WorkbookError((*book.remarks, *values.remarks))
-    stored = {sheet.title: sheet.cached for sheet in book.sheets}
-    comparisons = [compare_cells("stored values", book, values, lambda title, row, col: stored[title].get(row, col))]
+def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
+    work.say("recalculating")
+    stored, values = judge_stored(book, work.rules)
+    if work.baseline is not None:
+        stored = work.baseline.accept(Path(shown), stored)
+    comparisons = [stored.comparison()]
     remarks: list[str] = []
     edits: tuple[Edit, ...] = ()
     angles = Angles()
@@ -88,20 +129,29 @@ def _check_book(book: Book, path: Path, shown: str, programs: Sequence[str], say
     if text is None:
         remarks.append("no description inside: only recalculated, not compared with the reference")
     else:
-        say("looking for edits")
+        work.say("looking for edits")
         expected = expected_for(text, inside(shown), functions_in(book))
         found = audit(book, expected)
         edits = found.edits
-        say("solving")
+        work.say("solving")
         placed = MovedValues(values, found.moves) if found.moves else values
         comparison, of_inputs = against_plan(found.book, placed, expected.plan, shown)
         comparisons.append(comparison)
         remarks += [*found.remarks, *of_inputs]
         angles = angles_in(expected.plan)
-    for program in programs:
-        say(program)
+    missing: list[Fault] = []
+    for program in work.programs:
+        work.say(program)
         if reason := cannot_judge(program, (defined.name for defined in book.names)):
             remarks.append(reason)
             continue
-        comparisons.append(compare_cells(program, book, values, answers(program, path).get, angles))
-    return Report(shown, tuple(comparisons), tuple(remarks), edits)
+        try:
+            theirs = answers(program, path).get
+        except (
+            MissingProgramError,
+            WorkbookError,
+        ) as error:  # the other judges' answers are worth something without it
+            missing += error.faults
+            continue
+        comparisons.append(compare_cells(program, book, values, theirs, angles, work.rules, stored.unsure))
+    return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from mechsheet.checking.report import TOLERANCE, Comparison, Tally, difference
+from mechsheet.checking.report import Comparison, Tally, difference
+from mechsheet.checking.rules import Rules, ignored_in
 from mechsheet.checking.sought import names_an_equal_row
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar, shifted
@@ -47,29 +48,48 @@ def angles_in(plan: Plan) -> Angles:
 
 
 def compare_cells(
-    judge: str, book: Book, values: Any, theirs: Callable[[str, int, int], Scalar], angles: Angles | None = None
+    judge: str,
+    book: Book,
+    values: Any,
+    theirs: Callable[[str, int, int], Scalar],
+    angles: Angles | None = None,
+    rules: Rules | None = None,
+    but: Collection[int] = (),
 ) -> Comparison:
-    """The engine's value of every formula against `theirs(sheet, row, col)`."""
-    angles = angles or Angles()
-    tally = Tally(judge)
+    """The engine's value of every formula against `theirs(sheet, row, col)`, `but` those of some blocks, by their number."""
+    angles, rules = angles or Angles(), rules or Rules()
+    ignored = ignored_in(book, rules.ignore)
+    tally = Tally(judge, tolerance=rules.tolerance)
+    number = -1
     for sheet in book.sheets:
         for block in sheet.blocks:
+            number += 1
+            if number in but:
+                continue
             for col in range(block.col, block.col + block.cols):
                 ours = values.column(sheet.title, col, block.row, block.row + block.rows - 1)
                 scale = column_scale(ours, angles.size)
                 period = angles.periods.get((sheet.title, col))
                 for row, value in enumerate(ours, block.row):
+                    if ignored.has(sheet.title, row, col):
+                        continue
                     other = theirs(sheet.title, row, col)
                     apart = difference(value, other, scale, period)
-                    if apart > TOLERANCE:
+                    if apart > rules.tolerance and _is_near(value, other, rules.absolute):
+                        apart = 0.0
+                    if apart > rules.tolerance:
                         formula = shifted(block.formula, row - block.row, col - block.col)
                         if names_an_equal_row(formula, sheet.title, values, other, angles.size):
                             apart = 0.0
-                    if apart > tally.worst or apart > TOLERANCE:
+                    if apart > tally.worst or apart > rules.tolerance:
                         tally.note(apart, cell_address(sheet.title, row, col), value, other)
                     else:
                         tally.cells += 1
     return tally.result()
+
+
+def _is_near(ours: Scalar, theirs: Scalar, absolute: float) -> bool:
+    return type(ours) is float and type(theirs) is float and abs(ours - theirs) <= absolute
 
 
 def column_scale(column: Sequence[Scalar], size: float) -> float:

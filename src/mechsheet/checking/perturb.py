@@ -30,7 +30,7 @@ from mechsheet.engine import compile_book
 from mechsheet.formats import read, refresh
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
-from mechsheet.programs import Answers, answers_to_all, refuse_unknown
+from mechsheet.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.sheet.plan import EXISTS, Plan
 
 Place = tuple[str, int, int]
@@ -126,7 +126,7 @@ def perturb(
     path: str | Path,
     count: int,
     seed: int = 0,
-    programs: Sequence[str] = (),
+    programs: str | Sequence[str] = (),
     progress: Callable[[str], None] | None = None,
 ) -> Perturbation:
     """Type `count` random sets of dimensions and modes into the input cells of a workbook (or of what a description builds).
@@ -136,6 +136,7 @@ def perturb(
     """
     path = Path(path)
     say = progress or (lambda _: None)
+    programs = names_of(programs)
     refuse_unknown(programs)
     with workbook_of(path) as built:
         return _Run(built, readable_name(path), seed, say).over(count, programs)

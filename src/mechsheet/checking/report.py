@@ -5,9 +5,13 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mechsheet.formula.nodes import ErrorValue, Scalar
+
+if TYPE_CHECKING:
+    from mechsheet.checking.stored import Stored
+    from mechsheet.diagnostics import Fault
 
 TOLERANCE = 1e-9
 """Largest difference that counts as agreement: of lengths as a part of the mechanism's size, of angles in radians."""
@@ -60,12 +64,16 @@ class Report:
 
     edits    what somebody changed that is not there to be changed
     remarks  what a person should know (an input that was changed, a mode that was flipped …)
+    stored   the stored values, cell by cell
+    missing  programs that were asked for and are not there, with what to install: the check is not what was asked for
     """
 
     file: str
     comparisons: tuple[Comparison, ...]
     remarks: tuple[str, ...] = ()
     edits: tuple[Edit, ...] = ()
+    stored: Stored | None = None
+    missing: tuple[Fault, ...] = ()
 
     @property
     def agrees(self) -> bool:
@@ -93,6 +101,8 @@ class Report:
                 }
                 for item in self.comparisons
             ],
+            "stored": self.stored.as_dict() if self.stored is not None else None,
+            "missing": [fault.message for fault in self.missing],
         }
 
 
@@ -107,13 +117,14 @@ class Tally:
     ours: str = ""
     theirs: str = ""
     agrees: bool = True
+    tolerance: float = TOLERANCE
 
-    def note(self, difference: float, where: str, ours: Scalar, theirs: Scalar, tolerance: float = TOLERANCE) -> None:
+    def note(self, difference: float, where: str, ours: Scalar, theirs: Scalar) -> None:
         """Count one pair; NaN or infinity is a difference in kind (a number against an error)."""
         self.cells += 1
         if not math.isfinite(difference):
             difference = math.inf
-        if difference > tolerance:
+        if difference > self.tolerance:
             self.agrees = False
         if difference > self.worst:
             self.worst, self.where = difference, where
@@ -135,8 +146,7 @@ def difference(ours: Scalar, theirs: Scalar, scale: float = 1.0, period: float |
     """How far two cell values are apart: numbers as a part of `scale` (or of themselves, if larger); else 0 or infinity.
 
     Numbers with a period are compared modulo it, as a part of it. Any error equals any error: programs name the same
-    fault differently (#NUM! and #VALUE!). Numbers inside texts are compared as numbers: programs write them with 15 or
-    17 digits.
+    fault differently (#NUM! and #VALUE!). Texts as in `texts_apart`.
     """
     if isinstance(ours, ErrorValue) or isinstance(theirs, ErrorValue):
         return 0.0 if isinstance(ours, ErrorValue) and isinstance(theirs, ErrorValue) else math.inf
@@ -148,15 +158,20 @@ def difference(ours: Scalar, theirs: Scalar, scale: float = 1.0, period: float |
         return abs(ours - theirs) / max(scale, abs(ours), abs(theirs))
     if (ours or "") == (theirs or ""):
         return 0.0
-    return _texts_apart(ours, theirs) if isinstance(ours, str) and isinstance(theirs, str) else math.inf
+    return texts_apart(ours, theirs) if isinstance(ours, str) and isinstance(theirs, str) else math.inf
 
 
 _NUMBER = re.compile(r"([0-9]+\.[0-9]+(?:[eE][-+]?[0-9]+)?|[0-9]+)")
+_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
 
 
-def _texts_apart(ours: str, theirs: str) -> float:
-    """The largest relative difference of the numbers in two texts, infinity when anything else differs."""
-    parts = _NUMBER.split(ours), _NUMBER.split(theirs)
+def texts_apart(ours: str, theirs: str) -> float:
+    """The largest relative difference of the numbers in two texts, infinity when anything else differs.
+
+    Programs write numbers into texts with 15 or 17 digits, and with the decimal sign of their user's language: a comma
+    between two digits counts as a point.
+    """
+    parts = [_NUMBER.split(_COMMA.sub(".", text)) for text in (ours, theirs)]
     if parts[0][::2] != parts[1][::2]:
         return math.inf
     numbers = zip(map(float, parts[0][1::2]), map(float, parts[1][1::2]), strict=True)

@@ -1,42 +1,35 @@
-"""A recalculated workbook against the values stored in its file: which cells differ, and which of them came first."""
+"""A recalculated workbook against the values stored in its file: which cells differ, and which of them came first.
+
+This is the one judgement of stored values: `check` and `recalc --check` both ask `judge_stored`.
+"""
 
 from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby
+from pathlib import Path
 from typing import Any
 
-from mechsheet.checking.report import text_of
+from mechsheet.checking.report import Comparison, text_of, texts_apart
+from mechsheet.checking.rounding import Rounding
+from mechsheet.checking.rules import Ignored, Rules, ignored_in, unmeant
+from mechsheet.checking.tracing import Suspect, explained
+from mechsheet.diagnostics import Fault
+from mechsheet.engine import steady_plan
 from mechsheet.formula.book import Block, Book, BookSheet, Run
-from mechsheet.formula.functions import FUNCTIONS
-from mechsheet.formula.nodes import (
-    Binary,
-    Call,
-    CellRef,
-    ErrorValue,
-    NameRef,
-    Node,
-    RangeRef,
-    Scalar,
-    Unary,
-    shifted,
-    walk,
-)
+from mechsheet.formula.nodes import Binary, Call, ErrorValue, Node, Scalar, Unary, shifted, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_address
 
-TOLERANCE = 1e-9
-"""Largest relative difference of two numbers that count as equal."""
-ROUNDING = 1e-14
-"""What is lost when numbers cancel, as a part of the largest number that the formula reads."""
+JUDGE = "stored values"
+"""What the stored values are called among the judges."""
 
-MAX_TRACED = 5_000
-"""Up to so many differences are told apart into causes and what follows from them: each is compared with all."""
+LIBREOFFICE = "LibreOffice"
 
-Place = tuple[str, int, int]
+COMPUTE_ANEW = "saved by LibreOffice without being computed: open the file there, press Ctrl+Shift+F9, save it again"
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,8 +39,8 @@ class Difference:
     kind      "number", "text", "type" (a number against a text ...), "error" (an error against a value), "which error"
     size      relative difference of two numbers, infinity for what differs in kind
     functions of its formula, outermost first; "" when it has none
-    follows   whether it reads cells that differ themselves: then it need not be at fault
-    excused   whether volatile functions (NOW, RAND ...) account for it
+    follows   whether the stored value is what the formula gives for the stored values of the cells it reads: then it is
+              not at fault, they are
     """
 
     sheet: str
@@ -60,7 +53,6 @@ class Difference:
     functions: str
     formula: str
     follows: bool = False
-    excused: bool = False
 
     @property
     def address(self) -> str:
@@ -83,30 +75,70 @@ class Stored:
     """What the comparison found.
 
     formulas     cells with formulas that were computed;  equal, unstored  of these: as stored; without a stored value
-    kept         cells whose formulas could not be read and whose stored values were taken
+    kept         cells that cannot be computed (another workbook, an unknown function) and whose stored values were taken
+    volatile     cells with NOW, TODAY, RAND and their like: their stored values were taken too
+    ignored      cells that the rules leave out;  accepted  differences that a baseline accepts
+    uncomputed   cells that LibreOffice saved without computing them
+    worst        largest relative difference of two numbers that count as equal
     differences  in the order of sheets, columns and rows
+    sheets       titles of the sheets with formulas
+    remarks      what could not be computed as it is meant, with its cells
+    unmeant      what was to be ignored and means no cells of this workbook
+    unsure       numbers of the blocks whose values the workbook alone does not say, and of those that depend on them
     """
 
     formulas: int
     equal: int
     unstored: int
     kept: int
-    differences: tuple[Difference, ...] = field(default=())
+    volatile: int = 0
+    ignored: int = 0
+    accepted: int = 0
+    uncomputed: tuple[str, ...] = ()
+    worst: float = 0.0
+    differences: tuple[Difference, ...] = ()
+    sheets: tuple[str, ...] = ()
+    remarks: tuple[Fault, ...] = ()
+    unmeant: dict[str, Fault] = field(default_factory=dict)
+    unsure: frozenset[int] = frozenset()
 
     @property
     def agrees(self) -> bool:
-        """True when nothing differs but by volatile functions."""
-        return all(item.excused for item in self.differences)
+        """True when every stored value is what its formula gives for the stored values that it reads."""
+        return all(item.follows for item in self.differences)
+
+    @property
+    def nothing_stored(self) -> bool:
+        """Whether there are formulas, and no value is stored for any of them: then nothing was compared."""
+        return self.unstored == self.formulas > 0
+
+    @property
+    def doubts(self) -> tuple[Fault, ...]:
+        """What cannot be computed as it is meant; what changes by itself is computed as it is meant."""
+        return tuple(fault for fault in self.remarks if fault.about != "volatile")
+
+    def own(self) -> list[Difference]:
+        """The differences that follow from no other."""
+        return [item for item in self.differences if not item.follows]
 
     def groups(self) -> list[Group]:
-        """The differences that count and follow from no other, the largest groups first."""
-        found = [item for item in self.differences if not (item.follows or item.excused)]
+        """The differences that follow from no other, the largest groups first."""
         key = lambda item: (item.functions, item.kind)  # noqa: E731
         groups = [
-            (functions, kind, list(items)) for (functions, kind), items in groupby(sorted(found, key=key), key=key)
+            (functions, kind, list(items)) for (functions, kind), items in groupby(sorted(self.own(), key=key), key=key)
         ]
         groups.sort(key=lambda group: (-len(group[2]), group[0], group[1]))
         return [Group(f, kind, len(items), max(items, key=lambda item: item.size)) for f, kind, items in groups]
+
+    def comparison(self) -> Comparison:
+        """The same as one judge's answers among others."""
+        own = self.own()
+        cells = self.formulas - self.unstored
+        if not own:
+            return Comparison(JUDGE, cells, self.worst)
+        worst = max(own, key=lambda item: item.size)
+        theirs = (text_of(worst.ours), text_of(worst.theirs))
+        return Comparison(JUDGE, cells, worst.size, worst.address, *theirs, agrees=False)
 
     def as_dict(self) -> dict[str, Any]:
         """The findings as JSON data."""
@@ -116,6 +148,14 @@ class Stored:
             "equal": self.equal,
             "without a stored value": self.unstored,
             "kept": self.kept,
+            "volatile": self.volatile,
+            "ignored": self.ignored,
+            "accepted": self.accepted,
+            "uncomputed": list(self.uncomputed),
+            "remarks": [
+                {"cells": fault.key, "message": fault.message, "hint": fault.hint, "about": fault.about}
+                for fault in self.remarks
+            ],
             "groups": [
                 {"functions": g.functions, "kind": g.kind, "cells": g.cells, "worst": _json_size(g.first.size)}
                 for g in self.groups()
@@ -130,7 +170,6 @@ class Stored:
                     "computed": text_of(item.ours),
                     "stored": text_of(item.theirs),
                     "follows": item.follows,
-                    "volatile": item.excused,
                 }
                 for item in self.differences
             ],
@@ -141,55 +180,142 @@ def _json_size(size: float) -> float | None:
     return size if math.isfinite(size) else None
 
 
-def compare_with_stored(book: Book, values: Any, which_error: bool = True) -> Stored:
+def judge_stored(book: Book, rules: Rules | None = None) -> tuple[Stored, Any]:
+    """Compute a book anew and compare with what its file holds; with the values computed.
+
+    Volatile functions keep their stored values, so that what reads them can be judged.
+    """
+    plan = steady_plan(book)
+    values = plan.evaluate()
+    own, reached = plan.unsure()
+    found = compare_with_stored(book, values, rules or Rules(), own, plan.resolved.unsteady)
+    return replace(found, remarks=(*book.remarks, *values.remarks), unsure=reached), values
+
+
+def compare_with_stored(
+    book: Book, values: Any, rules: Rules, unsure: Collection[int] = (), unsteady: Collection[int] = ()
+) -> Stored:
     """The values computed against those stored in the file `book` was read from.
 
-    which_error  whether different errors are a difference (LibreOffice's files have fewer of them than Excel's)
+    unsure    numbers of blocks that are not judged;  unsteady  those of them that hold volatile functions
     """
-    differences: list[tuple[Difference, Node]] = []
-    counts: Counter[str] = Counter()
+    work = _Comparing(book, values, rules)
+    number = 0
     for sheet in book.sheets:
         for block in sheet.blocks:
-            for col in range(block.col, block.col + block.cols):
-                differences += _column(sheet, block, col, values, which_error, counts)
-        counts["stored"] += sum(len(run.values) for runs in sheet.cached.columns.values() for run in runs)
-    stored = counts["formulas"] - counts["unstored"]
-    return Stored(
-        counts["formulas"],
-        stored - len(differences),
-        counts["unstored"],
-        max(counts["stored"] - stored, 0),
-        _causes(book, differences),
-    )
+            if number in unsteady:
+                work.counts["volatile"] += block.rows * block.cols
+            elif number in unsure:
+                work.counts["kept"] += work.stored_in(sheet, block)
+            else:
+                for col in range(block.col, block.col + block.cols):
+                    work.column(sheet, block, col)
+            work.counts["in blocks"] += work.stored_in(sheet, block)
+            number += 1
+        work.counts["stored"] += sum(len(run.values) for runs in sheet.cached.columns.values() for run in runs)
+    return work.result()
 
 
-def _column(
-    sheet: BookSheet, block: Block, col: int, values: Any, which_error: bool, counts: Counter[str]
-) -> Iterator[tuple[Difference, Node]]:
-    """The differences in one column of a block."""
-    first, last = block.row, block.row + block.rows - 1
-    ours: list[Scalar] = values.column(sheet.title, col, first, last)
-    theirs = _values(sheet.cached.columns.get(col, ()), first, last)
-    counts["formulas"] += block.rows
-    counts["unstored"] += theirs.count(None)
-    if ours == theirs and list(map(type, ours)) == list(map(type, theirs)):
-        return
-    for row, (mine, other) in enumerate(zip(ours, theirs, strict=True), first):
-        if other is None or (type(mine) is type(other) and mine == other):
-            continue
-        kind, size = _apart(mine, other)
-        if not kind or size <= TOLERANCE or (kind == "which error" and not which_error):
-            continue
+class _Comparing:
+    """A comparison while it runs."""
+
+    def __init__(self, book: Book, values: Any, rules: Rules) -> None:
+        self.book, self.values, self.rules = book, values, rules
+        self.ignored: Ignored = ignored_in(book, rules.ignore)
+        self.rounding = Rounding(book, values)
+        self.counts: Counter[str] = Counter()
+        self.worst = 0.0
+        self.found: list[tuple[Difference, Suspect]] = []
+        self.uncomputed: list[str] = []
+        self.libreoffice = LIBREOFFICE in book.program
+        self.ods = Path(book.source).suffix.lower() in (".ods", ".ots")
+
+    def stored_in(self, sheet: BookSheet, block: Block) -> int:
+        """How many cells of a block have a stored value."""
+        last = block.row + block.rows - 1
+        columns = (sheet.cached.columns.get(col, ()) for col in range(block.col, block.col + block.cols))
+        return sum(max(0, min(run.end, last + 1) - max(run.row, block.row)) for runs in columns for run in runs)
+
+    def column(self, sheet: BookSheet, block: Block, col: int) -> None:
+        """One column of a block."""
+        first, last = block.row, block.row + block.rows - 1
+        ours: list[Scalar] = self.values.column(sheet.title, col, first, last)
+        theirs = _values(sheet.cached.columns.get(col, ()), first, last)
+        if self.ignored.areas:
+            left_out = [row for row in range(first, last + 1) if self.ignored.has(sheet.title, row, col)]
+            self.counts["ignored"] += len(left_out)
+            self.counts["formulas"] -= len(left_out)
+            for row in left_out:
+                ours[row - first] = theirs[row - first] = 0.0
+        self.counts["formulas"] += block.rows
+        self.counts["unstored"] += theirs.count(None)
+        if ours == theirs and list(map(type, ours)) == list(map(type, theirs)):
+            return
+        for row, (mine, other) in enumerate(zip(ours, theirs, strict=True), first):
+            if other is not None and not (type(mine) is type(other) and mine == other):
+                self.cell(sheet, block, (row, col), mine, other)
+
+    def cell(self, sheet: BookSheet, block: Block, place: tuple[int, int], ours: Scalar, theirs: Scalar) -> None:
+        """One cell whose values are not the same to the last bit."""
+        kind, size = self.apart(ours, theirs)
+        if not kind and size <= self.worst:
+            return
+        row, col = place
         filled = block.kind == "fill"
         formula = shifted(block.formula, row - block.row, col - block.col) if filled else block.formula
-        if (
-            isinstance(mine, float)
-            and isinstance(other, float)
-            and _is_rounding(formula, sheet.title, values, mine, other)
-        ):
-            continue
-        names, text = _functions(formula), print_formula(formula)
-        yield Difference(sheet.title, row, col, kind, size, mine, other, names, text), formula
+        if self.rounding.accounts_for(formula, sheet.title, ours, theirs):
+            return
+        if not kind:
+            self.worst = size
+            return
+        if self.libreoffice and kind in ("type", "error") and theirs == 0.0:
+            self.uncomputed.append(cell_address(sheet.title, row, col))
+            return
+        difference = Difference(
+            sheet.title, row, col, kind, size, ours, theirs, _functions(formula), print_formula(formula)
+        )
+        self.found.append((difference, Suspect(sheet.title, row, col, block, theirs)))
+
+    def apart(self, ours: Scalar, theirs: Scalar) -> tuple[str, float]:
+        """(kind, size) of the difference of two values; kind "" when they count as equal."""
+        if isinstance(ours, ErrorValue) or isinstance(theirs, ErrorValue):
+            both = isinstance(ours, ErrorValue) and isinstance(theirs, ErrorValue)
+            # LibreOffice's files have fewer kinds of errors than Excel's.
+            same = both and (self.ods or self.libreoffice or str(ours).upper() == str(theirs).upper())
+            return ("", 0.0) if same else ("which error" if both else "error", math.inf)
+        if isinstance(ours, bool | float) and isinstance(theirs, bool | float):
+            if isinstance(ours, bool) is not isinstance(theirs, bool):  # LibreOffice has no type for truth values
+                return ("", 0.0) if ours == theirs else ("type", math.inf)
+            gap = abs(ours - theirs)
+            size = gap / max(abs(ours), abs(theirs), 5e-324)
+            return ("" if size <= self.rules.tolerance or gap <= self.rules.absolute else "number"), size
+        if (ours is None or ours == "") and theirs == "":
+            return "", 0.0
+        if isinstance(ours, str) and isinstance(theirs, str):
+            size = 0.0 if ours == theirs else texts_apart(ours, theirs)
+            return ("" if size <= self.rules.tolerance else "text"), size
+        return "type", math.inf
+
+    def result(self) -> Stored:
+        """What was found, with what follows from what."""
+        follows = explained(self.book, self.values, [suspect for _, suspect in self.found], self.apart)
+        differences = [replace(item, follows=known) for (item, _), known in zip(self.found, follows, strict=True)]
+        if all(follows):  # nothing is at fault: what differs is rounding that grew on its way
+            differences = []
+        counts = self.counts
+        return Stored(
+            counts["formulas"],
+            counts["formulas"] - counts["unstored"] - len(differences) - len(self.uncomputed),
+            counts["unstored"],
+            counts["kept"] + max(counts["stored"] - counts["in blocks"], 0),
+            counts["volatile"],
+            counts["ignored"],
+            uncomputed=tuple(self.uncomputed),
+            worst=self.worst,
+            differences=tuple(differences),
+            sheets=tuple(sheet.title for sheet in self.book.sheets if sheet.blocks),
+            unmeant=unmeant(self.book, self.rules.ignore),
+        )
 
 
 def _values(runs: Sequence[Run], first: int, last: int) -> list[Scalar]:
@@ -202,111 +328,13 @@ def _values(runs: Sequence[Run], first: int, last: int) -> list[Scalar]:
     return found
 
 
-def _apart(ours: Scalar, theirs: Scalar) -> tuple[str, float]:
-    """(kind, size) of the difference of two values; ("", 0) when there is none."""
-    if isinstance(ours, ErrorValue) or isinstance(theirs, ErrorValue):
-        both = isinstance(ours, ErrorValue) and isinstance(theirs, ErrorValue)
-        same = both and str(ours).upper() == str(theirs).upper()
-        return ("", 0.0) if same else ("which error" if both else "error", math.inf)
-    if type(ours) is float and type(theirs) is float:
-        return "number", abs(ours - theirs) / max(abs(ours), abs(theirs), 5e-324)
-    if (ours is None or ours == "") and theirs == "":
-        return "", 0.0
-    if isinstance(ours, str) and isinstance(theirs, str):
-        return ("", 0.0) if ours == theirs else ("text", math.inf)
-    return ("", 0.0) if ours == theirs and type(ours) is type(theirs) else ("type", math.inf)
-
-
-def _is_rounding(formula: Node, title: str, values: Any, ours: float, theirs: float) -> bool:
-    """Whether a difference is what remains when large numbers cancel: nothing beside the numbers that the formula reads."""
-    largest = 0.0
-    for part in walk(formula):
-        cells: list[CellRef] = []
-        if isinstance(part, CellRef):
-            cells = [part]
-        elif isinstance(part, RangeRef):
-            cells = [part.start, part.end]
-        for cell in cells:
-            try:
-                value = values.get(cell.sheet or title, cell.row, cell.col)
-            except KeyError:
-                continue
-            if isinstance(value, float):
-                largest = max(largest, abs(value))
-    return abs(ours - theirs) <= ROUNDING * largest
-
-
 def _functions(formula: Node) -> str:
     """The functions of a formula, outermost first, at most three; the operators of one without functions."""
     names = list(dict.fromkeys(part.name for part in walk(formula) if isinstance(part, Call)))
     if names:
         return ", ".join(names[:3])
-    operators = dict.fromkeys(part.op for part in walk(formula) if isinstance(part, Binary | Unary))
-    return " ".join(operators)
+    return " ".join(_operators(formula))
 
 
-def _causes(book: Book, differences: Sequence[tuple[Difference, Node]]) -> tuple[Difference, ...]:
-    """The differences with what they follow from: other differences that they read, and volatile functions."""
-    if len(differences) > MAX_TRACED:
-        return tuple(item for item, _ in differences)
-    places = {(item.sheet.casefold(), item.row, item.col): number for number, (item, _) in enumerate(differences)}
-    rows: dict[str, list[Place]] = {}
-    for place in places:
-        rows.setdefault(place[0], []).append(place)
-    names = {name.name.casefold(): name.formula for name in book.names}
-    reads: list[set[int]] = []
-    volatile: list[bool] = []
-    for number, (item, formula) in enumerate(differences):
-        parts = [part for node in _with_names(formula, names) for part in walk(node)]
-        found = {places[place] for part in parts for place in _read(part, item.sheet, places, rows)}
-        reads.append(found - {number})
-        volatile.append(any(isinstance(part, Call) and _is_volatile(part.name) for part in parts))
-    excused = _spread(volatile, reads)
-    return tuple(
-        replace(item, follows=bool(reads[number]), excused=excused[number])
-        for number, (item, _) in enumerate(differences)
-    )
-
-
-def _is_volatile(name: str) -> bool:
-    row = FUNCTIONS.get(name)
-    return row is not None and row.volatile
-
-
-def _with_names(formula: Node, names: Mapping[str, Node]) -> Iterator[Node]:
-    """The formula, and what the names in it stand for (each once)."""
-    waiting, seen = [formula], set[str]()
-    while waiting:
-        node = waiting.pop()
-        yield node
-        for part in walk(node):
-            if isinstance(part, NameRef) and part.name.casefold() not in seen:
-                seen.add(part.name.casefold())
-                if part.name.casefold() in names:
-                    waiting.append(names[part.name.casefold()])
-
-
-def _read(part: Node, title: str, places: Mapping[Place, int], rows: Mapping[str, list[Place]]) -> list[Place]:
-    """Cells that differ among those that a reference means."""
-    if isinstance(part, CellRef):
-        place = ((part.sheet or title).casefold(), part.row, part.col)
-        return [place] if place in places else []
-    if isinstance(part, RangeRef):
-        start, end = part.start, part.end
-        top, bottom = sorted((start.row, end.row))
-        left, right = sorted((start.col, end.col))
-        here = rows.get((start.sheet or title).casefold(), [])
-        return [place for place in here if top <= place[1] <= bottom and left <= place[2] <= right]
-    return []
-
-
-def _spread(volatile: Sequence[bool], reads: Sequence[set[int]]) -> list[bool]:
-    """Which differences volatile functions account for: their own, or those of all the differing cells they read."""
-    excused = list(volatile)
-    changed = True
-    while changed:
-        changed = False
-        for number, read in enumerate(reads):
-            if not excused[number] and read and all(excused[other] for other in read):
-                excused[number] = changed = True
-    return excused
+def _operators(formula: Node) -> Iterator[str]:
+    yield from dict.fromkeys(part.op for part in walk(formula) if isinstance(part, Binary | Unary))

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from mechsheet.checking.cells import column_scale
 from mechsheet.checking.inputs import description_in
-from mechsheet.checking.report import TOLERANCE, Comparison, Report, Tally, difference
+from mechsheet.checking.report import Comparison, Report, Tally, difference
 from mechsheet.checking.trees import Formulas, neutral, stretches
 from mechsheet.formats import READERS, read
 from mechsheet.formula.book import Book, BookSheet, CellStore
@@ -104,4 +104,4 @@ def _compare_values(tally: Tally, title: str, ours: CellStore, theirs: CellStore
 
 def _compare_value(tally: Tally, where: str, ours: Scalar, theirs: Scalar, scale: float) -> None:
     apart = 0.0 if ours == theirs else difference(ours, theirs, scale)
-    tally.note(apart, where, ours, theirs, TOLERANCE)
+    tally.note(apart, where, ours, theirs)

@@ -4,29 +4,28 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any
 
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
 
-from .common import JSON, progress
-
-if TYPE_CHECKING:
-    from mechsheet.checking import Mutation, Perturbation, Report
-
-Found = TypeVar("Found")
+from .common import JSON
+from .gate import Gate, concluded, fails, gate_options, of_each, workbooks
 
 
 @click.command()
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option("--with", "programs", default="", help="Other judges: formulas, ironcalc, libreoffice, gnumeric.")
+@click.option(
+    "--with", "programs", default="", help="Other judges: formulas, ironcalc, libreoffice, gnumeric, onlyoffice."
+)
 @click.option("--perturb", type=click.IntRange(min=1), metavar="N", help="Type N random sets of inputs and compare.")
 @click.option("--mutate", type=click.IntRange(min=1), metavar="N", help="Damage N formulas: would anybody notice?")
 @click.option("--seed", default=0, show_default=True, help="Another seed: other random sets, other damages.")
-@click.option("--junit", "junit_file", type=click.Path(path_type=Path), help="Write a report for build servers.")
+@gate_options
+@click.option("--strict", is_flag=True, help="Exit code 1 also when something cannot be computed or compared.")
 @click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
 @click.option("-v", "--verbose", is_flag=True, help="Say everything of each file, also of many.")
 @JSON
@@ -36,10 +35,10 @@ def check(
     perturb: int | None,
     mutate: int | None,
     seed: int,
-    junit_file: Path | None,
     quiet: bool,
     verbose: bool,
     as_json: bool,
+    **options: Any,
 ) -> None:
     """Recalculate and compare: engine, stored values, numpy reference, other programs.
 
@@ -50,84 +49,80 @@ def check(
     mechsheet check four-bar.xlsx four-bar.ods      also: are they the same, cell by cell?
     mechsheet check four-bar.xlsx --perturb 100 --with libreoffice
     mechsheet check four-bar.xlsx --mutate 200
-    mechsheet check --junit report.xml *.xlsx       a line for each file, details where something is wrong
+    mechsheet check workbooks --junit report.xml    every workbook in a folder and below
+    mechsheet check workbooks --baseline accepted.txt --update-baseline
 
-    Exit code 0: all agree; 1: something differs, or was edited, or a damage escapes; 2: cannot be read.
+    Exit code 0: all agree; 1: something differs, or was edited, or a damage escapes; 2:
+    cannot be read, or a judge is missing.
     """
-    from .printing import print_line, print_mutation, print_perturbation, print_report
-
-    judges = [part.strip() for part in programs.split(",") if part.strip()]
-    if mutate is not None and (judges or perturb is not None):
+    gate = Gate(**options)
+    mode = "--mutate" if mutate is not None else "--perturb"
+    if mutate is not None and (programs or perturb is not None):
         raise MechsheetError(Fault("--mutate goes with --seed and --json only", key="--mutate"))
-    if junit_file is not None and (mutate is not None or perturb is not None):
-        raise MechsheetError(Fault("--junit does not go with --perturb and --mutate", key="--junit"))
-    faults: list[Fault] = []
-    reports: list[Report] | list[Perturbation] | list[Mutation]
-    show: Callable[[Any], None] = print_report
-    if perturb is not None:
-        reports = _perturbed(files, perturb, seed, judges, faults)
-        show = print_perturbation
-    elif mutate is not None:
-        reports = _mutated(files, mutate, seed, faults)
-        show = print_mutation
+    if (mutate is not None or perturb is not None) and (gate.given() or gate.strict):
+        given = ", ".join([*gate.given(), *(["--strict"] if gate.strict else [])])
+        raise MechsheetError(Fault(f"{given} does not go with --perturb and --mutate", key=mode))
+    found = workbooks(files)
+    if mutate is None and perturb is None:
+        _check(found, programs, gate, quiet, verbose, as_json)
     else:
-        reports = _checked(files, judges, faults)
-        if junit_file is not None:
-            _write_junit(junit_file, reports, faults)
+        _try_out(found, programs, perturb, mutate, seed, quiet, as_json)
+
+
+def _check(files: Sequence[Path], programs: str, gate: Gate, quiet: bool, verbose: bool, as_json: bool) -> None:
+    """The plain check."""
+    from mechsheet.checking import judge, with_twins
+    from mechsheet.programs import names_of, refuse_unknown
+
+    from .printing import print_line, print_report
+
+    asked = names_of(programs)
+    refuse_unknown(asked)
+    rules, baseline = gate.rules(), gate.accepted()
+    faults: list[Fault] = []
+    reports = with_twins(of_each(files, faults, lambda file, say: judge(file, asked, say, rules, baseline)))
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:
         for report in reports:
-            if report.agrees and quiet:
+            fine = report.agrees and not fails(report, gate) and not report.missing
+            if fine and quiet:
                 continue
-            if report.agrees and show is print_report and len(files) > 1 and not verbose:
+            if fine and len(files) > 1 and not verbose:
                 print_line(report)
             else:
-                show(report)
+                print_report(report)
+    concluded(gate, reports, baseline, faults)
+
+
+def _try_out(
+    files: Sequence[Path],
+    programs: str,
+    perturb: int | None,
+    mutate: int | None,
+    seed: int,
+    quiet: bool,
+    as_json: bool,
+) -> None:
+    """Random inputs, or damaged formulas."""
+    from mechsheet import checking
+
+    from .printing import print_mutation, print_perturbation
+
+    faults: list[Fault] = []
+    reports: list[Any]
+    if perturb is not None:
+        reports = of_each(files, faults, lambda file, say: checking.perturb(file, perturb, seed, programs, say))
+    else:
+        count = mutate or 1
+        reports = of_each(files, faults, lambda file, say: checking.mutate(file, count, seed, say))
+    if as_json:
+        click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
+    else:
+        for report in reports:
+            if not (report.agrees and quiet):
+                (print_mutation if perturb is None else print_perturbation)(report)
     if faults:
         raise MechsheetError(faults)
     if not all(report.agrees for report in reports):
         sys.exit(1)
-
-
-def _of_each(
-    files: tuple[Path, ...], faults: list[Fault], judge: Callable[[Path, Callable[[str], None]], Found]
-) -> list[Found]:
-    """What `judge` finds in each file; a file that cannot be judged does not keep the others from it."""
-    found = []
-    for file in files:
-        with progress(file.name) as say:
-            try:
-                found.append(judge(file, say))
-            except MechsheetError as error:
-                faults += error.faults
-    return found
-
-
-def _write_junit(path: Path, reports: list[Report], faults: list[Fault]) -> None:
-    from mechsheet.formats.archive import replace_file
-
-    from .junit import junit
-
-    replace_file(path, junit(reports, faults))
-
-
-def _checked(files: tuple[Path, ...], judges: list[str], faults: list[Fault]) -> list[Report]:
-    from mechsheet.checking import check as check_file
-    from mechsheet.checking import with_twins
-
-    return with_twins(_of_each(files, faults, lambda file, say: check_file(file, judges, say)))
-
-
-def _perturbed(
-    files: tuple[Path, ...], count: int, seed: int, judges: list[str], faults: list[Fault]
-) -> list[Perturbation]:
-    from mechsheet.checking import perturb
-
-    return _of_each(files, faults, lambda file, say: perturb(file, count, seed, judges, say))
-
-
-def _mutated(files: tuple[Path, ...], count: int, seed: int, faults: list[Fault]) -> list[Mutation]:
-    from mechsheet.checking import mutate
-
-    return _of_each(files, faults, lambda file, say: mutate(file, count, seed, say))

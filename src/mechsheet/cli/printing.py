@@ -8,6 +8,8 @@ import click
 
 from mechsheet.checking.mutate import by_kind, by_sheet
 
+from .remarks import grouped, remark_lines, stored_lines
+
 WIDTH = 80
 """Signs of a line on a terminal."""
 
@@ -27,7 +29,8 @@ EDITS = 40
 def print_line(report: Any) -> None:
     """A check of many: all in one line."""
     worst = max((item.worst for item in report.comparisons), default=0.0)
-    notes = f"; notes: {len(report.remarks)}" if report.remarks else ""
+    count = len(report.remarks) + (len(grouped(report.stored.remarks)) if report.stored is not None else 0)
+    notes = f"; notes: {count}" if count else ""
     judges = ", ".join(item.judge for item in report.comparisons)
     line = f"{report.file}: all agree, worst {worst:.0e} ({judges}){notes}"
     if len(line) > WIDTH:
@@ -43,6 +46,9 @@ def print_report(report: Any) -> None:
         click.echo(f"  {item.judge:<14} {verdict} {item.worst:6.0e} in {item.cells:>6} values  {item.where}")
         if not item.agrees:
             click.echo(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
+        if report.stored is not None and item is report.comparisons[0]:
+            for line in stored_lines(report.stored)[1:]:
+                click.echo(f"  {line}")
     for edit in report.edits[:EDITS]:
         was, now = focused(edit.was, edit.now)
         click.echo(f"  edited: {edit.where} {_WORDS.get(edit.kind, edit.kind)}{edit.note}")
@@ -52,8 +58,10 @@ def print_report(report: Any) -> None:
         click.echo(f"          is  {now or 'empty'}")
     if len(report.edits) > EDITS:
         click.echo(f"  edited: {len(report.edits) - EDITS} more places (all with --json)")
-    for remark in report.remarks:
+    for remark in [*report.remarks, *(remark_lines(report.stored.remarks) if report.stored is not None else ())]:
         click.echo(f"  note: {remark}")
+    for fault in report.missing:
+        click.echo(f"  note: {fault.message}: skipped")
 
 
 _WORDS = {

@@ -5,46 +5,45 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
 from .common import JSON, progress, settings_of
+from .gate import Gate, concluded, gate_options, of_each, workbooks
+from .remarks import cell_text, remark_lines, stored_lines
 
 if TYPE_CHECKING:
-    from mechsheet.checking.stored import Stored
+    from mechsheet.checking import Baseline, Report, Rules
     from mechsheet.recalculation import Result
-
-MOST_LINES = 50
-"""Most notes and most groups of differences that are printed; --json has all of them."""
 
 
 @click.command()
-@click.argument("workbook", type=click.Path(path_type=Path))
+@click.argument("files", nargs=-1, required=True, metavar="WORKBOOK...", type=click.Path(path_type=Path))
 @click.option(
     "--set", "settings", multiple=True, metavar="CELL=VALUE", help="Set a named cell or Sheet!B2; may be repeated."
 )
 @click.option(
     "--print", "ranges", multiple=True, metavar="RANGE", help="Print Sheet!A1:C9, tab separated; may be repeated."
 )
-@click.option("--check", is_flag=True, help="Compare with the stored values instead; exit code 1 when any differs.")
-@click.option("--strict", is_flag=True, help="Exit code 1 when anything cannot be computed as it is meant.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the recalculated workbook there.")
+@click.option("--strict", is_flag=True, help="Exit code 1 also when something cannot be computed or compared.")
+@click.option("--check", is_flag=True, help="Compare with the stored values instead, of files and whole folders.")
+@gate_options
 @JSON
 def recalc(
-    workbook: Path,
+    files: tuple[Path, ...],
     settings: tuple[str, ...],
     ranges: tuple[str, ...],
     check: bool,
-    strict: bool,
     output: Path | None,
     as_json: bool,
+    **options: Any,
 ) -> None:
     """Recalculate any workbook (.xlsx, .xlsm, .ods) without a spreadsheet program.
 
@@ -52,16 +51,35 @@ def recalc(
     mechsheet recalc book.xlsx --set rate=0.07 --print 'Plan!A1:C9'
     mechsheet recalc book.xlsx --set 'Plan!B2=3' -o new.xlsx      all else stays as it was
     mechsheet recalc book.xlsx --check                            does it hold what its formulas say?
+    mechsheet recalc --check workbooks --junit report.xml         every workbook in a folder and below
 
     What cannot be computed as it is meant (an unknown function, another workbook, a circle ...) is named on standard
-    error, cell by cell.
+    error. The cells of a function that is not known keep their stored values, and what depends on them is computed from
+    these.
 
-    Exit code 0: done; 1: --check found a difference, or --strict anything to remark; 2: cannot be read.
+    Exit code 0: done, all agree; 1: --check found a difference, or --strict anything to remark; 2: cannot be read.
     """
+    gate = Gate(**options)
+    if check:
+        if settings:
+            raise MechsheetError(Fault("--check compares with the stored values, which know nothing of --set"))
+        if ranges or output is not None:
+            raise MechsheetError(Fault("--check compares: it goes without --print and -o"))
+        _check(workbooks(files), gate, as_json)
+        return
+    if gate.given():
+        raise MechsheetError(Fault(f"{', '.join(gate.given())}: only with --check"))
+    if len(files) > 1:
+        raise MechsheetError(Fault(f"{len(files)} workbooks: one at a time is recalculated, several only with --check"))
+    _recalculate(files[0], settings, ranges, output, as_json, gate.strict)
+
+
+def _recalculate(
+    workbook: Path, settings: tuple[str, ...], ranges: tuple[str, ...], output: Path | None, as_json: bool, strict: bool
+) -> None:
+    """Set, compute, print, write."""
     from mechsheet.recalculation import recalc as recalculate
 
-    if check and settings:
-        raise MechsheetError(Fault("--check compares with the stored values, which know nothing of --set"))
     with progress(workbook.name) as say:
         say("recalculating")
         result = recalculate(workbook, settings_of(settings))
@@ -69,29 +87,51 @@ def recalc(
     if output is not None:
         result.write(output)
         click.echo(f"wrote {output.as_posix()}", err=True)
-    _print_notes(result.remarks)
-    stored = result.compare_with_stored() if check else None
-    if stored is not None:
-        click.echo(json.dumps(stored.as_dict(), ensure_ascii=False) if as_json else _check_text(stored), nl=True)
-    if areas and not (check and as_json):
+    _print_notes("", result.remarks)
+    if areas:
         _print_areas(result, areas, as_json)
-    elif stored is None and as_json:
-        click.echo(json.dumps(result.as_dict(), ensure_ascii=False))
-    elif stored is None and output is None:
+    elif as_json:
+        click.echo(json.dumps(result.as_dict()))
+    elif output is None:
         for name, value in result.named().items():
             click.echo(f"{name} = {value}")
-    if (stored is not None and not stored.agrees) or (strict and result.remarks):
+    if strict and any(fault.about != "volatile" for fault in result.remarks):
         sys.exit(1)
 
 
-def _print_notes(remarks: Iterable[Fault]) -> None:
-    """What cannot be computed as it is meant, a line each."""
-    remarks = list(remarks)
-    for remark in remarks[:MOST_LINES]:
-        place = f"{remark.key}: " if remark.key else ""
-        click.echo(f"note: {place}{remark.message}{f' ({remark.hint})' if remark.hint else ''}", err=True)
-    if len(remarks) > MOST_LINES:
-        click.echo(f"note: and {len(remarks) - MOST_LINES} more", err=True)
+def _check(files: Sequence[Path], gate: Gate, as_json: bool) -> None:
+    """The stored values of each file."""
+    rules, baseline = gate.rules(), gate.accepted()
+    faults: list[Fault] = []
+    reports = of_each(files, faults, lambda file, say: _judged(file, say, rules, baseline))
+    for report in reports:
+        assert report.stored is not None
+        head = f"{report.file}: " if len(files) > 1 else ""
+        _print_notes(head, report.stored.remarks)
+        if not as_json:
+            click.echo(head + "\n".join(stored_lines(report.stored)))
+    if as_json:
+        found = [{"file": report.file, **report.stored.as_dict()} for report in reports if report.stored is not None]
+        click.echo(json.dumps(found, indent=2))
+    concluded(gate, reports, baseline, faults)
+
+
+def _judged(file: Path, say: Callable[[str], None], rules: Rules, baseline: Baseline | None) -> Report:
+    from mechsheet.checking import Report
+    from mechsheet.checking.stored import judge_stored
+    from mechsheet.formats import read
+
+    say("recalculating")
+    stored, _ = judge_stored(read(file), rules)
+    if baseline is not None:
+        stored = baseline.accept(file, stored)
+    return Report(readable_name(file), (stored.comparison(),), stored=stored)
+
+
+def _print_notes(head: str, remarks: Iterable[Fault]) -> None:
+    """What cannot be computed as it is meant: a line for each function, not for each cell."""
+    for line in remark_lines(remarks):
+        click.echo(f"note: {head}{line}", err=True)
 
 
 def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
@@ -105,49 +145,12 @@ def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
             cells = found.setdefault(area.sheet, {})
             for row, values in enumerate(result.table(area), area.row):
                 cells.update({cell_name(row, col): plain(value) for col, value in enumerate(values, area.col)})
-        click.echo(json.dumps(found, ensure_ascii=False))
+        click.echo(json.dumps(found))
         return
     for number, area in enumerate(areas):
         if number:
             click.echo()
         text = io.StringIO()
         writer = csv.writer(text, "excel-tab", lineterminator="\n")
-        writer.writerows([_cell_text(value) for value in row] for row in result.table(area))
+        writer.writerows([cell_text(value) for value in row] for row in result.table(area))
         click.echo(text.getvalue(), nl=False)
-
-
-def _cell_text(value: object) -> str:
-    """A value as a table shows it: numbers with all their digits, TRUE and FALSE."""
-    if value is None:
-        return ""
-    if isinstance(value, bool):
-        return str(value).upper()
-    if isinstance(value, float):
-        return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
-    return str(value)
-
-
-def _check_text(stored: Stored) -> str:
-    """What a comparison with the stored values found."""
-    lines = [f"{stored.formulas} formulas: {stored.equal} as stored, {len(stored.differences)} differ"]
-    if stored.unstored:
-        lines.append(f"  {stored.unstored} have no stored value")
-    if stored.kept:
-        lines.append(f"  {stored.kept} more were not computed: their stored values were taken")
-    excused = sum(item.excused for item in stored.differences)
-    follow = sum(item.follows and not item.excused for item in stored.differences)
-    if excused:
-        lines.append(f"  {excused} differ by functions that change by themselves (NOW, RAND ...)")
-    if follow:
-        lines.append(f"  {follow} read cells that differ themselves; the others, by their functions:")
-    groups = stored.groups()
-    for group in groups[:MOST_LINES]:
-        size = f" by {group.first.size:.1e}" if math.isfinite(group.first.size) else ""
-        lines.append(f"  {group.cells:>7} {group.kind}{size}  {group.functions or 'references'}")
-        shown = group.first.formula if len(group.first.formula) <= 80 else group.first.formula[:77] + "..."
-        lines.append(f"{'':>10}{group.first.address} ={shown}")
-        ours, theirs = _cell_text(group.first.ours), _cell_text(group.first.theirs)
-        lines.append(f"{'':>10}computed {ours or 'nothing'}, stored {theirs or 'nothing'}")
-    if len(groups) > MOST_LINES:
-        lines.append(f"  and {len(groups) - MOST_LINES} groups more")
-    return "\n".join(lines)

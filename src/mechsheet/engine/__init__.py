@@ -1,7 +1,7 @@
 """Recalculates any workbook: knows formulas and cells, nothing of mechanisms."""
 
 from .live import Live
-from .plan import Plan, compile_book, evaluate
+from .plan import Plan, compile_book, evaluate, steady_plan
 from .results import Values
 
-__all__ = ["Live", "Plan", "Values", "compile_book", "evaluate"]
+__all__ = ["Live", "Plan", "Values", "compile_book", "evaluate", "steady_plan"]

@@ -65,22 +65,26 @@ def _first(array: Any, rows: int, cols: int) -> Any:
 
 
 class Kept:
-    """A block whose cells keep the values stored in the file: they depend on another workbook."""
+    """A block whose cells keep the values stored in the file: they depend on another workbook, or on an unknown function.
 
-    def __init__(self, layout: Layout, number: int, cached: CellStore) -> None:
+    missing  what its cells without a stored value show
+    """
+
+    def __init__(self, layout: Layout, number: int, cached: CellStore, missing: int = REF) -> None:
         self.layout = layout
         self.number = number
         self.producers: Sequence[int] = (number,)
         self.cached = cached
+        self.missing = missing
 
     def run(self, ev: Evaluator, marks: Marks) -> None:
-        """Put the stored values into the cells; #REF! where none is stored."""
+        """Put the stored values into the cells."""
         block = self.layout.blocks[self.number]
         place = first = self.layout.block_offsets[self.number]
         for col in range(block.col, block.col + block.cols):
             for row in range(block.row, block.row + block.rows):
                 value = self.cached.get(row, col)
-                number, code = (np.nan, REF) if value is None else ev.texts.encode(value)
+                number, code = (np.nan, self.missing) if value is None else ev.texts.encode(value)
                 ev.numbers[place], ev.codes[place] = number, code
                 place += 1
         marks.note(self.number, ev.codes[first:place])

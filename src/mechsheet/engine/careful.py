@@ -20,6 +20,7 @@ from ..formula.nodes import (
     Call,
     CellRef,
     ErrorValue,
+    Foreign,
     FunctionRef,
     Local,
     Missing,
@@ -39,6 +40,7 @@ from .kernels.table import KERNELS
 from .layout import Layout
 from .reading import Reading, codes_of_all
 from .regions import gives_region, regions
+from .resolve import UNKNOWN
 from .surroundings import Surroundings
 from .values import (
     BLANK,
@@ -50,6 +52,7 @@ from .values import (
     Texts,
     codes_of,
     error,
+    error_code,
     finished,
     first_error,
     fitted,
@@ -152,6 +155,8 @@ class Evaluator(Reading):
                 return self.value(operand, frame, True)
             case FunctionRef():
                 return error(CALC)
+            case Foreign(why=why):  # what keeps stored values is not computed: here there are none
+                return error(error_code("#NAME?" if why == UNKNOWN else "#REF!"))
             case _:
                 raise TypeError(f"{node} is not resolved")
 

@@ -19,7 +19,7 @@ from .resolve import Resolver
 from .results import Values
 from .schedule import Special, schedule
 from .surroundings import Surroundings
-from .values import Texts
+from .values import Texts, error_code
 
 _MOST_RESIZED = 16
 """Plans with other sizes of dynamic arrays that are kept."""
@@ -38,6 +38,11 @@ def evaluate(book: Book, overrides: Overrides | None = None) -> Values:
     return Plan(book, once=True).evaluate(overrides)
 
 
+def steady_plan(book: Book) -> Plan:
+    """A plan for one evaluation in which NOW, TODAY, RAND and their like keep the values stored in the file."""
+    return Plan(book, once=True, steady=True)
+
+
 class Plan:
     """A book with its cells laid out, its formulas resolved and their order found.
 
@@ -46,11 +51,14 @@ class Plan:
     settles  whether order or sizes depend on values (OFFSET, INDIRECT, dynamic arrays): then each evaluation finds them
     """
 
-    def __init__(self, book: Book, once: bool = False, blocked: frozenset[int] = frozenset()) -> None:
+    def __init__(
+        self, book: Book, once: bool = False, blocked: frozenset[int] = frozenset(), steady: bool = False
+    ) -> None:
         self.book = book
         self.once = once
+        self.steady = steady
         self.layout = make_layout(book)
-        self.resolver = Resolver(book)
+        self.resolver = Resolver(book, steady)
         self.resolved = self.resolver.run()
         self.remarks = tuple(self.resolved.remarks)
         self.formulas = self.resolved.formulas
@@ -71,8 +79,18 @@ class Plan:
         self._replaced: dict[frozenset[tuple[int, int, int]], Plan] = {}
         self._resized: dict[Sizes, Plan] = {}
 
-    def _cached(self, number: int) -> CellStore:
-        return self.book.sheets[self.layout.block_sheets[number]].cached
+    def _cached(self, number: int) -> tuple[CellStore, int]:
+        """What a block that keeps its stored values has, and what it shows where there is none."""
+        cached = self.book.sheets[self.layout.block_sheets[number]].cached
+        return cached, error_code(self.resolved.kept[number])
+
+    def unsure(self) -> tuple[frozenset[int], frozenset[int]]:
+        """The blocks whose values the workbook alone does not say, and these with all that depend on them.
+
+        Blocks are counted through the sheets of the book.
+        """
+        own = self.resolved.kept.keys() | self.resolved.unsteady
+        return frozenset(own), frozenset(dependents(own, self.reads))
 
     def evaluate(self, overrides: Overrides | None = None) -> Values:
         """All values, with some cells' contents replaced by constants (`None` empties a cell).
@@ -135,7 +153,7 @@ class Plan:
             book = copy(self.book)
             book.sheets = with_sizes(self.book.sheets, sizes)
             self._resized[sizes] = Plan(
-                book, self.once, frozenset(number for number, _, _, blocked in sizes if blocked)
+                book, self.once, frozenset(number for number, _, _, blocked in sizes if blocked), self.steady
             )
         return self._resized[sizes]
 
@@ -167,7 +185,7 @@ class Plan:
             ]
             book = copy(self.book)
             book.sheets = sheets
-            self._replaced[cells] = Plan(book, self.once)
+            self._replaced[cells] = Plan(book, self.once, steady=self.steady)
         return self._replaced[cells]
 
 

@@ -6,6 +6,7 @@ What is not known is remarked with its cells and becomes the error that spreadsh
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from ..diagnostics import Fault, FormulaError, near_miss
@@ -54,6 +55,35 @@ _MOST_READ = 20_000
 _STEADY = frozenset(("OFFSET", "INDIRECT", "CELL", "INFO"))
 """Volatile functions that give the same value as long as the workbook stays as it is."""
 
+UNKNOWN = "an unknown function"
+FOREIGN = "another workbook"
+UNSTEADY = "another value at every recalculation"
+"""Why a workbook alone does not say what a formula gives."""
+
+ELSEWHERE = frozenset(
+    ("CUBEKPIMEMBER", "CUBEMEMBER", "CUBEMEMBERPROPERTY", "CUBERANKEDMEMBER", "CUBESET", "CUBESETCOUNT", "CUBEVALUE", "CALL",
+     "COPILOT", "DDE", "DETECTLANGUAGE", "EUROCONVERT", "IMAGE", "PY", "REGISTER.ID", "RTD", "SQL.REQUEST", "STOCKHISTORY",
+     "TRANSLATE", "WEBSERVICE")
+)  # fmt: skip
+"""Excel's and LibreOffice's own functions that ask the world outside: no macro of the file defines them."""
+
+
+def _with_kept(fault: Fault) -> Fault:
+    """What is remarked of a function when its cells keep their stored values."""
+    return replace(fault, message=f"{fault.message}: stored values are kept") if fault.about == "function" else fault
+
+
+def _is_unsteady(name: str) -> bool:
+    return name not in _STEADY and name in FUNCTIONS and FUNCTIONS[name].volatile
+
+
+def _rows(block: Block) -> range:
+    return range(block.row, block.row + block.rows)
+
+
+def _cols(block: Block) -> range:
+    return range(block.col, block.col + block.cols)
+
 
 @dataclass(slots=True)
 class Resolved:
@@ -62,14 +92,16 @@ class Resolved:
     formulas   of every block, sheet by sheet
     functions  what the names that stand for functions mean
     remarks    what is not as it is meant, with its cells
-    kept       blocks that keep the values stored in the file
+    kept       blocks that keep the values stored in the file -> the error of cells without one
+    unsteady   blocks with functions that give another value at every recalculation
     moving     blocks that read what is known only when they are computed
     """
 
     formulas: list[Node] = field(default_factory=list)
     functions: dict[FunctionRef, Node] = field(default_factory=dict)
     remarks: list[Fault] = field(default_factory=list)
-    kept: set[int] = field(default_factory=set)
+    kept: dict[int, str] = field(default_factory=dict)
+    unsteady: set[int] = field(default_factory=set)
     moving: set[int] = field(default_factory=set)
 
 
@@ -119,17 +151,22 @@ def _on_sheet(area: Node, title: str) -> Node:
 class Resolver:
     """Resolves the formulas of one book.
 
-    Unknown functions and names are #NAME?, a wrong number of arguments #VALUE!, a sheet that does not exist #REF!; a block
-    that reads another workbook keeps its stored values. All of these but #REF! are remarked, volatile functions too.
+    Unknown names are #NAME?, a wrong number of arguments #VALUE!, a sheet that does not exist #REF!; a block that reads
+    another workbook, or calls an unknown function, keeps its stored values (without any, an unknown function is #NAME?). All
+    of these but #REF! are remarked, volatile functions too.
+
+    steady  blocks with volatile functions keep their stored values, where each of their cells has one
     """
 
-    def __init__(self, book: Book) -> None:
+    def __init__(self, book: Book, steady: bool = False) -> None:
         self.book = book
+        self.steady = steady
         self.titles = {sheet.title.casefold(): sheet.title for sheet in book.sheets}
         self.names = {(d.name.casefold(), d.sheet and d.sheet.casefold()): d for d in reversed(book.names)}
         self.alike = {folded(d.name): d for d in reversed(book.names) if d.sheet is None}
         self.tables = {table.name.casefold() for table in book.tables}
         self.found = Resolved()
+        self._stored = {sheet.title: sheet.cached for sheet in book.sheets}
         self._read: dict[tuple[str, bool, str, int, int], Node | None] = {}
 
     def run(self) -> Resolved:
@@ -168,14 +205,15 @@ class Resolver:
         kinds = set(map(type, parts))
         names = dict.fromkeys(part.name for part in parts if isinstance(part, Call)) if Call in kinds else {}
         for name in names:
-            if FUNCTIONS[name].volatile and name not in _STEADY:
-                self.remark(place, f"{name} gives another value at every recalculation")
-        said = self.found.remarks[before:]
-        self.found.remarks[before:] = dict.fromkeys(said)
+            if _is_unsteady(name):
+                self.remark(place, f"{name} gives another value at every recalculation", about="volatile")
         number = len(self.found.formulas)
-        if not kinds.isdisjoint((Foreign, FunctionRef)) and self.is_foreign(node):
-            self.found.kept.add(number)
-        elif (Binary in kinds or names or FunctionRef in kinds) and reads_anywhere(node, self.found.functions):
+        if any(map(_is_unsteady, names)) or not kinds.isdisjoint((Foreign, FunctionRef)):
+            self._note_strangers(number, node, block, sheet)
+        said = dict.fromkeys(self.found.remarks[before:])
+        self.found.remarks[before:] = [_with_kept(fault) if number in self.found.kept else fault for fault in said]
+        moves = number not in self.found.kept and (Binary in kinds or names or FunctionRef in kinds)
+        if moves and reads_anywhere(node, self.found.functions):
             self.found.moving.add(number)
         return intersected(node) if block.kind == "fill" and names and RangeRef in kinds else node
 
@@ -197,8 +235,8 @@ class Resolver:
                 case SheetsRef(first, last, area):
                     return self.through_sheets(first, last, area)
                 case FunctionRef(name, "") if name not in FUNCTIONS:
-                    return self.unknown(place, f"unknown function {name}", near_miss(name, FUNCTIONS))
-                case Foreign(text, why):
+                    return self.unknown_function(place, name)
+                case Foreign(text, why) if why != UNKNOWN:
                     self.remark(place, f"{why}, {text}: stored values are kept")
                     return part
                 case Symbol() | Previous():
@@ -260,7 +298,7 @@ class Resolver:
             if defined is not None:
                 function = self.function_name(defined, with_locals(defined.formula), block, sheet, place)
                 return Apply(function, part.args)
-            return self.unknown(place, f"unknown function {part.name}", near_miss(part.name, FUNCTIONS))
+            return self.unknown_function(place, part.name)
         if row.least <= len(part.args) <= row.most:
             return _same_size(part)
         at_least = "at least " if row.most == MANY else ""
@@ -281,18 +319,33 @@ class Resolver:
             union = there if union is None else Binary(",", union, there)
         return union or ErrorValue("#REF!")
 
-    def is_foreign(self, formula: Node) -> bool:
-        """Whether a formula reads another workbook, itself or by a function's name."""
+    def _note_strangers(self, number: int, formula: Node, block: Block, sheet: str) -> None:
+        """Whether a block keeps its stored values: for what it cannot know, itself or by the functions that it calls."""
+        kinds = set(self._strangers(formula))
+        if UNSTEADY in kinds:
+            self.found.unsteady.add(number)
+        if not kinds:
+            return
+        stored = self._stored[sheet]
+        have = [stored.get(row, col) is not None for col in _cols(block) for row in _rows(block)]
+        if FOREIGN in kinds or (UNSTEADY in kinds and self.steady and all(have)):
+            self.found.kept[number] = "#REF!"
+        elif UNKNOWN in kinds and any(have):
+            self.found.kept[number] = "#NAME?"
+
+    def _strangers(self, formula: Node) -> Iterator[str]:
+        """What a formula has that the workbook does not say, also by the functions that names stand for."""
         seen: set[FunctionRef] = set()
         waiting = [formula]
         while waiting:
             for part in walk(waiting.pop()):
                 if isinstance(part, Foreign):
-                    return True
-                if isinstance(part, FunctionRef) and part not in seen and part in self.found.functions:
+                    yield UNKNOWN if part.why == UNKNOWN else FOREIGN
+                elif isinstance(part, Call) and _is_unsteady(part.name):
+                    yield UNSTEADY
+                elif isinstance(part, FunctionRef) and part not in seen and part in self.found.functions:
                     seen.add(part)
                     waiting.append(self.found.functions[part])
-        return False
 
     # remarks
 
@@ -301,6 +354,15 @@ class Resolver:
         self.remark(place, message, hint)
         return ErrorValue("#NAME?")
 
-    def remark(self, place: str, message: str, hint: str = "") -> None:
+    def unknown_function(self, place: str, name: str) -> Foreign:
+        """Remark a function that is not known. Its cells keep what is stored; without that it is #NAME?."""
+        if self.book.macros and name not in ELSEWHERE:
+            message, hint = f"{name} is defined in this file's {self.book.macros}", ""
+        else:
+            message, hint = f"unknown function {name}", near_miss(name, FUNCTIONS)
+        self.remark(place, message, hint, "function")
+        return Foreign(name, UNKNOWN)
+
+    def remark(self, place: str, message: str, hint: str = "", about: str = "") -> None:
         """Note what is not as it is meant in the cells of `place`."""
-        self.found.remarks.append(Fault(message, file=self.book.source, key=place, hint=hint))
+        self.found.remarks.append(Fault(message, file=self.book.source, key=place, hint=hint, about=about))

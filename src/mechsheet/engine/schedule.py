@@ -36,14 +36,14 @@ class Special:
     """What is not simply a formula filled down, and how the steps will be used.
 
     functions  what names that stand for functions mean
-    kept       blocks that keep their stored values -> those values
+    kept       blocks that keep their stored values -> those values, and the code of the error where there is none
     blocked    dynamic arrays with something in their way
     apart      blocks that share no segment, as they may have to wait for others at any time
     once       the book will be computed only once: no code is prepared for blocks too small to be worth it then
     """
 
     functions: Functions = field(default_factory=dict)
-    kept: Mapping[int, CellStore] = field(default_factory=dict)
+    kept: Mapping[int, tuple[CellStore, int]] = field(default_factory=dict)
     blocked: frozenset[int] = frozenset()
     apart: frozenset[int] = frozenset()
     once: bool = False
@@ -97,7 +97,7 @@ def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]]
 def _lone_step(layout: Layout, number: int, formula: Node, special: Special) -> Step | None:
     """The step of a block that no segment can take."""
     if number in special.kept:
-        return Kept(layout, number, special.kept[number])
+        return Kept(layout, number, *special.kept[number])
     if layout.blocks[number].kind != "fill":
         return ArrayStep(layout, number, formula, number in special.blocked)
     return None

@@ -14,7 +14,7 @@ from mechsheet.formula.parser import parse_formula
 from .ods_parts import SHEET_TYPE
 from .ods_scan import CONTENT, ContentScan, NameText
 from .ods_values import NULL_DATE, NULL_DATE_1904
-from .package import Package, local_name, open_package
+from .package import Package, local_name, open_package, part_key, saved_by
 
 _MANIFEST = "META-INF/manifest.xml"
 _PASSWORD = "the workbook is protected by a password"
@@ -45,7 +45,9 @@ def _read(package: Package) -> Book:
         raise package.fault("the workbook has no sheet", CONTENT)
     names = [defined for text in _all_names(scan) if (defined := _name(text)) is not None]
     date1904 = scan.null_date == NULL_DATE_1904
-    return Book(scan.sheets, names, date1904=date1904, source=package.name, remarks=scan.remarks)
+    macros = "Basic" if any(part_key(entry.filename).startswith("basic/") for entry in package.entries()) else ""
+    program = saved_by(package, "meta.xml")
+    return Book(scan.sheets, names, date1904, package.name, scan.remarks, macros=macros, program=program)
 
 
 def _check_parts(package: Package) -> None:

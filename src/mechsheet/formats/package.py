@@ -220,6 +220,21 @@ def unescaped(text: str) -> str:
     return _ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) if "_x" in text else text
 
 
+_PROGRAM = re.compile(rb"<(?:\w+:)?(?:generator|Application)>\s*([^<]{0,200})<")
+_ABOUT = 1 << 16
+
+
+def saved_by(package: Package, part: str) -> str:
+    """The program that saved a file, as `part` (meta.xml, docProps/app.xml) names it; "" when it names none."""
+    head = b""
+    for piece in package.pieces(part) if part in package else ():
+        head += piece
+        if len(head) >= _ABOUT:
+            break
+    found = _PROGRAM.search(head)
+    return found[1].decode("utf-8", "replace").strip() if found else ""
+
+
 def local_name(tag: str) -> str:
     """A tag without its prefix."""
     return tag.rpartition(":")[2]

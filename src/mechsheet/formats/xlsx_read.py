@@ -13,7 +13,17 @@ from mechsheet.formula.nodes import Foreign, Node
 from mechsheet.formula.parser import parse_formula
 
 from .metadata import dynamic_marks
-from .package import MAX_SHEETS, Package, attribute, local_name, open_package, part_key, relationships, unescaped
+from .package import (
+    MAX_SHEETS,
+    Package,
+    attribute,
+    local_name,
+    open_package,
+    part_key,
+    relationships,
+    saved_by,
+    unescaped,
+)
 from .sheet_scan import SheetScan
 from .xlsx_tables import tables_of
 
@@ -51,7 +61,9 @@ def _read(package: Package) -> Book:
     contents = _contents(package, part)
     links = relationships(package, part)
     strings = next((_strings(package, target) for kind, target in links.values() if kind == "sharedStrings"), [])
-    book = Book([], date1904=contents.date1904, source=package.name)
+    macros = "VBA" if any(kind == "vbaProject" for kind, _ in links.values()) else ""
+    program = saved_by(package, "docProps/app.xml")
+    book = Book([], date1904=contents.date1904, source=package.name, macros=macros, program=program)
     dynamic = dynamic_marks(package, links)
     faults: list[Fault] = []
     for title, target in _sheet_parts(package, part, contents, links):

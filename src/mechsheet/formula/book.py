@@ -277,6 +277,8 @@ class Book:
     """A workbook. Titles of sheets and names are found without regard to case, as spreadsheet programs do.
 
     remarks  what a reader could not understand, with its cells (their stored values stand in the book as constants)
+    macros   "VBA" or "Basic" where the file carries macros, which may define functions; else ""
+    program  the program that saved the file, as the file names it
     """
 
     sheets: list[BookSheet]
@@ -285,6 +287,8 @@ class Book:
     source: str = ""
     remarks: list[Fault] = field(default_factory=list)
     tables: list[Table] = field(default_factory=list)
+    macros: str = ""
+    program: str = ""
 
     def sheet(self, title: str) -> BookSheet | None:
         """The sheet of that title, None when there is none."""

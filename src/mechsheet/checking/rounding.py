@@ -1,0 +1,80 @@
+"""Differences that are nothing but rounding beside the numbers that a formula reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import CellRef, NameRef, Node, Number, RangeRef, Scalar, walk
+
+ROUNDING = 1e-14
+"""What is lost when numbers cancel, as a part of the largest number that the formula reads."""
+
+PIECE = 1024
+"""Rows of a range that are looked through together."""
+
+
+class Rounding:
+    """What is lost in the formulas of one book when large numbers cancel."""
+
+    def __init__(self, book: Book, values: Any) -> None:
+        self._values = values
+        self._names: Mapping[str, Node] = {name.name.casefold(): name.formula for name in book.names}
+        self._largest: dict[tuple[str, int, int, int], float] = {}
+
+    def accounts_for(self, formula: Node, title: str, ours: Scalar, theirs: Scalar) -> bool:
+        """Whether a difference is what remains when large numbers cancel: nothing beside the numbers that are read."""
+        if type(ours) is not float or type(theirs) is not float:
+            return False
+        apart = abs(ours - theirs)
+        return any(apart <= ROUNDING * size for size in self._sizes(formula, title))
+
+    def _sizes(self, formula: Node, title: str) -> Iterator[float]:
+        for node in with_names(formula, self._names):
+            for part in walk(node):
+                if isinstance(part, Number):
+                    yield abs(part.value)
+                elif isinstance(part, CellRef):
+                    yield self._column(part.sheet or title, part.col, part.row, part.row)
+                elif isinstance(part, RangeRef) and isinstance(part.start, CellRef) and isinstance(part.end, CellRef):
+                    sheet = part.start.sheet or title
+                    left, right = sorted((part.start.col, part.end.col))
+                    top, bottom = sorted((part.start.row, part.end.row))
+                    for col in range(left, right + 1):
+                        yield self._column(sheet, col, top, bottom)
+
+    def _column(self, sheet: str, col: int, top: int, bottom: int) -> float:
+        """The largest number in rows top..bottom: long ranges piece by piece, as many formulas may read nearly the same."""
+        first, last = -(-top // PIECE), (bottom + 1) // PIECE
+        if last - first < 2:
+            return self._largest_of(sheet, col, top, bottom)
+        whole = max(self._largest_of(sheet, col, at * PIECE, at * PIECE + PIECE - 1) for at in range(first, last))
+        ends = ((top, first * PIECE - 1), (last * PIECE, bottom))
+        return max(whole, *(self._largest_of(sheet, col, start, end) for start, end in ends if start <= end))
+
+    def _largest_of(self, sheet: str, col: int, top: int, bottom: int) -> float:
+        key = sheet, col, top, bottom
+        if key not in self._largest:
+            try:
+                numbers, _ = self._values.arrays(sheet, col, top, bottom)
+            except KeyError:
+                numbers = np.zeros(1)
+            numbers = np.abs(numbers[np.isfinite(numbers)])
+            self._largest[key] = float(numbers.max(initial=0.0))
+        return self._largest[key]
+
+
+def with_names(formula: Node, names: Mapping[str, Node]) -> Iterator[Node]:
+    """The formula, and what the names in it stand for (each once)."""
+    waiting, seen = [formula], set[str]()
+    while waiting:
+        node = waiting.pop()
+        yield node
+        for part in walk(node):
+            if isinstance(part, NameRef) and part.name.casefold() not in seen:
+                seen.add(part.name.casefold())
+                if part.name.casefold() in names:
+                    waiting.append(names[part.name.casefold()])
