@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 import sys
 from collections.abc import Iterable
@@ -14,8 +13,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.outputs import folder_ready, names_folder
 
-from .common import JSON, progress, settings_of
+from .common import JSON, output_file, output_option, progress, settings_of
+from .streams import print_json
 
 if TYPE_CHECKING:
     from mechsheet.checking.stored import Stored
@@ -35,7 +36,7 @@ MOST_LINES = 50
 )
 @click.option("--check", is_flag=True, help="Compare with the stored values instead; exit code 1 when any differs.")
 @click.option("--strict", is_flag=True, help="Exit code 1 when anything cannot be computed as it is meant.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the recalculated workbook there.")
+@output_option("Write the recalculated workbook there.")
 @JSON
 def recalc(
     workbook: Path,
@@ -43,7 +44,7 @@ def recalc(
     ranges: tuple[str, ...],
     check: bool,
     strict: bool,
-    output: Path | None,
+    output: str | None,
     as_json: bool,
 ) -> None:
     """Recalculate any workbook (.xlsx, .xlsm, .ods) without a spreadsheet program.
@@ -67,16 +68,18 @@ def recalc(
         result = recalculate(workbook, settings_of(settings))
     areas = [result.area(text) for text in ranges]
     if output is not None:
-        result.write(output)
-        click.echo(f"wrote {output.as_posix()}", err=True)
+        file = output_file(output, workbook.name, (workbook,) if names_folder(output) else ())
+        with folder_ready(output):
+            result.write(file)
+        click.echo(f"wrote {file.as_posix()}", err=True)
     _print_notes(result.remarks)
     stored = result.compare_with_stored() if check else None
     if stored is not None:
-        click.echo(json.dumps(stored.as_dict(), ensure_ascii=False) if as_json else _check_text(stored), nl=True)
+        print_json(stored.as_dict()) if as_json else click.echo(_check_text(stored))
     if areas and not (check and as_json):
         _print_areas(result, areas, as_json)
     elif stored is None and as_json:
-        click.echo(json.dumps(result.as_dict(), ensure_ascii=False))
+        print_json(result.as_dict())
     elif stored is None and output is None:
         for name, value in result.named().items():
             click.echo(f"{name} = {value}")
@@ -105,7 +108,7 @@ def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
             cells = found.setdefault(area.sheet, {})
             for row, values in enumerate(result.table(area), area.row):
                 cells.update({cell_name(row, col): plain(value) for col, value in enumerate(values, area.col)})
-        click.echo(json.dumps(found, ensure_ascii=False))
+        print_json(found)
         return
     for number, area in enumerate(areas):
         if number:
