@@ -149,6 +149,16 @@ def loads(
     return _linkage(description.loads(text, file, _texts(overrides), language))
 
 
+def template(name: str, overrides: Overrides | None = None, language: str | None = None) -> Linkage:
+    """A packaged linkage to start from: `mechsheet.template("four-bar")`; `mechsheet new --list` names all.
+
+    Raises DescriptionError with the near miss when there is no such template, and as `load`.
+    """
+    from mechsheet.description.templates import template_text
+
+    return loads(template_text(name), name, overrides, language)
+
+
 def _texts(overrides: Overrides | None) -> dict[str, str]:
     """The values as texts. Raises MechsheetError with every value that is no number."""
     if not isinstance(overrides, Mapping | None):
