@@ -108,8 +108,8 @@ def test_ready_files_run_commands_that_exist(path):
 
 
 EXPERIMENT = {
-    ROOT
-    / "README.md": r"Type (?P<crank>\d+) into.*?crank `a2`.*?(?P<lost>\d+) of the (?P<rows>\d+) rows \((?P<first>\d+)° to (?P<last>\d+)°\)",
+    DOCS.parent / "README.md": r"Type (?P<crank>\d+) into.*?crank `a2`.*?(?P<lost>\d+) of the (?P<rows>\d+) rows "
+    r"\((?P<first>\d+)° to (?P<last>\d+)°\)",
     DOCS / "lecturer.md": r"`a2` from (?P<old>\d+) to (?P<crank>\d+).*?(?P<lost>\d+) of the (?P<rows>\d+) rows "
     r"\((?P<first>\d+)° to (?P<last>\d+)°\).*?up to (?P<most>[\d.]+) the crank turns fully",
     DOCS / "lecturer.tr.md": r"`a2` (?P<old>\d+) yerine (?P<crank>\d+) olsun.*?(?P<rows>\d+) satırın (?P<lost>\d+)'üne "

@@ -152,7 +152,11 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
 @contextmanager
 def _written_beside(path: Path) -> Iterator[BinaryIO]:
     """A new file in the folder of what `path` leads to, moved into place when the block ends well."""
-    place = Path(os.path.realpath(path)) if path.is_symlink() else path
+    place = path
+    if path.is_symlink():
+        place = Path(os.path.realpath(path))
+        with suppress(FileNotFoundError):  # it may lead to a file that is not there yet, but not round to itself
+            place.stat()
     temporary = place.with_name(f".{place.name}.{secrets.token_hex(4)}.tmp")
     try:
         with temporary.open("xb") as file:
