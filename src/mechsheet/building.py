@@ -139,14 +139,13 @@ def write_all(
 
 def _known(given: str | Iterable[str], known: Sequence[str], key: str, what: str) -> list[str]:
     """The words of an argument, each once; a text may hold several with commas. Raises MechsheetError for others."""
-    parts = given.split(",") if isinstance(given, str) else list(given)
-    words = dict.fromkeys(part.strip() if isinstance(part, str) else part for part in parts)
-    wanted = [word for word in words if word != ""]
+    parts = given.split(",") if isinstance(given, str) else list(given) if isinstance(given, Iterable) else [given]
+    words = dict.fromkeys(part.strip() if isinstance(part, str) else repr(part) for part in parts)
+    wanted = [word for word in words if word]
     unknown = [word for word in wanted if word not in known]
     if unknown:
-        hint = near_miss(str(unknown[0]).lower(), known) or f"known: {', '.join(known)}"
-        names = ", ".join(str(word) for word in unknown)
-        raise MechsheetError(Fault(f'no {what} is called "{names}"', key=key, hint=hint))
+        hint = near_miss(unknown[0].lower(), known) or f"known: {', '.join(known)}"
+        raise MechsheetError(Fault(f'no {what} is called "{", ".join(unknown)}"', key=key, hint=hint))
     return wanted
 
 

@@ -16,7 +16,15 @@ def names_folder(output: str | Path) -> bool:
     """Whether a name means a folder to write into: an existing folder, or a name that ends with a slash."""
     try:
         return str(output).endswith(_SLASHES) or Path(output).is_dir()
-    except ValueError:  # a null character; whoever writes there says so
+    except (OSError, ValueError):  # a name too long, a null character: whoever writes there says so
+        return False
+
+
+def is_there(path: Path) -> bool:
+    """Whether a file or folder of that name can be seen."""
+    try:
+        return path.exists()
+    except (OSError, ValueError):
         return False
 
 
@@ -34,7 +42,7 @@ def folder_ready(output: str | Path | None) -> Iterator[None]:
     Raises OutputError when it cannot be made (its own folder must be there: a misspelt path is told).
     """
     folder = Path(output) if output is not None and names_folder(output) else None
-    if folder is None or folder.is_dir():
+    if folder is None or is_there(folder):
         yield
         return
     make_folder(folder)

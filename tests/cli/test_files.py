@@ -327,6 +327,7 @@ def test_arguments_are_refused_in_the_words_of_the_library(tmp_path):
         (lambda: mechsheet.export(linkage, "pdf", tmp_path / "a"), "to"),
         (lambda: linkage.build(tmp_path, "xls"), "formats"),
         (lambda: linkage.build(tmp_path, ["xlsx", 3]), "formats"),
+        (lambda: linkage.build(tmp_path, 5), "formats"),
         (lambda: linkage.build(tmp_path / "a.xlsx", ["xlsx", "ods"]), "formats"),
         (lambda: mechsheet.loads(CRANK, overrides="a2=3"), "overrides"),
     ):

@@ -60,18 +60,18 @@ def test_every_code_page_will_do(folder, line, page):
     assert b"Error" not in done.stderr
     if "--json" in line:
         assert json.loads(done.stdout.decode("utf-8")) == json.loads(call(*line, cwd=folder).stdout)
-    elif line[0] in ("new", "pull", "export") and "--list" not in line or "--csv" in line:
+    elif (line[0] in ("new", "pull", "export") and "--list" not in line) or "--csv" in line:
         assert done.stdout == call(*line, cwd=folder).stdout, "what is a file by rights has the same bytes everywhere"
     else:
-        done.stdout.decode(page)
+        done.stdout.decode("utf-8" if page == "ascii" else page)  # click takes ASCII for UTF-8 that is not set up
 
 
 def test_signs_that_a_page_lacks_stay_readable(tmp_path):
     (tmp_path / "mine.toml").write_text(TURKISH.replace("Çatal ışığı", "Çatal θ ≤ 5° ışık − ψ ✓ 中"), encoding="utf-8")
     shown = {
-        page: call("show", "mine.toml", page=page, cwd=tmp_path).stdout.decode(page) for page in ("ascii", "cp1254")
+        page: call("show", "mine.toml", page=page, cwd=tmp_path).stdout.decode(page) for page in ("cp1252", "cp1254")
     }
-    assert shown["ascii"].splitlines()[0] == "Catal theta <= 5 deg isik - psi ? ?"
+    assert shown["cp1252"].splitlines()[0] == "Çatal theta <= 5° isik - psi ? ?"
     assert shown["cp1254"].splitlines()[0] == "Çatal theta <= 5° ışık - psi ? ?"
 
 
@@ -106,8 +106,7 @@ def test_standard_streams_that_are_closed(folder):
             ["sh", "-c", line],
             cwd=folder,
             input=CRANK.encode(),
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
+            capture_output=True,
             check=False,
         )
         assert b"Traceback" not in done.stderr, closing

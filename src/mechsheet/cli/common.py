@@ -14,7 +14,7 @@ import click
 
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError, OutputError, readable_name
 from mechsheet.formats.archive import is_stream
-from mechsheet.outputs import file_in
+from mechsheet.outputs import file_in, is_there
 
 if TYPE_CHECKING:
     from mechsheet.model import Mechanism
@@ -175,5 +175,5 @@ def say_written(files: list[Path]) -> None:
 
 def refuse_existing(path: Path, hint: str = "choose another name with -o") -> None:
     """Raise OutputError when there is a file already."""
-    if path.exists() and not is_stream(path):
+    if is_there(path) and not is_stream(path):
         raise OutputError(Fault("there is a file already: it is left as it is", readable_name(path), hint=hint))

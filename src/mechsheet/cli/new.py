@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from mechsheet.outputs import folder_ready
+from mechsheet.outputs import folder_ready, is_there
 
 from .common import STANDARD_OUTPUT, output_file, output_option, refuse_existing
 from .streams import print_file
@@ -51,7 +51,7 @@ def new(template: str | None, output: str | None, show_list: bool) -> None:
     file = output_file(output, f"{template.removesuffix('.toml')}.toml")
     refuse_existing(file)
     # Editors complain of a schema that is not there.
-    text = first_line + text if (file.parent / FILE).exists() else text
+    text = first_line + text if is_there(file.parent / FILE) else text
     with folder_ready(output):
         replace_file(file, text.encode())
     click.echo(f"wrote {file.as_posix()}", err=True)

@@ -40,7 +40,9 @@ def plot(
     path = file_in(path, f"{mechanism.stem}.svg")
     kind = path.suffix.lower().removeprefix(".")
     if kind not in KINDS:
-        hint = near_miss(kind, KINDS) or f"endings: {', '.join(f'.{known}' for known in KINDS)}"
+        hint = (
+            near_miss(kind, KINDS) or f"endings: {', '.join(f'.{known}' for known in KINDS)}; or a folder: {path.name}/"
+        )
         raise MechsheetError(Fault("the ending of the name says how to draw", readable_name(path), hint=hint))
     from mechsheet.formats.archive import replace_file
 
