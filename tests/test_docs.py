@@ -1,5 +1,7 @@
 """The pages of docs: what follows from the code is up to date, examples are right, links lead somewhere."""
 
+import json
+import math
 import re
 import subprocess
 import sys
@@ -7,12 +9,17 @@ import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+import mechsheet
 from mechsheet.cli import main as commands
 from mechsheet.description import loads
 from mechsheet.description.schema import DESCRIPTION, Either, Items, Kinds, Named, Shape, Table
+from mechsheet.description.templates import template_names
+from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.stands import POOR
 
 ROOT = Path(__file__).parent.parent
 DOCS = ROOT / "docs"
@@ -98,3 +105,78 @@ def test_ready_files_run_commands_that_exist(path):
         name, *options = line.split()
         known = {option for parameter in commands.commands[name].params for option in parameter.opts}
         assert {option for option in options if option.startswith("-")} <= known
+
+
+EXPERIMENT = {
+    DOCS.parent / "README.md": r"Type (?P<crank>\d+) into.*?crank `a2`.*?(?P<lost>\d+) of the (?P<rows>\d+) rows "
+    r"\((?P<first>\d+)° to (?P<last>\d+)°\)",
+    DOCS / "lecturer.md": r"`a2` from (?P<old>\d+) to (?P<crank>\d+).*?(?P<lost>\d+) of the (?P<rows>\d+) rows "
+    r"\((?P<first>\d+)° to (?P<last>\d+)°\).*?up to (?P<most>[\d.]+) the crank turns fully",
+    DOCS / "lecturer.tr.md": r"`a2` (?P<old>\d+) yerine (?P<crank>\d+) olsun.*?(?P<rows>\d+) satırın (?P<lost>\d+)'üne "
+    r"\((?P<first>\d+)° ile (?P<last>\d+)° arası\).*?krank (?P<most>[\d,]+)'e kadar tam döner",
+    DOCS
+    / "workbook.md": r"crank `a2` (?P<crank>\d+) mm instead of (?P<old>\d+):.*?(?P<lost>\d+) of (?P<rows>\d+) rows.*?"
+    r"\((?P<first>\d+)° to (?P<last>\d+)°\)",
+}
+"""The first experiment as each page tells it."""
+
+
+@pytest.mark.parametrize("page", EXPERIMENT, ids=lambda page: page.name)
+def test_the_first_experiment_goes_as_the_page_says(page):
+    found = re.search(EXPERIMENT[page], page.read_text(encoding="utf-8"), re.DOTALL)
+    assert found, "the page tells the experiment in other words: change the pattern with it"
+    said = {name: float(text.replace(",", ".")) for name, text in found.groupdict().items()}
+    linkage = mechsheet.template("four-bar")
+    motion = mechsheet.template("four-bar", {"a2": said["crank"]}).solve()
+    lost = motion["theta12"][~motion.exists]
+    assert (len(motion.exists), len(lost), lost[0], lost[-1]) == tuple(
+        said[name] for name in ("rows", "lost", "first", "last")
+    )
+    assert np.allclose(np.diff(lost), 15), "one stretch, as the page says"
+    values = {dimension.symbol: dimension.value for dimension in linkage.dimensions}
+    assert said.get("old", 35.0) == values["a2"]
+    if "most" in said:  # Grashof with equality: crank + longest = the other two
+        lengths = sorted(values[name] for name in ("a1", "a3", "a4"))
+        assert math.isclose(said["most"], lengths[0] + lengths[1] - lengths[2])
+
+
+def readme() -> str:
+    return (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def number_in(page: Path, pattern: str) -> list[str]:
+    found = re.search(pattern, page.read_text(encoding="utf-8"))
+    assert found, f"{page.name} says it in other words: change the pattern with it"
+    return list(found.groups())
+
+
+def test_the_verdict_that_the_readme_shows():
+    rows, of = number_in(ROOT / "README.md", r"closes in (\d+) of (\d+) positions")
+    exists = mechsheet.template("four-bar").solve().exists
+    assert (int(rows), int(of)) == (exists.sum(), len(exists))
+
+
+def test_counts_that_pages_promise():
+    assert len(re.findall(r"^\| \[.*templates/", readme(), re.MULTILINE)) == len(template_names())
+    assert number_in(DOCS / "own-functions.md", r"all (\d+) templates") == [str(len(template_names()))]
+    assert number_in(DOCS / "proof.md", r"Of (\d+) templates") == [str(len(template_names()))]
+    assert number_in(DOCS / "proof.md", r"both formats: (\d+) files") == [str(4 * len(template_names()))]
+    assert number_in(ROOT / "CHANGELOG.md", r"(\d+) functions") == [str(len(FUNCTIONS))]
+    assert number_in(DOCS / "functions.md", r"The (\d+) functions") == [str(len(FUNCTIONS))]
+    assert float(number_in(DOCS / "workbook.md", r"warning below (\d+)°")[0]) == POOR
+
+
+def test_figures_of_the_readme_are_those_of_the_proof():
+    formulas, share = number_in(ROOT / "README.md", r"of (\d+) formulas damaged.* noticed ([\d.]+) %")
+    damaged, checked, _, noticed = number_in(
+        DOCS / "proof.md", r"\*\*all\*\* \| (\d+) \| ([\d.]+)% \| ([\d.]+)% \| ([\d.]+)%"
+    )
+    assert (formulas, share) == (damaged, noticed)
+    assert checked == "100.0", "the README says that check notices all"
+
+
+def test_the_notebook_uses_public_names_only():
+    notebook = json.loads((DOCS / "examples" / "four-bar.ipynb").read_text(encoding="utf-8"))
+    code = "\n".join("".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code")
+    assert re.findall(r"^\s*(?:from|import) (mechsheet\S*).*$", code, re.MULTILINE) == ["mechsheet"]
+    assert set(re.findall(r"\bmechsheet\.(\w+)", code)) <= set(mechsheet.__all__)

@@ -7,7 +7,7 @@ import pytest
 
 SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
 
-EVERYBODY = {"diagnostics"}
+EVERYBODY = {"diagnostics", "given"}
 ALLOWED = {
     "diagnostics": set(),
     "model": set(),
@@ -20,9 +20,9 @@ ALLOWED = {
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
-    "plotting": {"model", "formula", "kinematics", "sheet", "compute", "engine", "formats.archive"},
+    "plotting": {"model", "formula", "kinematics", "sheet", "compute", "engine", "formats.archive", "outputs"},
     # exporting prints the equations, draws what plotting draws, and tabulates what the engine computes
-    "exporting": {"model", "formula", "kinematics", "sheet", "plotting", "show", "formats.archive"},
+    "exporting": {"model", "formula", "kinematics", "sheet", "plotting", "show", "formats.archive", "outputs"},
 }
 PARTS = sorted(ALLOWED)
 

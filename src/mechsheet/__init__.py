@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from mechsheet.checking import Comparison, Report, check
     from mechsheet.diagnostics import MechsheetError
     from mechsheet.exporting import export
-    from mechsheet.linkage import Linkage, Motion, load, loads
+    from mechsheet.linkage import Linkage, Motion, load, loads, template
     from mechsheet.model import Mechanism
     from mechsheet.plotting import plot
     from mechsheet.recalculation import Result, recalc
@@ -33,6 +33,7 @@ _HOMES = {
     "export": "exporting",
     "load": "linkage",
     "loads": "linkage",
+    "template": "linkage",
     "Linkage": "linkage",
     "Motion": "linkage",
     "MechsheetError": "diagnostics",
@@ -64,6 +65,7 @@ __all__ = [
     "open_book",
     "plot",
     "recalc",
+    "template",
 ]
 
 

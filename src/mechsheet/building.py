@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
+from mechsheet.diagnostics import Fault, MechsheetError, OutputError, near_miss, readable_name
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Workbook
@@ -12,6 +14,14 @@ from mechsheet.sheet.workbook import Workbook
 FORMATS = ("xlsx", "ods")
 FUNCTIONS = ("basic", "lambda")
 """Extra workbooks whose tables call functions of their own."""
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A file to be written; `form` is one of FORMATS, or of FUNCTIONS for an extra one."""
+
+    path: Path
+    form: str
 
 
 def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
@@ -29,30 +39,139 @@ def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
 
 def build(
     mechanism: Mechanism,
-    folder: str | Path = ".",
-    formats: Sequence[str] = FORMATS[:1],
-    functions: Sequence[str] = (),
+    output: str | Path = ".",
+    formats: str | Iterable[str] | None = None,
+    functions: str | Iterable[str] = (),
+    force: bool = False,
 ) -> list[Path]:
-    """Write the mechanism's workbook into `folder`, once for each format, and return the files written.
+    """Write the mechanism's workbook, once for each format, and return the files written.
 
+    output     a file (`out.xlsx`; its ending is the format), or a folder: an existing one, a name that ends with a slash, or
+               a name without an ending. In a folder the file is called as the description's, or by the mechanism's name when
+               that came from no file. The folder is made when it is not there yet (but not its parents)
+    formats    "xlsx", "ods", or several; "xlsx" without it
     functions  extra files: "basic" (`NAME-basic.ods`, needs macros), "lambda" (`NAME-lambda.xlsx`, needs Excel 365)
-    The folder is made when it is not there yet (but not its parents: a misspelt path is told).
-    A file is written beside its place and moved into it: a failure leaves the old one whole (OutputError).
+    force      also over a file that is not a workbook as `build` wrote it: somebody's work may be in it
+
+    A file is written beside its place and moved into it: a failure leaves the old one whole. Raises MechanismError when
+    the mechanism cannot be solved, OutputError when a file cannot be written or holds somebody's changes,
+    MechsheetError for formats that are not known or do not fit the file.
     """
-    from mechsheet.formats import write
-    from mechsheet.formats.archive import make_folder
-
+    wanted = targets(mechanism, output, formats, functions)
+    if not force:
+        refuse_edited(wanted)
     workbook, _ = compile_workbook(mechanism)
-    make_folder(Path(folder))
-    paths = [Path(folder) / f"{mechanism.name}.{suffix}" for suffix in formats]
-    for path in paths:
-        write(workbook, path)
-    for form in functions:
-        from mechsheet.compute import computed
-        from mechsheet.exporting.workbooks import FORMS, functions_workbook
+    return write_all(mechanism, workbook, wanted, output)
 
-        extra = Path(folder) / f"{mechanism.name}{FORMS[form].suffix}"
-        workbook, _ = functions_workbook(mechanism, form)
-        write(computed(workbook), extra)
-        paths.append(extra)
-    return paths
+
+def targets(
+    mechanism: Mechanism,
+    output: str | Path = ".",
+    formats: str | Iterable[str] | None = None,
+    functions: str | Iterable[str] = (),
+) -> list[Target]:
+    """The files that `build` would write. Raises MechsheetError as it does; writes nothing."""
+    from mechsheet.exporting.workbooks import FORMS
+
+    given = None if formats is None else _known(formats, FORMATS, "formats", "format")
+    extra = _known(functions, FUNCTIONS, "functions", "kind of functions")
+    if given is not None and not given:
+        raise MechsheetError(Fault("no format is named", key="formats", hint=f"formats: {', '.join(FORMATS)}"))
+    path = Path(output)
+    if is_folder(output):
+        stem = path / mechanism.stem
+        found = [Target(_ending(stem, f".{form}"), form) for form in given or FORMATS[:1]]
+    else:
+        form = _format_of(path, given)
+        stem = path.with_suffix("") if path.suffix else path
+        found = [Target(path, form)]
+    return found + [Target(_ending(stem, FORMS[form].suffix), form) for form in extra]
+
+
+def is_folder(output: str | Path) -> bool:
+    """Whether workbooks go into a folder of that name: as for every output, and a new name without an ending."""
+    from mechsheet.formats.archive import is_stream
+    from mechsheet.outputs import names_folder
+
+    path = Path(output)
+    return names_folder(output) or (not path.suffix and not is_stream(path))
+
+
+def refuse_edited(wanted: Iterable[Target]) -> None:
+    """Raise OutputError when files are there that `build` did not write as they are now."""
+    from mechsheet.formats.archive import is_stream
+    from mechsheet.formats.seal import is_untouched
+
+    faults = []
+    for target in wanted:
+        path = target.path
+        try:
+            if is_stream(path) or not path.is_file() or path.stat().st_size == 0 or is_untouched(path):
+                continue
+            message = "is not as build wrote it (somebody has saved changes, or it is another file): left as it is"
+        except (OSError, ValueError) as error:
+            message = f"cannot be replaced: {error.strerror if isinstance(error, OSError) else error}"
+        hint = "keep its changes with mechsheet pull, choose another name with -o, or overwrite it with --force"
+        faults.append(Fault(message, readable_name(path), hint=hint))
+    if faults:
+        raise OutputError(faults)
+
+
+def write_all(
+    mechanism: Mechanism, workbook: Workbook, wanted: Sequence[Target], output: str | Path = "."
+) -> list[Path]:
+    """Write the computed workbook of a mechanism, and those with functions, into the files of `targets`."""
+    from mechsheet.compute import computed
+    from mechsheet.exporting.workbooks import functions_workbook
+    from mechsheet.formats import write
+    from mechsheet.outputs import folder_ready
+
+    folder = f"{output}/" if is_folder(output) else output
+    with folder_ready(folder):
+        for target in wanted:
+            if target.form in FUNCTIONS:
+                extra, _ = functions_workbook(mechanism, target.form)
+                write(computed(extra), target.path)
+            else:
+                write(workbook, target.path, target.form)
+    return [target.path for target in wanted]
+
+
+def _known(given: str | Iterable[str], known: Sequence[str], key: str, what: str) -> list[str]:
+    """The words of an argument, each once; a text may hold several with commas. Raises MechsheetError for others."""
+    parts = given.split(",") if isinstance(given, str) else list(given) if isinstance(given, Iterable) else [given]
+    words = dict.fromkeys(part.strip() if isinstance(part, str) else repr(part) for part in parts)
+    wanted = [word for word in words if word]
+    unknown = [word for word in wanted if word not in known]
+    if unknown:
+        hint = near_miss(unknown[0].lower(), known) or f"known: {', '.join(known)}"
+        raise MechsheetError(Fault(f'no {what} is called "{", ".join(unknown)}"', key=key, hint=hint))
+    return wanted
+
+
+def _format_of(path: Path, given: Sequence[str] | None) -> str:
+    """The format of a file that is named: its ending; what has none (a device) is written in the format that was given."""
+    from mechsheet.formats.archive import is_stream
+
+    ending = path.suffix.lower().removeprefix(".")
+    if ending in FORMATS:
+        if given is not None and list(given) != [ending]:
+            fault = f"one file, and its ending says .{ending}: it cannot be {' and '.join(given)}"
+            raise MechsheetError(Fault(fault, readable_name(path), key="formats", hint=_FOLDER_HINT))
+        return ending
+    if not is_stream(path):
+        fault = f'a workbook ends with .xlsx or .ods, not with "{path.suffix}"'
+        raise MechsheetError(
+            Fault(fault, readable_name(path), key="output", hint=f"a folder of that name: {path.name}/")
+        )
+    if given is not None and len(given) > 1:
+        raise MechsheetError(Fault("takes one workbook", readable_name(path), key="formats"))
+    return given[0] if given else FORMATS[0]
+
+
+_FOLDER_HINT = "for several formats name a folder, with a slash at its end"
+
+
+def _ending(stem: Path, suffix: str) -> Path:
+    """The path with something behind its name (a stem may hold dots of its own)."""
+    return stem.with_name(stem.name + suffix)

@@ -27,7 +27,7 @@ def demo(templates: Path, generated: Path) -> bool:
     fine = True
     for description in descriptions:
         mechanism = load(description)
-        for path in build(mechanism, generated, FORMATS):
+        for path in build(mechanism, generated, FORMATS, force=True):
             programs = ["formulas"] if path.suffix == ".xlsx" and _rows(mechanism) <= SMALL else []
             report = check(path, programs)
             fine = fine and report.agrees

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.diagnostics import Fault, MissingProgramError
+from mechsheet.diagnostics import Fault, MechsheetError, MissingProgramError
+from mechsheet.given import number_text
 from mechsheet.model import Mechanism
+
+Overrides: TypeAlias = Mapping[str, "str | float | Fraction | Decimal | np.number[Any]"]
 
 
 class Motion(Mapping[str, NDArray[np.float64]]):
@@ -86,11 +91,13 @@ class Linkage(Mechanism):
 
         return Motion(*variables_and_units(self))
 
-    def build(self, folder: str | Path = ".", formats: Iterable[str] = ("xlsx",)) -> list[Path]:
+    def build(
+        self, output: str | Path = ".", formats: str | Iterable[str] | None = None, force: bool = False
+    ) -> list[Path]:
         """Write the workbooks; see `mechsheet.build`."""
         from mechsheet.building import build
 
-        return build(self, folder, list(formats))
+        return build(self, output, formats, force=force)
 
     def drawing(self, at: float | None = None) -> Drawing:
         """The drawing at a driver value (in its unit; the first position without it), shown by a notebook."""
@@ -116,10 +123,11 @@ def _linkage(mechanism: Mechanism) -> Linkage:
     return Linkage(**{field.name: getattr(mechanism, field.name) for field in fields(Mechanism)})
 
 
-def load(path: str | Path, overrides: Mapping[str, str | float] | None = None, language: str | None = None) -> Linkage:
+def load(path: str | Path, overrides: Overrides | None = None, language: str | None = None) -> Linkage:
     """The linkage that a description file describes.
 
-    overrides  dimension -> value in its own unit, in place of the file's: {"a1": 65}
+    overrides  dimension -> value in its own unit, in place of the file's: {"a1": 65}; a number of any type (of numpy,
+               Fraction, Decimal), or its text
     language   "en" or "tr", in place of the file's
 
     Raises DescriptionError with every fault, each with file, line and key.
@@ -132,7 +140,7 @@ def load(path: str | Path, overrides: Mapping[str, str | float] | None = None, l
 def loads(
     text: str,
     file: str = "<text>",
-    overrides: Mapping[str, str | float] | None = None,
+    overrides: Overrides | None = None,
     language: str | None = None,
 ) -> Linkage:
     """The same from a text; `file` is what messages call it."""
@@ -141,5 +149,28 @@ def loads(
     return _linkage(description.loads(text, file, _texts(overrides), language))
 
 
-def _texts(overrides: Mapping[str, str | float] | None) -> dict[str, str]:
-    return {name: value if isinstance(value, str) else repr(value) for name, value in (overrides or {}).items()}
+def template(name: str, overrides: Overrides | None = None, language: str | None = None) -> Linkage:
+    """A packaged linkage to start from: `mechsheet.template("four-bar")`; `mechsheet new --list` names all.
+
+    Raises DescriptionError with the near miss when there is no such template, and as `load`.
+    """
+    from mechsheet.description.templates import template_text
+
+    return loads(template_text(name), name, overrides, language)
+
+
+def _texts(overrides: Overrides | None) -> dict[str, str]:
+    """The values as texts. Raises MechsheetError with every value that is no number."""
+    if not isinstance(overrides, Mapping | None):
+        hint = '{"a1": 65}: the dimension, and its value in its own unit'
+        raise MechsheetError(Fault("expected a mapping of values", key="overrides", hint=hint))
+    texts: dict[str, str] = {}
+    faults: list[Fault] = []
+    for name, value in (overrides or {}).items():
+        try:
+            texts[str(name)] = value if isinstance(value, str) else number_text(value, str(name))
+        except MechsheetError as error:
+            faults += error.faults
+    if faults:
+        raise MechsheetError(faults)
+    return texts

@@ -201,7 +201,10 @@ class TableRequest:
 
 @dataclass(frozen=True, slots=True)
 class Mechanism:
-    """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook)."""
+    """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
+
+    `file` is the stem of the file that it was read from, "" when it was read from none.
+    """
 
     name: str
     title: Words
@@ -220,6 +223,12 @@ class Mechanism:
     language: Literal["en", "tr"] = "en"
     references: Literal["names", "anchors"] = "names"
     text: str = ""
+    file: str = field(default="", compare=False)
+
+    @property
+    def stem(self) -> str:
+        """What files made of it are called: as the file it was read from, or by its name."""
+        return self.file or self.name
 
     @property
     def ground(self) -> Link:

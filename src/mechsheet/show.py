@@ -8,6 +8,7 @@ import json
 import math
 
 from mechsheet.building import compile_workbook
+from mechsheet.compute import column_of
 from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
@@ -154,14 +155,7 @@ def variables_and_units(mechanism: Mechanism) -> tuple[dict[str, list[float | No
 
 def _shown_column(workbook: Workbook, plan: Plan, symbol: str) -> list[float | None]:
     spot = plan.at.shown[symbol]
-    sheet = workbook.sheet(spot.sheet)
-    cells: dict[int, Scalar] = {
-        cell.row: cell.content for cell in sheet.cells if cell.col == spot.col and isinstance(cell.content, float)
-    }
-    for fill in sheet.fills:
-        if fill.col <= spot.col < fill.col + fill.cols:
-            cells |= {row: fill.value(row, spot.col) for row in range(fill.row, fill.row + fill.rows)}
-    found = [cells.get(row) for row in range(plan.at.first, plan.at.last + 1)]
+    found = column_of(workbook, spot.sheet, spot.col, plan.at.first, plan.at.last)
     return [value if isinstance(value, float) and math.isfinite(value) else None for value in found]
 
 

@@ -33,8 +33,8 @@ def test_new_build_check(tmp_path):
     assert run("new", "four-bar", "-o", mine).exit_code == 0
     result = run("build", mine, "-o", tmp_path, "--set", "a1=72")
     assert result.exit_code == 0
-    assert result.stdout.strip().endswith("four-bar.xlsx")
-    result = run("check", tmp_path / "four-bar.xlsx")
+    assert result.stdout.strip().endswith("mine.xlsx")
+    result = run("check", tmp_path / "mine.xlsx")
     assert result.exit_code == 0
     assert "all agree" in result.stdout
 
@@ -190,8 +190,9 @@ def test_full_disk_keeps_the_old_file(tmp_path, monkeypatch):
 
     monkeypatch.setattr("mechsheet.formats.archive.zipfile.ZipFile.writestr", full)
     monkeypatch.setattr("mechsheet.formats.archive.zipfile.ZipFile.open", full)
-    result = run("build", FOUR_BAR, "-o", tmp_path)
+    result = run("build", FOUR_BAR, "-o", tmp_path, "--force")
     assert result.exit_code == 2
+    assert "full" in result.stderr
     assert old.read_bytes() == b"the old one"
     assert [path.name for path in tmp_path.iterdir()] == ["four-bar.xlsx"]
 

@@ -40,7 +40,7 @@ def test_pull_and_build_again(changed, tmp_path):
     assert "a2: " in result.stderr
     assert "-> 45" in result.stderr
     assert run("build", new, "-o", tmp_path).exit_code == 0
-    report = json.loads(run("check", tmp_path / "scotch-yoke.xlsx", "--json").stdout)[0]
+    report = json.loads(run("check", tmp_path / "new.xlsx", "--json").stdout)[0]
     assert report["agrees"]
     assert report["remarks"] == []
 

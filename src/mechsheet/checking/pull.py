@@ -53,6 +53,7 @@ def pull(workbook: str | Path, into: str | Path | None = None) -> Pulled:
     target = base
     if into is not None:
         target = expected_for(source.text, file)
+        _refuse_another(base.plan.mechanism, target.plan.mechanism, shown, file)
         changes = _merged(changes, base, target, source, shown)
     # A byte-order mark and Windows' line ends are the file's own: they come back.
     mark = "\ufeff" if raw.startswith("\ufeff") else ""
@@ -68,6 +69,31 @@ def _words(change: Change) -> str:
 
 
 # --- another description -------------------------------------------------------------------------------------------
+
+
+def _refuse_another(built: Mechanism, mine: Mechanism, shown: str, file: str) -> None:
+    """Raise DescriptionError when a description is of another mechanism than the one that the workbook was built from.
+
+    That is: another name, or links, points and sliding joints that are not there any more. New ones may have come.
+    """
+    hint = "a length of the same name may mean another one there; enter the changes by hand"
+    if built.name != mine.name:
+        message = f'describes "{mine.name}"; {shown} was built from "{built.name}"'
+        raise DescriptionError(Fault(message, file, key="mechanism.name", hint=hint))
+    bodies = {link.name: link for link in mine.links}
+    faults = [
+        Fault(f'has no link "{link.name}" with the points {", ".join(link.points)}, as {shown} has', file, hint=hint)
+        for link in built.links
+        if link.name not in bodies or not set(link.points) <= set(bodies[link.name].points)
+    ]
+    joints = {(joint.kind, joint.link, joint.on, joint.point) for joint in mine.joints}
+    faults += [
+        Fault(f'has no joint of "{joint.link}" on "{joint.on}" at {joint.point}, as {shown} has', file, hint=hint)
+        for joint in built.joints
+        if (joint.kind, joint.link, joint.on, joint.point) not in joints
+    ]
+    if faults:
+        raise DescriptionError(faults)
 
 
 def _merged(changes: Sequence[Change], base: Expected, mine: Expected, source: Source, shown: str) -> list[Change]:

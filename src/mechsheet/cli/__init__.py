@@ -14,6 +14,7 @@ from mechsheet.diagnostics import MechsheetError, near_miss
 
 from .build import build
 from .check import check
+from .common import in_options
 from .export import export
 from .new import new
 from .plot import plot
@@ -21,6 +22,7 @@ from .pull import pull
 from .recalc import recalc
 from .schema import schema
 from .show import show
+from .streams import ended_by_signals, ending_well, prepare_streams
 
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -38,13 +40,25 @@ class Commands(click.Group):
             ctx.fail(f'no command is called "{name}": {hint}')
         return super().resolve_command(ctx, args)
 
+    def main(self, *args: Any, **options: Any) -> Any:
+        """As click does, on any code page, with any end: see `streams`."""
+        prepare_streams()
+        with ended_by_signals(), ending_well():
+            return super().main(*args, **options)
+
+    def make_context(self, *args: Any, **options: Any) -> click.Context:
+        """As click does; here help is printed."""
+        with ending_well():
+            return super().make_context(*args, **options)
+
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; a MechsheetError ends it with code 2 and one message per fault."""
-        try:
-            return super().invoke(ctx)
-        except MechsheetError as error:
-            click.echo(str(error), err=True)
-            ctx.exit(2)
+        with ending_well():
+            try:
+                return super().invoke(ctx)
+            except MechsheetError as error:
+                click.echo("\n".join(str(in_options(fault)) for fault in error.faults), err=True)
+                ctx.exit(2)
 
 
 @click.group(cls=Commands, context_settings=CONTEXT)
@@ -54,8 +68,8 @@ def main() -> None:
 
     \b
     mechsheet new four-bar -o mine.toml      start from a packaged description
-    mechsheet build mine.toml                write four-bar.xlsx
-    mechsheet check four-bar.xlsx            recalculate it and compare with the numpy reference
+    mechsheet build mine.toml                write mine.xlsx
+    mechsheet check mine.xlsx                recalculate it and compare with the numpy reference
     """
 
 

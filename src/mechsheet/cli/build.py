@@ -2,19 +2,41 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
 
-from .common import SET, at_lines_of, described, progress
+from .common import (
+    SET,
+    STANDARD_INPUT,
+    STANDARD_OUTPUT,
+    OutputName,
+    at_lines_of,
+    described,
+    progress,
+    same_file,
+    say_written,
+)
+
+if TYPE_CHECKING:
+    from mechsheet.building import Target
 
 
 @click.command()
 @click.argument("descriptions", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder to write into.")
-@click.option("--format", "formats", default="xlsx", show_default=True, help="xlsx, ods, or both with a comma.")
+@click.option(
+    "-o",
+    "--output",
+    type=OutputName(),
+    default=".",
+    help="File to write (out.xlsx: its ending is the format), or folder to write into: an existing one, a name that ends "
+    "with /, or a new name without an ending.",
+)
+@click.option("--format", "formats", help="xlsx, ods, or both with a comma.  [default: xlsx]")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the workbook.")
 @click.option(
     "--functions",
@@ -22,45 +44,75 @@ from .common import SET, at_lines_of, described, progress
     default="",
     help="Extra files whose tables call functions: in Basic (.ods, macros), as LAMBDA (.xlsx, Excel 365).",
 )
+@click.option("--force", is_flag=True, help="Overwrite also what somebody has changed since it was built.")
 @SET
 def build(
     descriptions: tuple[Path, ...],
-    output: Path,
-    formats: str,
+    output: str,
+    formats: str | None,
     language: str | None,
     functions: str,
+    force: bool,
     settings: tuple[str, ...],
 ) -> None:
-    """Write the workbooks of descriptions.
+    """Write the workbooks of descriptions, each called as its description.
 
     \b
-    mechsheet build four-bar.toml
-    mechsheet build *.toml -o workbooks --format xlsx,ods --set a1=65
+    mechsheet build mine.toml                                  mine.xlsx
+    mechsheet build mine.toml -o out.ods --set a1=65
+    mechsheet build *.toml -o workbooks/ --format xlsx,ods
     mechsheet build adjustable-pump.toml --functions lambda    adjustable-pump-lambda.xlsx too
-    """
-    from mechsheet.building import FORMATS, FUNCTIONS
-    from mechsheet.building import build as build_workbooks
 
-    wanted = _listed(formats)
-    unknown = [part for part in wanted if part not in FORMATS]
-    if unknown or not wanted:
-        raise MechsheetError(
-            Fault(f'no format is called "{", ".join(unknown)}"', key="--format", hint=f"formats: {', '.join(FORMATS)}")
+    A workbook in which somebody has saved changes is left as it is, unless with --force.
+    """
+    from mechsheet.building import compile_workbook, refuse_edited, targets, write_all
+    from mechsheet.verdict import verdict
+
+    if output == STANDARD_OUTPUT:
+        raise OutputError(
+            Fault("a workbook is written to a file, not printed", key="-o", hint="for example -o out.xlsx")
         )
-    extra = _listed(functions)
-    unknown = [part for part in extra if part not in FUNCTIONS]
-    if unknown:
-        hint = f"functions are written as {' or '.join(FUNCTIONS)}"
-        raise MechsheetError(Fault(f'no functions are called "{", ".join(unknown)}"', key="--functions", hint=hint))
-    mechanisms = [described(path, settings, language) for path in descriptions]
-    for path, mechanism in zip(descriptions, mechanisms, strict=True):
+    paths = _each_once(descriptions)
+    mechanisms = [described(path, settings, language) for path in paths]
+    wanted = [targets(mechanism, output, formats, functions) for mechanism in mechanisms]
+    _refuse_shared(paths, wanted)
+    if not force:
+        refuse_edited(target for files in wanted for target in files)
+    for path, mechanism, files in zip(paths, mechanisms, wanted, strict=True):
         with progress(path.name) as say, at_lines_of(mechanism, path):
             say("building")
-            written = build_workbooks(mechanism, output, wanted, extra)
-        for file in written:
-            click.echo(file.as_posix())
+            workbook, plan = compile_workbook(mechanism)
+            written = write_all(mechanism, workbook, files, output)
+        say_written(written)
+        click.echo(f"{readable_name(path)}: {verdict(mechanism, workbook, plan)}", err=True)
 
 
-def _listed(text: str) -> list[str]:
-    """The words of an option, each once."""
-    return list(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
+def _each_once(descriptions: Sequence[Path]) -> list[Path]:
+    """The descriptions without those that are named twice (`*.toml mine.toml`)."""
+    found: list[Path] = []
+    for path in descriptions:
+        if not any(path == other or same_file(path, other) for other in found):
+            found.append(path)
+    return found
+
+
+def _refuse_shared(paths: Sequence[Path], wanted: Sequence[Sequence[Target]]) -> None:
+    """Raise OutputError when two descriptions would write one file, or one would be overwritten itself.
+
+    Names that differ in capitals only are one file on many systems.
+    """
+    faults: list[Fault] = []
+    owners: dict[str, Path] = {}
+    for path, files in zip(paths, wanted, strict=True):
+        for target in files:
+            shown = readable_name(target.path)
+            owner = owners.setdefault(shown.casefold(), path)
+            if owner is not path:
+                names = f"{readable_name(owner)} and {readable_name(path)}"
+                hint = "build them one by one, each with its own -o"
+                faults.append(Fault(f"{names} would both be written into this file", shown, hint=hint))
+            if any(other != STANDARD_INPUT and same_file(target.path, other) for other in paths):
+                hint = "name another file with -o"
+                faults.append(Fault("is read here: it is not overwritten", shown, hint=hint))
+    if faults:
+        raise MechsheetError(faults)

@@ -6,12 +6,15 @@ import contextlib
 import re
 import sys
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from mechsheet.diagnostics import Fault, MechanismError, MechsheetError, readable_name
+from mechsheet.diagnostics import Fault, MechanismError, MechsheetError, OutputError, readable_name
+from mechsheet.formats.archive import is_stream
+from mechsheet.outputs import file_in, is_there
 
 if TYPE_CHECKING:
     from mechsheet.model import Mechanism
@@ -27,7 +30,8 @@ def described(path: Path, settings: tuple[str, ...] = (), language: str | None =
     changes = settings_of(settings)
     if path != STANDARD_INPUT:
         return load(path, changes, language)
-    text = text_of(sys.stdin.buffer.read(MAX_BYTES + 1), _name_of(path))
+    content = b"" if sys.stdin is None else sys.stdin.buffer.read(MAX_BYTES + 1)  # None: it was closed
+    text = text_of(content, _name_of(path))
     return loads(text, _name_of(path), changes, language)
 
 
@@ -87,3 +91,89 @@ SET = click.option(
     "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Change a dimension; may be repeated."
 )
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+
+
+# --- what the library calls its arguments, and how the command line spells them ---------------------------------------
+
+_OPTIONS = {
+    "at": "--at",
+    "frames": "--frames",
+    "to": "--to",
+    "formats": "--format",
+    "functions": "--functions",
+    "language": "--language",
+    "output": "-o",
+}
+_OVERRIDES = re.compile(r"overrides: (.*)")
+
+
+def in_options(fault: Fault) -> Fault:
+    """A fault of the library with the option's name in place of the argument's."""
+    found = _OVERRIDES.fullmatch(fault.key)
+    if found:
+        return replace(fault, key=f"--set {found[1]}")
+    return replace(fault, key=_OPTIONS.get(fault.key, fault.key)) if fault.line is None else fault
+
+
+# --- where files go -------------------------------------------------------------------------------------------------
+
+STANDARD_OUTPUT = "-"
+
+
+class OutputName(click.ParamType):  # type: ignore[type-arg, unused-ignore]
+    """A name after -o: kept as text, because a slash at its end means a folder."""
+
+    name = "path"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The text; nothing at all names no file."""
+        text = str(value)
+        if not text.strip():
+            self.fail("names no file", param, ctx)
+        if "\0" in text:
+            self.fail("a null character stands in no file name", param, ctx)
+        return text
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[Any]:
+        """Files and folders."""
+        return click.Path().shell_complete(ctx, param, incomplete)
+
+
+def output_option(about: str) -> Callable[[Any], Any]:
+    """The option -o of every command that writes; `about` says what is written into a file."""
+    text = f"{about} A name that ends with / and an existing folder mean a folder to write into."
+    return click.option("-o", "--output", type=OutputName(), help=text)
+
+
+def output_file(output: str | None, default: str, inputs: tuple[Path, ...] = ()) -> Path:
+    """The file that -o means, `default` in the folder that it means; never one of the files that are read.
+
+    Raises OutputError for `-`, which the commands that print take before, and for a file of `inputs`.
+    """
+    if output == STANDARD_OUTPUT:
+        raise OutputError(Fault("this is written to a file, not printed", key="-o", hint="/dev/stdout is a file too"))
+    path = file_in(output, default)
+    if any(same_file(path, other) for other in inputs):
+        hint = "name another file with -o"
+        raise OutputError(Fault("is read here: it is not overwritten", readable_name(path), hint=hint))
+    return path
+
+
+def same_file(one: Path, other: Path) -> bool:
+    """Whether two names lead to one file; names of files that are not there yet are compared as they stand."""
+    try:
+        return one.samefile(other)
+    except (OSError, ValueError):
+        return False
+
+
+def say_written(files: list[Path]) -> None:
+    """The files written, one a line, so that another program can read them; a device's name would only disturb."""
+    for file in files:
+        click.echo(file.as_posix(), err=is_stream(file))
+
+
+def refuse_existing(path: Path, hint: str = "choose another name with -o") -> None:
+    """Raise OutputError when there is a file already."""
+    if is_there(path) and not is_stream(path):
+        raise OutputError(Fault("there is a file already: it is left as it is", readable_name(path), hint=hint))

@@ -6,9 +6,11 @@ from pathlib import Path
 
 import click
 
-from .common import SET, at_lines_of, described, progress
+from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.outputs import folder_ready
 
-STANDARD_OUTPUT = Path("-")
+from .common import SET, STANDARD_OUTPUT, at_lines_of, described, output_file, output_option, progress, say_written
+from .streams import print_file
 
 
 class WithKinds(click.Command):
@@ -25,9 +27,7 @@ class WithKinds(click.Command):
 @click.command(cls=WithKinds)
 @click.argument("description", type=click.Path(path_type=Path))
 @click.option("--to", "kind", required=True, metavar="KIND", help="What to write: see below.")
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path), help="File to write, or - to print it; with --frames, a folder."
-)
+@output_option("File to write, or - to print it; with --frames, a folder.")
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @click.option("--frames", type=int, metavar="N", help="Draw N positions of the sweep, one file each.")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the file.")
@@ -35,7 +35,7 @@ class WithKinds(click.Command):
 def export(
     description: Path,
     kind: str,
-    output: Path | None,
+    output: str | None,
     at: float | None,
     frames: int | None,
     language: str | None,
@@ -49,18 +49,20 @@ def export(
     mechsheet export four-bar.toml --to latex --at 60    the solution, with numbers for one position
     mechsheet export four-bar.toml --to dxf --frames 12  twelve drawings in the folder four-bar
     """
+    from mechsheet.exporting import default_name, exported, kind_of
     from mechsheet.exporting import export as write
-    from mechsheet.exporting import exported, kind_of
 
     wanted = kind_of(kind)
     mechanism = described(description, settings, language)
-    if output == STANDARD_OUTPUT and frames is None:
+    if output == STANDARD_OUTPUT and frames is not None:
+        raise MechsheetError(Fault("several files are not printed", key="-o", hint="name a folder"))
+    if output == STANDARD_OUTPUT:
         with at_lines_of(mechanism, description):
             content = exported(mechanism, wanted.name, at)
-        click.echo(content, nl=False)
+        print_file(content)
         return
-    with progress(description.name) as say, at_lines_of(mechanism, description):
+    file = None if frames is not None else output_file(output, default_name(mechanism, wanted), (description,))
+    with progress(description.name) as say, at_lines_of(mechanism, description), folder_ready(output):
         say(f"writing {wanted.name}")
-        written = write(mechanism, wanted.name, output, at, frames)
-    for file in written:
-        click.echo(file.as_posix())
+        written = write(mechanism, wanted.name, output if file is None else file, at, frames)
+    say_written(written)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.outputs import folder_ready, is_there
+
+from .common import STANDARD_OUTPUT, output_file, output_option, refuse_existing
+from .streams import print_file
 
 
 def _templates(context: click.Context, parameter: click.Parameter, begun: str) -> list[str]:
@@ -18,30 +19,39 @@ def _templates(context: click.Context, parameter: click.Parameter, begun: str) -
 
 @click.command()
 @click.argument("template", required=False, shell_complete=_templates)
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write; standard output without it.")
-@click.option("--list", "show_list", is_flag=True, help="List the templates.")
-def new(template: str | None, output: Path | None, show_list: bool) -> None:
+@output_option("File to write; standard output without it.")
+@click.option("--list", "show_list", is_flag=True, help="List the templates with their titles.")
+def new(template: str | None, output: str | None, show_list: bool) -> None:
     """Start from a packaged description.
 
     \b
     mechsheet new --list
     mechsheet new four-bar -o mine.toml
+
+    Where `mechsheet schema -o mechsheet.schema.json` was run, the first line of the new file names it for editors.
     """
-    from mechsheet.description.templates import template_names, template_text
+    from mechsheet.description.json_schema import FILE
+    from mechsheet.description.templates import template_text, template_titles
 
     if show_list or template is None:
-        for name in template_names():
-            click.echo(name)
+        if output is not None:
+            raise click.UsageError("-o needs a template: mechsheet new four-bar -o mine.toml")
+        titles = template_titles()
+        width = max(len(name) for name in titles)
+        for name, title in titles.items():
+            click.echo(f"{name:<{width}}  {title}")
         return
-    text = template_text(template)
-    if output is None:
-        click.echo(text, nl=False)
+    first_line = f"#:schema {FILE}\n"
+    text = template_text(template).removeprefix(first_line)
+    if output in (None, STANDARD_OUTPUT):
+        print_file(text)
         return
-    if output.exists():
-        raise MechsheetError(
-            Fault("there is a file already: it is left as it is", str(output), hint="choose another name")
-        )
     from mechsheet.formats.archive import replace_file
 
-    replace_file(output, text.encode())
-    click.echo(f"wrote {output.as_posix()}", err=True)
+    file = output_file(output, f"{template.removesuffix('.toml')}.toml")
+    refuse_existing(file)
+    # Editors complain of a schema that is not there.
+    text = first_line + text if is_there(file.parent / FILE) else text
+    with folder_ready(output):
+        replace_file(file, text.encode())
+    click.echo(f"wrote {file.as_posix()}", err=True)

@@ -6,17 +6,19 @@ from pathlib import Path
 
 import click
 
-from .common import SET, at_lines_of, described, progress
+from mechsheet.outputs import folder_ready
+
+from .common import SET, at_lines_of, described, output_file, output_option, progress, say_written
 
 
 @click.command()
 @click.argument("description", type=click.Path(path_type=Path))
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write: .svg, .png, .gif or .html.")
+@output_option("File to write: .svg, .png, .gif or .html.")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the picture.")
 @SET
 def plot(
-    description: Path, at: float | None, output: Path | None, language: str | None, settings: tuple[str, ...]
+    description: Path, at: float | None, output: str | None, language: str | None, settings: tuple[str, ...]
 ) -> None:
     """Draw the mechanism: a picture, an animation, or a web page with a slider.
 
@@ -31,8 +33,8 @@ def plot(
     from mechsheet.plotting import plot as draw
 
     mechanism = described(description, settings, language)
-    path = output or Path(f"{mechanism.name}.svg")
-    with progress(description.name) as say, at_lines_of(mechanism, description):
+    path = output_file(output, f"{mechanism.stem}.svg", (description,))
+    with progress(description.name) as say, at_lines_of(mechanism, description), folder_ready(output):
         say("drawing")
         draw(mechanism, path, at)
-    click.echo(path.as_posix())
+    say_written([path])

@@ -6,14 +6,17 @@ from pathlib import Path
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.outputs import folder_ready
+
+from .common import STANDARD_OUTPUT, output_file, output_option, refuse_existing, same_file
+from .streams import print_file
 
 
 @click.command()
 @click.argument("workbook", type=click.Path(path_type=Path))
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write; standard output without it.")
+@output_option("File to write; standard output without it.")
 @click.option("--into", type=click.Path(path_type=Path), help="Bring the changes into this description instead.")
-def pull(workbook: Path, output: Path | None, into: Path | None) -> None:
+def pull(workbook: Path, output: str | None, into: Path | None) -> None:
     """Bring dimensions and modes that were changed in a workbook back into its description.
 
     Comments and order of the description stay. Without --into it is the one that the workbook carries.
@@ -25,16 +28,17 @@ def pull(workbook: Path, output: Path | None, into: Path | None) -> None:
     from mechsheet.checking.pull import pull as pulled_from
     from mechsheet.formats.archive import replace_file
 
-    if output is not None and output.exists() and not (into is not None and into.exists() and output.samefile(into)):
-        hint = "choose another name, or name the same file with --into"
-        raise MechsheetError(Fault("there is a file already: it is left as it is", output.as_posix(), hint=hint))
+    file = None if output in (None, STANDARD_OUTPUT) else output_file(output, f"{workbook.stem}.toml", (workbook,))
+    if file is not None and not (into is not None and same_file(file, into)):
+        refuse_existing(file, "choose another name, or name the same file with --into")
     result = pulled_from(workbook, into)
     for change in result.changes:
         click.echo(change, err=True)
     if not result.changes:
         click.echo("nothing was changed", err=True)
-    if output is None:
-        click.echo(result.text, nl=False)
+    if file is None:
+        print_file(result.text)
         return
-    replace_file(output, result.text.encode())
-    click.echo(f"wrote {output.as_posix()}", err=True)
+    with folder_ready(output):
+        replace_file(file, result.text.encode())
+    click.echo(f"wrote {file.as_posix()}", err=True)

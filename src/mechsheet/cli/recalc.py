@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
+from mechsheet.outputs import folder_ready, names_folder
 
-from .common import JSON, progress, settings_of
+from .common import JSON, output_file, output_option, progress, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
 from .remarks import cell_text, remark_lines, stored_lines
 
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 @click.option(
     "--print", "ranges", multiple=True, metavar="RANGE", help="Print Sheet!A1:C9, tab separated; may be repeated."
 )
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the recalculated workbook there.")
+@output_option("Write the recalculated workbook there.")
 @click.option("--strict", is_flag=True, help="Exit code 1 also when something cannot be computed or compared.")
 @click.option("--check", is_flag=True, help="Compare with the stored values instead, of files and whole folders.")
 @gate_options
@@ -41,7 +42,7 @@ def recalc(
     settings: tuple[str, ...],
     ranges: tuple[str, ...],
     check: bool,
-    output: Path | None,
+    output: str | None,
     as_json: bool,
     **options: Any,
 ) -> None:
@@ -75,7 +76,7 @@ def recalc(
 
 
 def _recalculate(
-    workbook: Path, settings: tuple[str, ...], ranges: tuple[str, ...], output: Path | None, as_json: bool, strict: bool
+    workbook: Path, settings: tuple[str, ...], ranges: tuple[str, ...], output: str | None, as_json: bool, strict: bool
 ) -> None:
     """Set, compute, print, write."""
     from mechsheet.recalculation import recalc as recalculate
@@ -85,8 +86,10 @@ def _recalculate(
         result = recalculate(workbook, settings_of(settings))
     areas = [result.area(text) for text in ranges]
     if output is not None:
-        result.write(output)
-        click.echo(f"wrote {output.as_posix()}", err=True)
+        file = output_file(output, workbook.name, (workbook,) if names_folder(output) else ())
+        with folder_ready(output):
+            result.write(file)
+        click.echo(f"wrote {file.as_posix()}", err=True)
     _print_notes("", result.remarks)
     if areas:
         _print_areas(result, areas, as_json)

@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import click
+
+from mechsheet.outputs import folder_ready
+
+from .common import STANDARD_OUTPUT, output_file, output_option
+from .streams import print_file
 
 
 @click.command()
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write; standard output without it.")
-def schema(output: Path | None) -> None:
+@output_option("File to write; standard output without it.")
+def schema(output: str | None) -> None:
     """Print the JSON Schema of descriptions: editors complete and check keys with it.
 
     \b
-    mechsheet schema -o mechsheet.schema.json     beside the descriptions, whose first line names it:
+    mechsheet schema -o mechsheet.schema.json     beside the descriptions, whose first line is to name it:
                                                   #:schema mechsheet.schema.json
     """
-    from mechsheet.description.json_schema import json_schema_text
+    from mechsheet.description.json_schema import FILE, json_schema_text
 
     text = json_schema_text()
-    if output is None:
-        click.echo(text, nl=False)
+    if output in (None, STANDARD_OUTPUT):
+        print_file(text)
         return
     from mechsheet.formats.archive import replace_file
 
-    replace_file(output, text.encode())
-    click.echo(f"wrote {output.as_posix()}", err=True)
+    file = output_file(output, FILE)
+    with folder_ready(output):
+        replace_file(file, text.encode())
+    click.echo(f"wrote {file.as_posix()}; first line of a description beside it: #:schema {file.name}", err=True)

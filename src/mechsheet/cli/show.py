@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from .common import JSON, SET, at_lines_of, described
+from .streams import print_file
 
 
 @click.command()
@@ -38,4 +39,7 @@ def show(description: Path, settings: tuple[str, ...], what: str | None, as_json
             text = shows.variables_csv(mechanism)
         else:
             text = shows.overview_text(mechanism)
-    click.echo(text, nl=not text.endswith("\n"))
+    if as_json or as_csv:
+        print_file(text if text.endswith("\n") else f"{text}\n")
+    else:
+        click.echo(text, nl=not text.endswith("\n"))

@@ -27,7 +27,7 @@ def with_values(source: Source, values: Mapping[str, str]) -> tuple[str, list[Fa
     entries = entries if isinstance(entries, dict) else {}
     inputs = [name for name, entry in entries.items() if not (isinstance(entry, dict) and "formula" in entry)]
     for given, value in values.items():
-        name, key = unicodedata.normalize("NFC", given.strip()), f"--set {given}={value}"
+        name, key = unicodedata.normalize("NFC", given.strip()), f"overrides: {given}={value}"
         if name not in entries:
             hint = suggestion(name, inputs, "inputs")
             faults.append(Fault(f"no dimension is called {quoted(name)}", source.file, key=key, hint=hint))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
@@ -31,7 +32,7 @@ def load(path: str | FilePath, overrides: Mapping[str, str] | None = None, langu
     Raises DescriptionError with every fault found, each with file, line and key. `Mechanism.text` is the file with the
     overrides written into it, so that reading it again gives the same mechanism.
     """
-    return loads(read_text(path), readable_name(path), overrides, language)
+    return replace(loads(read_text(path), readable_name(path), overrides, language), file=FilePath(path).stem)
 
 
 def loads(

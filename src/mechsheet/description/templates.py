@@ -17,6 +17,13 @@ def template_names() -> tuple[str, ...]:
     return tuple(sorted(entry.name.removesuffix(_SUFFIX) for entry in _folder().iterdir() if _is_template(entry)))
 
 
+def template_titles() -> dict[str, str]:
+    """Name -> English title, in alphabetical order."""
+    from mechsheet.description.reader import loads
+
+    return {name: loads(template_text(name), name).title.en for name in template_names()}
+
+
 def template_text(name: str) -> str:
     """The text of a packaged description; "four-bar" and "four-bar.toml" are the same.
 

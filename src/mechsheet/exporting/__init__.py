@@ -4,7 +4,6 @@ what the engine computes from it. No kind has mathematics of its own.
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
@@ -12,7 +11,9 @@ from mechsheet.exporting.identifiers import ascii_word
 from mechsheet.exporting.job import Job, Kind
 from mechsheet.exporting.kinds import KINDS
 from mechsheet.formats.archive import make_folder, replace_file
+from mechsheet.given import number_given, whole_number_given
 from mechsheet.model import Mechanism
+from mechsheet.outputs import file_in
 
 __all__ = ["KINDS", "Job", "Kind", "export", "exported", "kind_of"]
 
@@ -22,8 +23,8 @@ MOST_FRAMES = 10_000
 def kind_of(name: str) -> Kind:
     """The kind of that name. Raises MechsheetError with the near miss when there is none."""
     if name not in KINDS:
-        hint = near_miss(name.casefold(), KINDS) or f"kinds: {', '.join(KINDS)}"
-        raise MechsheetError(Fault(f'no kind of export is called "{name}"', key="--to", hint=hint))
+        hint = near_miss(str(name).casefold(), KINDS) or f"kinds: {', '.join(KINDS)}"
+        raise MechsheetError(Fault(f'no kind of export is called "{name}"', key="to", hint=hint))
     return KINDS[name]
 
 
@@ -37,7 +38,8 @@ def export(
     """Write a mechanism as another program reads it, and return the files written.
 
     to      a kind: one of `KINDS`
-    path    the file, by default the mechanism's name in the present folder; with `frames` the folder for the files
+    path    the file; or a folder (an existing one, or a name that ends with a slash), in which the file is called as the
+            description's; the present folder by default. With `frames`, the folder for the files
     at      for kinds that show one position: the driver's value in its own unit; by default the first that exists
     frames  for kinds that draw: so many positions, evenly spread over the sweep, one file each
 
@@ -46,14 +48,26 @@ def export(
     cannot be written. A failure leaves every old file whole.
     """
     kind = _asked(to, at, frames)
-    stem = ascii_word(mechanism.name) if kind.identifier else mechanism.name
-    path = Path(path) if path is not None else Path(stem if frames else stem + kind.suffix)
+    if frames:
+        path = Path(path) if path is not None else Path(mechanism.stem)
+    else:
+        path = file_in(path, default_name(mechanism, kind))
     name = path.name if frames else path.stem
     if kind.identifier and name != ascii_word(name):
         hint = f"for example {ascii_word(name)}{kind.suffix}"
         fault = f"the file's name is a name in its language too: letters, digits and _ ({kind.name})"
-        raise MechsheetError(Fault(fault, readable_name(path), key="-o", hint=hint))
+        raise MechsheetError(Fault(fault, readable_name(path), key="output", hint=hint))
     contents = kind.write(Job(mechanism, name, at, frames))
+    return _write(path, name, kind, contents, bool(frames))
+
+
+def default_name(mechanism: Mechanism, kind: Kind) -> str:
+    """What the file of an export is called when nobody names it."""
+    stem = ascii_word(mechanism.stem) if kind.identifier else mechanism.stem
+    return f"{stem}{kind.behind}{kind.suffix}"
+
+
+def _write(path: Path, name: str, kind: Kind, contents: list[bytes], frames: bool) -> list[Path]:
     files = [path]
     if frames:
         digits = len(str(len(contents)))
@@ -74,6 +88,8 @@ def exported(mechanism: Mechanism, to: str, at: float | None = None) -> bytes:
 def _asked(to: str, at: float | None, frames: int | None) -> Kind:
     """The kind of that name, when it takes these options."""
     kind = kind_of(to)
+    at = None if at is None else number_given(at, "at")
+    frames = None if frames is None else whole_number_given(frames, "frames")
     faults = _faults(kind, at, frames)
     if faults:
         raise MechsheetError(faults)
@@ -83,14 +99,12 @@ def _asked(to: str, at: float | None, frames: int | None) -> Kind:
 def _faults(kind: Kind, at: float | None, frames: int | None) -> list[Fault]:
     """Options that the kind does not take, and values that no position has."""
     faults = []
-    for key, given, taken in (("--at", at, "positions"), ("--frames", frames, "frames")):
+    for key, given, taken in (("at", at, "positions"), ("frames", frames, "frames")):
         if given is not None and not getattr(kind, taken):
             others = ", ".join(other.name for other in KINDS.values() if getattr(other, taken))
-            faults.append(Fault(f"{kind.name} holds the whole sweep", key=key, hint=f"kinds with {key}: {others}"))
-    if at is not None and not math.isfinite(at):
-        faults.append(Fault(f"{at} is not a position of the driver", key="--at"))
+            faults.append(Fault(f"{kind.name} holds the whole sweep", key=key, hint=f"kinds that take it: {others}"))
     if at is not None and frames is not None:
-        faults.append(Fault("one position or several: --at and --frames exclude each other", key="--frames"))
+        faults.append(Fault("one position or several: at and frames exclude each other", key="frames"))
     if frames is not None and not 1 <= frames <= MOST_FRAMES:
-        faults.append(Fault(f"{frames} frames: from 1 to {MOST_FRAMES} can be written", key="--frames"))
+        faults.append(Fault(f"{frames} frames: from 1 to {MOST_FRAMES} can be written", key="frames"))
     return faults

@@ -39,6 +39,7 @@ class Kind:
     identifier  the file's stem is a name in a programming language: letters, digits and _
     positions   shows one position: takes `at`
     frames      can show several positions, one file each: takes `frames`
+    behind      stands behind the stem of a file that nobody names, where `plot` would write a file of that name
     """
 
     name: str
@@ -48,3 +49,4 @@ class Kind:
     identifier: bool = False
     positions: bool = False
     frames: bool = False
+    behind: str = ""

@@ -12,7 +12,15 @@ _ROWS = (
     Kind("latex", ".tex", "the solution as a textbook writes it, for one position", latex.write, positions=True),
     Kind("markdown", ".md", "the same in Markdown", markdown.write, positions=True),
     Kind("csv", ".csv", "the variables over the sweep, with units", table.write),
-    Kind("svg", ".svg", "drawings of positions, true coordinates", svg.write, positions=True, frames=True),
+    Kind(
+        "svg",
+        ".svg",
+        "drawings of positions, true coordinates",
+        svg.write,
+        positions=True,
+        frames=True,
+        behind="-drawing",
+    ),
     Kind("dxf", ".dxf", "drawings for CAD (needs mechsheet[dxf])", dxf.write, positions=True, frames=True),
 )
 

@@ -61,7 +61,7 @@ def write(job: Job) -> list[bytes]:
     """The module in UTF-8."""
     if job.name in {*sys.stdlib_module_names, *keyword.kwlist, "numpy"}:
         fault = f'"{job.name}" is a module or a word of Python: nobody could import this one'
-        raise MechsheetError(Fault(fault, key="-o", hint=f"for example {job.name}_mechanism.py"))
+        raise MechsheetError(Fault(fault, key="output", hint=f"for example {job.name}_mechanism.py"))
     program = program_of(job.mechanism, RESERVED)
     lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
     return [("\n".join(lines) + _HELPERS).encode()]

@@ -82,7 +82,7 @@ def drawings(job: Job) -> Iterator[Drawn]:
         there = [row for row in range(found.sweep) if found.exists[row]]
         if job.frames > len(there):
             fault = f"{job.frames} frames: the sweep has {len(there)} positions to draw"
-            raise MechsheetError(Fault(fault, key="--frames"))
+            raise MechsheetError(Fault(fault, key="frames"))
         rows = [there[round(place)] for place in np.linspace(0, len(there) - 1, job.frames).tolist()]
     stage = Stage(found)
     for row in rows:

@@ -40,9 +40,9 @@ def read(path: Path) -> Book:
     return reader(path)
 
 
-def write(workbook: Workbook, path: Path) -> None:
-    """Write `workbook` in the format that the suffix of `path` names. Raises OutputError."""
-    place = WRITERS.get(path.suffix.lower())
+def write(workbook: Workbook, path: Path, form: str = "") -> None:
+    """Write `workbook` in the format `form` ("xlsx", "ods"), else the one that `path` ends with. Raises OutputError."""
+    place = WRITERS.get(f".{form}" if form else path.suffix.lower())
     if place is None:
         raise OutputError(
             Fault(f'no format is called "{path.suffix}"', readable_name(path), hint=f"formats: {', '.join(WRITERS)}")

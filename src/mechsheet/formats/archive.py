@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import errno
+import hashlib
 import io
+import os
 import secrets
 import shutil
+import stat
+import tempfile
 import zipfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
@@ -34,6 +38,7 @@ _REASONS = {
     errno.EISDIR: "this is a folder",
     errno.EEXIST: "this is a file, not a folder",
     errno.ENAMETOOLONG: "the file name is too long",
+    errno.ELOOP: "the link leads round to itself",
 }
 
 
@@ -78,6 +83,10 @@ class Archive:
         """The comment of the archive as a whole."""
         self._zip.comment = text
 
+    def contents(self) -> str:
+        """A digest of the parts written so far: their names, sizes and checksums."""
+        return contents_of(self._zip.filelist)
+
     def close(self) -> None:
         """Write the directory of the archive."""
         self._zip.close()
@@ -85,6 +94,15 @@ class Archive:
     def abandon(self) -> None:
         """Let go of the file without writing to it again (zipfile would when it is collected, into a closed file)."""
         self._zip.fp = None
+
+
+def contents_of(entries: Iterable[zipfile.ZipInfo]) -> str:
+    """A digest of the parts of an archive, in any order: their names, sizes and checksums.
+
+    A checksum of 32 bits is enough: it is to tell a file that was saved anew, not one that was forged.
+    """
+    parts = sorted(f"{entry.CRC:08x} {entry.file_size} {entry.filename}" for entry in entries)
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:32]
 
 
 def _entry(name: str, method: int) -> zipfile.ZipInfo:
@@ -112,26 +130,68 @@ def new_archive(path: Path) -> Iterator[Archive]:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[BinaryIO]:
-    """A new file beside `path` that is moved to `path` when the block ends well and removed when it does not.
+    """A new file that becomes `path` when the block ends well and is removed when it does not.
 
+    A symbolic link stays one: what it leads to is replaced. A device or a pipe is written through once all is there.
     Raises OutputError for everything that the system refuses (no folder, no permission, a full disk, a folder of
-    that name).
+    that name); BrokenPipeError when the reader of a pipe has gone.
     """
-    temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}.tmp")
     try:
         if path.is_dir():
             raise IsADirectoryError(errno.EISDIR, "is a directory")
+        with _written_through(path) if is_stream(path) else _written_beside(path) as file:
+            yield file
+    except BrokenPipeError:
+        raise
+    except (OSError, ValueError) as error:
+        if isinstance(error, ValueError) and "\0" not in str(path):
+            raise
+        raise _output_error(path, error) from error
+
+
+@contextmanager
+def _written_beside(path: Path) -> Iterator[BinaryIO]:
+    """A new file in the folder of what `path` leads to, moved into place when the block ends well."""
+    place = path
+    if path.is_symlink():
+        place = Path(os.path.realpath(path))
+        with suppress(FileNotFoundError):  # it may lead to a file that is not there yet, but not round to itself
+            place.stat()
+    temporary = place.with_name(f".{place.name}.{secrets.token_hex(4)}.tmp")
+    try:
         with temporary.open("xb") as file:
             yield file
-        if path.exists():
-            shutil.copymode(path, temporary)
-        temporary.replace(path)
-    except OSError as error:
-        raise _output_error(path, error) from error
+        if place.exists():
+            shutil.copymode(place, temporary)
+        temporary.replace(place)
     finally:
         # After a success there is nothing left to remove; after a failure nothing may hide its cause.
-        with suppress(OSError):
+        with suppress(OSError, ValueError):
             temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def _written_through(path: Path) -> Iterator[BinaryIO]:
+    """A file without a name (an archive must be able to go back in it), copied into `path` when the block ends well."""
+    with tempfile.TemporaryFile() as held:
+        yield held
+        held.seek(0)
+        with path.open("ab") as stream:
+            shutil.copyfileobj(held, stream)
+
+
+def is_stream(path: Path) -> bool:
+    """Whether `path` is a device or a pipe: what is written goes somewhere, and there is no file to replace.
+
+    `/dev/stdout` is one wherever it leads to: whoever redirected it holds the file open.
+    """
+    if path.is_absolute() and path.parts[1:2] in (("dev",), ("proc",)):
+        return True
+    try:
+        mode = path.stat().st_mode
+    except (OSError, ValueError):
+        return False
+    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
 
 
 def replace_file(path: Path, data: bytes) -> None:
@@ -144,10 +204,13 @@ def make_folder(path: Path) -> None:
     """The folder that files are to be written into, made when its own folder is there; OutputError when it cannot be."""
     try:
         path.mkdir(exist_ok=True)
-    except OSError as error:
+    except (OSError, ValueError) as error:
         raise _output_error(path, error) from error
 
 
-def _output_error(path: Path, error: OSError) -> OutputError:
-    reason = _REASONS.get(error.errno or 0) or error.strerror or str(error)
+def _output_error(path: Path, error: OSError | ValueError) -> OutputError:
+    if isinstance(error, OSError):
+        reason = _REASONS.get(error.errno or 0) or error.strerror or str(error)
+    else:
+        reason = "a null character in the name"
     return OutputError(Fault(f"cannot be written: {reason}", file=readable_name(path)))

@@ -46,8 +46,8 @@ def manifest(folders: Iterable[str], chart_type: str, macros: Iterable[str] = ()
     )
 
 
-def meta(properties: Properties) -> str:
-    """meta.xml: the properties, with a fixed time."""
+def meta(properties: Properties, sealed: str) -> str:
+    """meta.xml: the properties, with a fixed time and the seal."""
     time = FIXED_TIME.strftime("%Y-%m-%dT%H:%M:%S")
     given = (
         ("dc:title", properties.title),
@@ -61,7 +61,8 @@ def meta(properties: Properties) -> str:
     body = "".join(f"<{tag}>{escaped(text)}</{tag}>" for tag, text in given if text)
     return (
         f"{opened('office:document-meta')}<office:meta><meta:generator>mechsheet</meta:generator>{body}"
-        f"<meta:creation-date>{time}</meta:creation-date><dc:date>{time}</dc:date></office:meta>"
+        f"<meta:creation-date>{time}</meta:creation-date><dc:date>{time}</dc:date>"
+        f'<meta:user-defined meta:name="mechsheet" meta:value-type="string">{sealed}</meta:user-defined></office:meta>'
         "</office:document-meta>"
     )
 

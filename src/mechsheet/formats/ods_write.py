@@ -17,6 +17,7 @@ from .ods_rules import content_validations, sheet_rules
 from .ods_sheet import cell_extras, enter_columns, table
 from .ods_styles import FONT_FACES, OdsStyles
 from .ods_text import absolute, opened
+from .seal import seal
 from .xml_text import attribute
 
 _CALCULATION = (
@@ -65,7 +66,6 @@ class _Document:
         """Write all parts; the media type comes first and is not compressed, so that programs can look for it."""
         archive.stored("mimetype", SHEET_TYPE)
         parts = {
-            "meta.xml": meta(self.workbook.properties),
             "settings.xml": settings(self.workbook),
             "styles.xml": styles_part(self.workbook, self.styles),
         }
@@ -80,6 +80,9 @@ class _Document:
                 part.write(text)
         with archive.text("content.xml") as part:
             part.writelines(self._content())
+        sealed = meta(self.workbook.properties, seal(archive.contents()))
+        with archive.text("meta.xml") as part:
+            part.write(sealed)
 
     def _content(self) -> Iterator[str]:
         sheets = self.workbook.sheets

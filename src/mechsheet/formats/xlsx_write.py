@@ -25,6 +25,7 @@ from .archive import FIXED_TIME, Archive, new_archive
 from .bands import linked_value
 from .limits import check_workbook
 from .looks import COLUMN_PIXELS, FONT, FONT_SIZE, ROW_PIXELS, locale
+from .seal import seal
 from .xlsx_cells import SheetData, calls_one_of, formula_texts
 from .xlsx_controls import CONTENT_TYPE, ControlVml, control_properties
 from .xlsx_sheet import DataWorksheet, fill_sheet, place_control
@@ -136,14 +137,16 @@ class _Part(io.StringIO):
 
 
 class _CoreProperties(Core):  # type: ignore[misc]
-    """Core properties with the document's language."""
+    """Core properties with the document's language and its seal."""
 
-    def __init__(self, language: str) -> None:
+    def __init__(self, language: str, identifier: str) -> None:
         super().__init__()
         self.language = language
+        self.identifier = identifier
 
     def _write_cp_category(self) -> None:
         self._xml_data_element("dc:language", self.language)
+        self._xml_data_element("dc:identifier", self.identifier)
 
 
 class _Package(Packager):  # type: ignore[misc]
@@ -173,6 +176,7 @@ class _Package(Packager):  # type: ignore[misc]
         for page in self.workbook.worksheets():
             for placed in page.controls:
                 self._filename(f"xl/ctrlProps/ctrlProp{placed.number}.xml").write(control_properties(placed))
+        self._write_properties()
         self._end_part()
 
     def _write_content_types_file(self) -> None:
@@ -217,7 +221,12 @@ class _Package(Packager):  # type: ignore[misc]
         styles._assemble_xml_file()
 
     def _write_core_file(self) -> None:
-        core = _CoreProperties(self.workbook.source.properties.language)
+        # Written last of all: it holds the seal of the others.
+        return
+
+    def _write_properties(self) -> None:
+        self._end_part()
+        core = _CoreProperties(self.workbook.source.properties.language, seal(self.archive.contents()))
         core._set_properties(self.workbook.doc_properties)
         core._set_xml_writer(self._filename("docProps/core.xml"))
         core._assemble_xml_file()

@@ -11,6 +11,7 @@ from typing import Literal
 
 from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
 from mechsheet.model import Mechanism
+from mechsheet.outputs import file_in
 
 KINDS = ("svg", "png", "gif", "html")
 
@@ -23,7 +24,7 @@ def plot(
     at: float | None = None,
     language: Literal["en", "tr"] | None = None,
 ) -> Path:
-    """Draw a mechanism into the file `path`, whose ending says how, and return it.
+    """Draw a mechanism into the file `path`, whose ending says how, and return it; a folder gets a .svg.
 
     .svg, .png   a picture of the mechanism at the driver value `at`, exactly there, also outside of the sweep
     .gif         an animation of the sweep that starts near `at`; one that does not come round is run to and fro
@@ -36,10 +37,12 @@ def plot(
     the mechanism cannot be solved or has no position at `at`, MissingProgramError when a picture is wanted and
     matplotlib (`pip install 'mechsheet[plot]'`) is not there, OutputError when the file cannot be written.
     """
-    path = Path(path)
+    path = file_in(path, f"{mechanism.stem}.svg")
     kind = path.suffix.lower().removeprefix(".")
     if kind not in KINDS:
-        hint = near_miss(kind, KINDS) or f"endings: {', '.join(f'.{known}' for known in KINDS)}"
+        hint = (
+            near_miss(kind, KINDS) or f"endings: {', '.join(f'.{known}' for known in KINDS)}; or a folder: {path.name}/"
+        )
         raise MechsheetError(Fault("the ending of the name says how to draw", readable_name(path), hint=hint))
     from mechsheet.formats.archive import replace_file
 
@@ -61,7 +64,7 @@ def drawn(
     title = mechanism.title.of(stage.sample.plan.language)
     if kind in ("gif", "html") and shown >= sweep:
         fault = f"{at:g} lies outside of the sweep, which is what a .{kind} shows"
-        raise MechsheetError(Fault(fault, key="--at", hint="draw a .svg or .png, or widen the sweep"))
+        raise MechsheetError(Fault(fault, key="at", hint="draw a .svg or .png, or widen the sweep"))
     if kind == "html":
         return page(stage)
     if kind == "gif":

@@ -12,6 +12,7 @@ import numpy as np
 
 from mechsheet.compute import computed
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
+from mechsheet.given import number_given
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Mechanism
 from mechsheet.sheet.layout import lay_out
@@ -49,8 +50,9 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     The assembly modes are those of the description's own sweep. Raises MechanismError when the mechanism cannot be
     solved, or cannot be assembled at `at`; MechsheetError when `at` is no number.
     """
-    if at is not None and not math.isfinite(at):
-        raise MechsheetError(Fault(f"{at} is not a position of the driver", key="--at"))
+    at = None if at is None else number_given(at, "at")
+    if language not in (None, "en", "tr"):
+        raise MechsheetError(Fault(f'unknown language "{language}"', key="language", hint='languages: "en", "tr"'))
     modes = {group.mode: group.mode_value for group in solve(mechanism).groups if group.mode}
     values = resampled([float(value) for value in driver_values(mechanism, dimension_values(mechanism))], least)
     shown, sweep = None, len(values)
@@ -127,7 +129,7 @@ def _missing(workbook: Workbook, plan: Plan, at: float | None, row: int, exists:
     why = _column(workbook, plan, STATUS)[row]
     return Fault(
         f"no position at {symbol} = {at:g}{space}{unit}: {why}",
-        key="--at",
+        key="at",
         hint=f"the sweep has positions at {symbol} = {ranges}" if runs else "no position of the sweep exists",
     )
 
