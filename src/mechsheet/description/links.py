@@ -51,8 +51,10 @@ def _name_is_good(name: str, path: Path, scope: Scope) -> None:
 
 def _declare_points(data: dict[str, Any], scope: Scope) -> None:
     space = Space(scope.report)
-    for link, entry in data.items():
+    for place, (link, entry) in enumerate(data.items()):
         points = points_of(entry)
+        if place == 0:
+            scope.fixed.update(points or {})
         for point in points or {}:
             path: Path = ("links", link, "points", point)
             if point not in scope.points:

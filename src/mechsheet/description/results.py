@@ -7,7 +7,7 @@ from typing import Any
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANY
 from mechsheet.description.links import pair
-from mechsheet.description.report import BAD, quoted, suggestion
+from mechsheet.description.report import BAD, listed, quoted, suggestion
 from mechsheet.description.scope import Scope, words
 from mechsheet.formula.nodes import symbols
 from mechsheet.model import ChartRequest, Output, Quantity, Sketch, Summary, TableRequest
@@ -152,6 +152,7 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
                 scope.report.at((*path, "paths", number), f"no point is called {quoted(name)}", hint)
         for key, names in (("y", y), ("paths", paths)):
             _check_twice(names, (*path, key), scope)
+        _check_moves(paths, (*path, "paths"), scope)
         result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths)))
     return tuple(result)
 
@@ -160,6 +161,14 @@ def _check_twice(names: list[Any], path: Path, scope: Scope) -> None:
     for number, name in enumerate(names):
         if name is not BAD and name in names[:number]:
             scope.report.at((*path, number), f"{quoted(name)} is listed twice")
+
+
+def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:
+    """A chart of paths needs a point that moves; fixed points beside it are marks in the picture."""
+    if names and all(name in scope.fixed for name in names):
+        moving = [point for point in scope.points if point not in scope.fixed]
+        fixed = f"{listed(names)} {'are points' if len(names) > 1 else 'is a point'} of the ground"
+        scope.report.at(path, f"{fixed}: what does not move has no path", suggestion("", moving, "moving points"))
 
 
 def tables(data: list[Any], driver: str | None, scope: Scope) -> tuple[TableRequest, ...]:

@@ -56,7 +56,7 @@ class Scope:
     numbers    dimension -> its value in internal units, where it has one
     kinds      dimension or variable -> ANGLE, LENGTH or ANY
     variables  symbols of angles, displacements and the driver
-    points     point -> the links that name it
+    points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
     """
 
@@ -69,6 +69,7 @@ class Scope:
     kinds: dict[str, str] = field(default_factory=dict)
     variables: list[str] = field(default_factory=list)
     points: dict[str, list[str]] = field(default_factory=dict)
+    fixed: set[str] = field(default_factory=set)
     outputs: list[str] = field(default_factory=list)
     complete: bool = True
     symbols: Space = field(init=False)
