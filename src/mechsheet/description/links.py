@@ -8,7 +8,8 @@ from typing import Any
 
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH
-from mechsheet.description.report import BAD, listed, quoted, suggestion
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
 from mechsheet.model import GROUND, Cartesian, Distances, Joint, Link, Place, Polar
 

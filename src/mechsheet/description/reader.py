@@ -9,11 +9,12 @@ from typing import Any
 
 from mechsheet.description import dimensions, driver, joints, links, results
 from mechsheet.description.overrides import with_language, with_values
-from mechsheet.description.report import BAD, Report, quoted
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, Report
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.shape import fit
-from mechsheet.description.source import Source, parse, read_text
+from mechsheet.description.source import Source, parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Words
 
@@ -41,20 +42,21 @@ def loads(
     language: str | None = None,
 ) -> Mechanism:
     """The mechanism that a text describes; `file` is what messages call it. See `load`."""
-    source = parse(text, file)
-    faults: list[Fault] = []
+    source, faults = parse_as_meant(text, file)
+    mistyped = {fault.line for fault in faults}
     if language is not None and language not in LANGUAGES:
         faults.append(Fault(f"unknown language {quoted(language)}", hint='languages: "en", "tr"'))
-    if overrides:
+    if overrides and not faults:
         changed, faults_of_values = with_values(source, overrides)
         faults += faults_of_values
         source = parse(changed, file)
     _check_format(source)
     report = Report(source)
     mechanism = _read(source, report)
-    faults += report.in_order()
+    # What else is wrong with a line that was mistyped may come from how it was taken.
+    faults += [fault for fault in report.in_order() if fault.line is None or fault.line not in mistyped]
     if faults or mechanism is None:
-        raise DescriptionError(faults)
+        raise DescriptionError(sorted(faults, key=lambda fault: fault.line or 0))
     if language is None or language == mechanism.language:
         return mechanism
     return loads(with_language(source, language), file)

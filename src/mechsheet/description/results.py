@@ -7,7 +7,8 @@ from typing import Any
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANY
 from mechsheet.description.links import pair
-from mechsheet.description.report import BAD, listed, quoted, suggestion
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, words
 from mechsheet.formula.nodes import symbols
 from mechsheet.model import ChartRequest, Output, Quantity, Sketch, Summary, TableRequest

@@ -10,7 +10,9 @@ from typing import Any
 
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, unit_kind
-from mechsheet.description.report import BAD, Report, listed, quoted, suggestion
+from mechsheet.description.numbers import typed_number
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import Node, children, symbols
@@ -113,6 +115,9 @@ class Scope:
         try:
             tree = parse_description(text)
         except FormulaError as error:
+            if number := typed_number(text):
+                self.report.at(path, f"found {quoted(text)}: {number.why}", number.hint)
+                return None
             for fault in error.faults:
                 self.report.at(path, f"in {quoted(text)}: {fault.message}", fault.hint)
             return None
