@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from mechsheet.description.kinds import plain_unit
 from mechsheet.description.quoting import quoted
 
 MINUS = "−–‒—﹣－"
@@ -18,7 +19,6 @@ _TYPED = re.compile(
     r"(?P<number>(?:[0-9]{1,3}(?:\.[0-9]{3})+,[0-9]+|[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+\-]?[0-9]+)?)"
     rf"[ \t{BLANKS}]*(?P<unit>[^\W\d_][^\W\d_]*\.?|[°%′″]?)"
 )
-_DEGREES = ("°", "deg", "degs", "degree", "degrees", "derece")
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,14 +35,14 @@ class Typed:
     @property
     def is_angle(self) -> bool:
         """Whether degrees stood behind it."""
-        return self.unit.lower() in _DEGREES
+        return plain_unit(self.unit) == "deg"
 
     @property
     def hint(self) -> str:
         """What to write instead."""
         if not self.unit:
             return f"write {self.text}"
-        of = "angles are in `angle_unit`" if self.is_angle or self.unit == "rad" else "lengths are in `length_unit`"
+        of = "angles are in `angle_unit`" if plain_unit(self.unit) in ("deg", "rad") else "lengths are in `length_unit`"
         return f"write {self.text}: numbers stand without a unit; all {of}"
 
 

@@ -8,6 +8,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from mechsheet.description import dimensions, driver, joints, links, results
+from mechsheet.description.kinds import plain_unit
 from mechsheet.description.overrides import with_language, with_values
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report
@@ -132,7 +133,7 @@ def _choice(table: dict[str, Any], key: str, default: str) -> str:
 
 def _length_unit(head: dict[str, Any], report: Report) -> str:
     unit = _choice(head, "length_unit", "mm")
-    if unit in ("deg", "rad", "1") or unit != unit.strip():
+    if plain_unit(unit) in ("deg", "rad", "1") or unit != unit.strip():
         report.at(("mechanism", "length_unit"), f"{quoted(unit)} cannot be the unit of lengths")
         return "mm"
     return unit

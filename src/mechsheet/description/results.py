@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANY
+from mechsheet.description.kinds import ANY, label_fault, plain_unit
 from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
@@ -55,10 +55,11 @@ def outputs(data: dict[str, Any], scope: Scope) -> tuple[Output, ...]:
             continue
         path: Path = ("outputs", name)
         unit = entry.get("unit", scope.length_unit)
-        unit = scope.length_unit if unit is BAD else unit
+        unit = scope.length_unit if unit is BAD else plain_unit(unit)
         text = entry["formula"]
         if text is not BAD:
             _check_output(text, unit, (*path, "formula"), scope)
+            _check_label(text, unit, path, scope)
         cell = scope.cell(entry, path)
         result.append(Output(name, text, unit, words(entry.get("label")), cell))
     return tuple(result)
@@ -68,11 +69,21 @@ def _check_output(text: str, unit: str, path: Path, scope: Scope) -> None:
     tree = scope.parse(text, path)
     if tree is None:
         return
+    scope.trees[text] = tree
     names = symbols(tree)
     good = [name in scope.units or _is_known(name, text, path, scope) for name in names]
     scope.fits(tree, text, scope.kind_of_unit(unit) if unit != "1" else ANY, path)
     if all(good) and all(name in scope.numbers for name in names):
         scope.value(tree, path)
+
+
+def _check_label(text: str, unit: str, path: Path, scope: Scope) -> None:
+    """A label of one's own must not stand behind radians, nor behind lengths in another unit."""
+    if unit in ("deg", "rad", "1", scope.length_unit) or (tree := scope.trees.get(text)) is None:
+        return
+    message, hint = label_fault(tree, scope.kinds, unit, scope.length_unit)
+    if message:
+        scope.report.at((*path, "unit"), f"{quoted(text)} {message}", hint)
 
 
 def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:

@@ -232,7 +232,9 @@ DRIVER = Table(
 OUTPUT = Table(
     {
         "formula": Key(Text(longest=8000), "an expression over variables and dimensions", True),
-        "unit": Key(Text(longest=20), 'as for a dimension, or any label; "deg": the formula yields radians'),
+        "unit": Key(
+            Text(longest=20), 'as for a dimension, or any label but for an angle; "deg": the formula yields radians'
+        ),
         "label": _LABEL,
         "cell": _CELL,
     }

@@ -9,7 +9,7 @@ from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, unit_kind
+from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, plain_unit, unit_kind
 from mechsheet.description.numbers import typed_number
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
@@ -199,8 +199,10 @@ class Scope:
         """The unit of a dimension: "deg", "rad", "1" or the length unit (the default)."""
         unit = table.get("unit", self.length_unit)
         choices = ("deg", "rad", "1", self.length_unit)
-        if unit is BAD or unit in choices:
-            return self.length_unit if unit is BAD else str(unit)
+        if unit is BAD or unit == self.length_unit:
+            return self.length_unit
+        if plain_unit(unit) in choices:
+            return plain_unit(unit)
         hint = suggestion(unit, choices, "units")
         self.report.at((*path, "unit"), f"unknown unit {quoted(unit)}", hint)
         return "1"  # fits everywhere

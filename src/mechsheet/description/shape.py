@@ -11,6 +11,7 @@ import unicodedata
 from typing import Any
 
 from mechsheet.description.index import Path
+from mechsheet.description.kinds import plain_unit
 from mechsheet.description.numbers import typed_number, with_points
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, found, listed, suggestion
@@ -144,7 +145,7 @@ def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
     if value in shape.later:
         report.at(path, f"{quoted(value)} is not supported yet: it is reserved for a later version")
     elif shape.choices and value not in shape.choices:
-        report.at(path, f"expected {allowed(shape)}, found {quoted(value)}", near_miss(value, shape.choices))
+        report.at(path, f"expected {allowed(shape)}, found {quoted(value)}", _choice_hint(value, shape))
     elif not value.strip():
         report.at(path, "the text is empty")
     elif len(value) > shape.longest:
@@ -155,6 +156,11 @@ def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
     else:
         return value
     return BAD
+
+
+def _choice_hint(value: str, shape: Text) -> str:
+    plain = plain_unit(value)
+    return f'write "{plain}"' if plain in shape.choices else near_miss(value, shape.choices)
 
 
 def _unfit(sign: str) -> bool:
