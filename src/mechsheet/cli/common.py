@@ -5,13 +5,14 @@ from __future__ import annotations
 import contextlib
 import re
 import sys
+import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from mechsheet.diagnostics import Fault, MechanismError, MechsheetError, readable_name
+from mechsheet.diagnostics import DescriptionWarning, Fault, MechanismError, MechsheetError, readable_name
 
 if TYPE_CHECKING:
     from mechsheet.model import Mechanism
@@ -37,13 +38,21 @@ def _name_of(path: Path) -> str:
 
 @contextlib.contextmanager
 def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
-    """What is wrong with a mechanism is told with the description's file and line."""
-    try:
-        yield
-    except MechanismError as error:
-        from mechsheet.description.locate import located
+    """What is wrong with a mechanism, and what is doubtful, is told with the description's file and line."""
+    from mechsheet.description.locate import located
 
-        raise located(error, mechanism.text, _name_of(path)) from error
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", DescriptionWarning)
+        try:
+            yield
+        except MechanismError as error:
+            raise located(error, mechanism.text, _name_of(path)) from error
+    doubts = [warning.message.fault for warning in caught if isinstance(warning.message, DescriptionWarning)]
+    for fault in located(MechanismError(dict.fromkeys(doubts)), mechanism.text, _name_of(path)).faults:
+        click.echo(f"warning: {fault}", err=True)
+    for warning in caught:
+        if not isinstance(warning.message, DescriptionWarning):
+            warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
 
 
 @contextlib.contextmanager

@@ -95,7 +95,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     results.declare(outputs, summary, scope)
     workbook = _part(data, "workbook", {})
     parts: dict[str, Any] = {
-        "sketch": results.sketch(_part(data, "assembly", {}), scope),
+        "sketch": results.sketch(_part(data, "assembly", {}), driven, scope),
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(_part(data, "charts", []), scope),

@@ -5,22 +5,26 @@ from __future__ import annotations
 from typing import Any
 
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANY, label_fault, plain_unit
+from mechsheet.description.kinds import ANGLE, ANY, LENGTH, label_fault, plain_unit
 from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, words
 from mechsheet.formula.nodes import symbols
-from mechsheet.model import ChartRequest, Output, Quantity, Sketch, Summary, TableRequest
+from mechsheet.model import ChartRequest, Driver, Output, Quantity, Sketch, Summary, TableRequest
 
 
-def sketch(data: dict[str, Any], scope: Scope) -> Sketch:
-    """The rough first position: points by [x, y], angles and displacements by a number."""
+def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
+    """The rough position: points by [x, y], angles and displacements by a number; `at` is in the driver's unit."""
     points: dict[str, tuple[Quantity, Quantity]] = {}
     values: dict[str, Quantity] = {}
+    at: Quantity | None = None
     for name, value in data.items():
         path: Path = ("assembly", name)
-        if isinstance(value, list):
+        if name == "at":
+            if driver is not None and value is not BAD:
+                at = scope.quantity(value, LENGTH if driver.joint else ANGLE, path)
+        elif isinstance(value, list):
             if name not in scope.points:
                 hint = suggestion(name, scope.points, "points")
                 scope.report.at(path, f"no link has a point {quoted(name)}", hint)
@@ -35,7 +39,7 @@ def sketch(data: dict[str, Any], scope: Scope) -> Sketch:
                 message = f"{quoted(name)} is no point, link angle or displacement"
             names = [*scope.points, *scope.variables]
             scope.report.at(path, message, suggestion(name, names, "allowed"))
-    return Sketch(points, values)
+    return Sketch(points, values, at)
 
 
 def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) -> None:

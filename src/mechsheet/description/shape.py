@@ -208,7 +208,10 @@ def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> A
         )
         if shape.most is not None:
             return BAD
-    return {key: fit(item, shape.item, (*path, key), report) for key, item in value.items()}
+    return {
+        key: fit(item, shape.keys[key].shape if key in shape.keys else shape.item, (*path, key), report)
+        for key, item in value.items()
+    }
 
 
 def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> Any:

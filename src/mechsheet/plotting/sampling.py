@@ -12,6 +12,7 @@ import numpy as np
 
 from mechsheet.compute import computed
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
+from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Mechanism
 from mechsheet.sheet.layout import lay_out
@@ -51,7 +52,9 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     """
     if at is not None and not math.isfinite(at):
         raise MechsheetError(Fault(f"{at} is not a position of the driver", key="--at"))
-    modes = {group.mode: group.mode_value for group in solve(mechanism).groups if group.mode}
+    equations = solve(mechanism)
+    tell(mechanism, equations)
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
     values = resampled([float(value) for value in driver_values(mechanism, dimension_values(mechanism))], least)
     shown, sweep = None, len(values)
     if at is not None:
