@@ -180,7 +180,7 @@ def _best(
     """Driver values, how far the sketch misses the nearest assembly there, and which one that is (0: the one picked)."""
     rows = _tried(mechanism, driver)
     best, modes = np.full(len(rows), np.inf), np.zeros(len(rows), dtype=int)
-    for place, assembly in enumerate(_assemblies(equations)):
+    for place, assembly in enumerate(assemblies(equations)):
         missed = _missed(entries, sweep(mechanism, assembly, rows), size)
         better = missed < best
         best, modes = np.where(better, missed, best), np.where(better, place, modes)
@@ -195,8 +195,8 @@ def _tried(mechanism: Mechanism, driver: Array) -> Array:
     return np.concatenate([rows, driver[0] + np.arange(0.0, math.tau, STEP)])
 
 
-def _assemblies(equations: Equations) -> list[Equations]:
-    """The equations in every assembly, the one picked first; of very many groups each flipped alone."""
+def assemblies(equations: Equations) -> list[Equations]:
+    """The equations in every assembly, the one picked first; of very many groups only each flipped alone."""
     places = [place for place, group in enumerate(equations.groups) if group.mode]
     if 2 ** len(places) <= MOST_ASSEMBLIES:
         flips = [set(part) for count in range(len(places) + 1) for part in itertools.combinations(places, count)]

@@ -18,10 +18,10 @@ from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.equations import Equations, Group, validate
-from mechsheet.kinematics.graph import graph_of
+from mechsheet.kinematics.graph import Graph, graph_of
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lines import solve_prp, solve_rpp
-from mechsheet.kinematics.mobility import check_mobility
+from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import Place, angle_of, cartesian
@@ -118,7 +118,7 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> tuple[Equat
     """`modes`: those that are given, the sketch picks the others; None: none is picked."""
     graph = graph_of(mechanism)
     opened: list[str] = []
-    check_mobility(mechanism, graph)
+    _check_mobility(mechanism, graph)
     order = order_of(mechanism, graph)
     dimensions = dimension_values(mechanism)
     ledger = _ledger(mechanism, dimensions)
@@ -150,6 +150,21 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> tuple[Equat
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
     return result, poses, order.dyads
+
+
+def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
+    """As `check_mobility`; of what moves although it is counted as rigid it is told what may be left out."""
+    try:
+        check_mobility(mechanism, graph)
+    except MechanismError as error:
+        from mechsheet.kinematics.redundancy import redundancy_faults  # which needs this module
+
+        missing = 1 - mobility(graph)
+        found = redundancy_faults(mechanism, missing) if missing > 0 else []
+        if not found:
+            raise
+        hint = "it moves all the same: some of its links or joints say what others say already"
+        raise MechanismError([replace(error.faults[0], hint=hint), *found]) from error
 
 
 def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
