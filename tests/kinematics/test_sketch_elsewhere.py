@@ -10,7 +10,9 @@ import pytest
 from chosen import part, some
 from mechsheet import reference
 from mechsheet.building import compile_workbook
+from mechsheet.checking.sketching import with_modes
 from mechsheet.description import loads
+from mechsheet.description.source import parse
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.diagnostics import DescriptionWarning, MechanismError
 from mechsheet.exporting.program import program_of
@@ -188,3 +190,25 @@ def test_at_where_nothing_closes():
     ) as caught:
         solve(loads(text))
     assert caught.value.faults[0].key == "assembly.at"
+
+
+@pytest.mark.parametrize("at", ["at = 40", 'at = "radians(200)"', "at = 500"])
+def test_a_flipped_mode_comes_back_as_a_sketch_of_the_same_position(at):
+    """`pull` rewrites the sketch where it is read: at the value that `at` names, which stays as it was written."""
+    source = parse(FOUR_BAR.replace("B = [50, 55]", f"{at}\nB = [85, 54]"), "mine.toml")
+    for mode in (-1, 1):
+        new = with_modes(source, {"mode_1": mode})
+        assert modes_of(loads(new.text)) == {"mode_1": mode}
+        assert at in new.text
+        if new.text != source.text:
+            assert doubts(loads(new.text), solve(loads(new.text))) == ()
+
+
+def test_a_mode_that_cannot_be_sketched_there_is_sketched_at_the_first_position():
+    """At a dead centre both assemblies are one: `at` goes, the sketch is that of the first position."""
+    text = FOUR_BAR.replace("value = 35,", "value = 60,").replace(
+        "B = [50, 55]", 'at = "acos((a1^2 + a2^2 - (a3 + a4)^2) / (2*a1*a2))"\nB = [50, 55]'
+    )
+    new = with_modes(parse(text, "mine.toml"), {"mode_1": -1})
+    assert modes_of(loads(new.text)) == {"mode_1": -1}
+    assert "at = " not in new.text.partition("[assembly]")[2].partition("[outputs]")[0]
