@@ -97,8 +97,9 @@ def _inner(shape: Shape) -> list[tuple[str, Table]]:
     match shape:
         case Table():
             return [("", shape)]
-        case Named(item):
-            return [(f".NAME{suffix}", found) for suffix, found in _inner(item)]
+        case Named(item, keys=keys):
+            own = [("", Table(keys))] if keys else []
+            return own + [(f".NAME{suffix}", found) for suffix, found in _inner(item)]
         case Items(item):
             return [(f"[]{suffix}", found) for suffix, found in _inner(item)]
         case Kinds(key, tables):

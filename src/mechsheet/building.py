@@ -30,10 +30,13 @@ def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
     Raises MechanismError when the mechanism cannot be solved.
     """
     from mechsheet.compute import computed
+    from mechsheet.kinematics.sketched import tell
     from mechsheet.kinematics.solve import solve
     from mechsheet.sheet.layout import lay_out
 
-    workbook, plan = lay_out(mechanism, solve(mechanism))
+    equations = solve(mechanism)
+    tell(mechanism, equations)
+    workbook, plan = lay_out(mechanism, equations)
     return computed(workbook), plan
 
 

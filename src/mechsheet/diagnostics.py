@@ -52,6 +52,17 @@ class MechsheetError(Exception):
         super().__init__("\n".join(str(fault) for fault in self.faults))
 
 
+class DescriptionWarning(UserWarning):
+    """Something in a description that works and is probably not what was meant: `fault` says what.
+
+    The library gives it to Python's `warnings`; the command line prints it on standard error, with file and line.
+    """
+
+    def __init__(self, fault: Fault) -> None:
+        self.fault = fault
+        super().__init__(str(fault))
+
+
 class DescriptionError(MechsheetError):
     """The description is wrong."""
 

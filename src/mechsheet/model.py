@@ -150,10 +150,14 @@ class Driver:
 
 @dataclass(frozen=True, slots=True)
 class Sketch:
-    """A rough position at the first driver value: points (x, y), and angles or displacements by symbol."""
+    """A rough position: points (x, y), and angles or displacements by symbol.
+
+    at  the driver value that it shows; None for the first at which each group of links closes
+    """
 
     points: Mapping[str, tuple[Quantity, Quantity]] = field(default_factory=dict)
     symbols: Mapping[str, Quantity] = field(default_factory=dict)
+    at: Quantity | None = None
 
 
 @dataclass(frozen=True, slots=True)

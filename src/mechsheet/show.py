@@ -15,6 +15,7 @@ from mechsheet.formula.references import cell_name
 from mechsheet.kinematics.equations import Equation, Equations
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
+from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
 from mechsheet.sheet.blocks import shown_unit
@@ -25,6 +26,7 @@ from mechsheet.sheet.workbook import Rich, Workbook
 def overview_text(mechanism: Mechanism) -> str:
     """Links, mobility, groups with their modes, and what the sketch left open."""
     equations = solve(mechanism)
+    tell(mechanism, equations)
     lines = [
         mechanism.title.of(mechanism.language),
         f"links: {', '.join(f'{link.number} {link.name}' for link in mechanism.links)}",
@@ -49,6 +51,7 @@ def overview_text(mechanism: Mechanism) -> str:
 def equations_text(mechanism: Mechanism) -> str:
     """All equations, one a line, by group; constants first."""
     equations = solve(mechanism)
+    tell(mechanism, equations)
     lines = ["constants"]
     lines += [_line(equation) for equation in equations.constants]
     group: int | None = None

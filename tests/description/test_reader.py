@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from mechsheet.description import load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.model import (
     Cartesian,
@@ -222,3 +223,13 @@ def test_ground_without_points() -> None:
         """
     )
     assert [joint.symbol for joint in mechanism.joints] == ["x", "y"]
+
+
+@pytest.mark.parametrize("unit", ["°", "deg", "degrees", "Derece", "deg."])
+def test_every_spelling_of_degrees_is_degrees(unit: str) -> None:
+    """An angle whose unit is written "°" is shown in degrees, not as radians with that sign behind."""
+    text = template_text("four-bar")
+    plain = loads(text)
+    spelled = loads(text.replace('unit = "deg"', f'unit = "{unit}"'))
+    assert spelled.outputs == plain.outputs
+    assert spelled.dimensions == plain.dimensions

@@ -19,6 +19,8 @@ GOOD: list[tuple[Node, float]] = [
     (Call("IF", (Binary(">", Symbol("a"), TWO), Number(1.0), Call("ACOS", (Symbol("a"),)))), 1.0),
     (Call("SIGN", (Number(-7.0),)), -1.0),
     (Call("MAX", (Number(1.0), Symbol("a"))), 3.0),
+    (Call("MAX", (Symbol("a"),)), 3.0),  # Python's own max asks for a list then
+    (Call("MIN", (Symbol("a"),)), 3.0),
     (Unary("%", Number(50.0)), 0.5),
 ]
 BAD: list[tuple[Node, str]] = [

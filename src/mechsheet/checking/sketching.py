@@ -9,13 +9,13 @@ from dataclasses import replace
 import numpy as np
 
 from mechsheet.description import loads
-from mechsheet.description.rewrite import number_text, with_key, with_number
+from mechsheet.description.rewrite import number_text, with_key, with_number, without_key
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.rough import sweep
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
 from mechsheet.model import Mechanism
 
 APART = 1e-5
@@ -60,7 +60,8 @@ def _wrong(mechanism: Mechanism, wanted: Mapping[str, int]) -> list[Group]:
 def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], group: Group) -> Source:
     """With what the sketch says of one group: entries that are there, or the one that tells its assemblies apart best."""
     dimensions = dimension_values(mechanism)
-    driver = driver_values(mechanism, dimensions)
+    at = mechanism.sketch.at
+    driver = driver_values(mechanism, dimensions) if at is None else np.array([number(at, dimensions)])
     equations = solve(mechanism, wanted)  # every mode is given: the sketch as it is does not matter
     right = sweep(mechanism, equations, driver)
     left = sweep(mechanism, _flipped(equations, group.mode), driver)
@@ -68,6 +69,9 @@ def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], g
     gaps = _gaps(equations, group, right, left, size)
     rows = np.flatnonzero(np.isfinite(right[group.closes]))
     row = next((int(row) for row in rows if any(gap[row] > APART for gap in gaps.values())), None)
+    if row is None and at is not None:  # there the sketch can tell nothing: it shall show the first position instead
+        source = without_key(source, ("assembly", "at"))
+        return _sketched(source, replace(mechanism, sketch=replace(mechanism.sketch, at=None)), wanted, group)
     if row is None:
         message = f"the two assemblies of {group.label.en} are one: no sketch tells them apart"
         raise MechanismError(Fault(message, source.file, key="assembly"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import re
 import sys
+import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mechsheet.diagnostics import Fault, MechanismError, MechsheetError, OutputError, readable_name
+from mechsheet.diagnostics import DescriptionWarning, Fault, MechanismError, MechsheetError, OutputError, readable_name
 from mechsheet.formats.archive import is_stream
 from mechsheet.outputs import file_in, is_there
 
@@ -41,13 +42,21 @@ def _name_of(path: Path) -> str:
 
 @contextlib.contextmanager
 def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
-    """What is wrong with a mechanism is told with the description's file and line."""
-    try:
-        yield
-    except MechanismError as error:
-        from mechsheet.description.locate import located
+    """What is wrong with a mechanism, and what is doubtful, is told with the description's file and line."""
+    from mechsheet.description.locate import located
 
-        raise located(error, mechanism.text, _name_of(path)) from error
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", DescriptionWarning)
+        try:
+            yield
+        except MechanismError as error:
+            raise located(error, mechanism.text, _name_of(path)) from error
+    doubts = [warning.message.fault for warning in caught if isinstance(warning.message, DescriptionWarning)]
+    for fault in located(MechanismError(dict.fromkeys(doubts)), mechanism.text, _name_of(path)).faults:
+        click.echo(f"warning: {fault}", err=True)
+    for warning in caught:
+        if not isinstance(warning.message, DescriptionWarning):
+            warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
 
 
 @contextlib.contextmanager

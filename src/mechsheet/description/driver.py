@@ -8,7 +8,8 @@ from typing import Any
 from mechsheet.description.index import Path
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import ANGLE, LENGTH
-from mechsheet.description.report import BAD, found, quoted, suggestion
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, found, suggestion
 from mechsheet.description.schema import MOST_ROWS
 from mechsheet.description.scope import Scope
 from mechsheet.model import Driver, Joint, Link, Quantity

@@ -7,7 +7,8 @@ from typing import Any
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.links import pair, points_of
-from mechsheet.description.report import BAD, listed, quoted, suggestion
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, Space
 from mechsheet.model import Joint, Link
 

@@ -65,8 +65,9 @@ def _of(shape: Shape) -> Json:
         case Items(item, least, most, note):
             found: Json = {"type": "array", "items": _of(item), "minItems": least, "maxItems": most}
             return found | ({"description": note} if note else {})
-        case Named(item, what, least, most):
+        case Named(item, what, least, most, keys):
             found = {"type": "object", "additionalProperties": _of(item), "description": f"{what} = …"}
+            found |= {"properties": {name: _key(key) for name, key in keys.items()}} if keys else {}
             found |= {"minProperties": least} if least else {}
             return found | ({} if most is None else {"maxProperties": most})
         case Table():

@@ -8,7 +8,8 @@ from typing import Any
 
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH
-from mechsheet.description.report import BAD, listed, quoted, suggestion
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
 from mechsheet.model import GROUND, Cartesian, Distances, Joint, Link, Place, Polar
 
@@ -51,8 +52,10 @@ def _name_is_good(name: str, path: Path, scope: Scope) -> None:
 
 def _declare_points(data: dict[str, Any], scope: Scope) -> None:
     space = Space(scope.report)
-    for link, entry in data.items():
+    for place, (link, entry) in enumerate(data.items()):
         points = points_of(entry)
+        if place == 0:
+            scope.fixed.update(points or {})
         for point in points or {}:
             path: Path = ("links", link, "points", point)
             if point not in scope.points:

@@ -13,6 +13,7 @@ def located(error: MechanismError, text: str, file: str) -> MechanismError:
     def place(fault: Fault) -> Fault:
         if fault.file or not fault.key:
             return fault
-        return source.fault(tuple(fault.key.split(".")), fault.message, fault.hint)
+        path = tuple(int(part) if part.isdecimal() else part for part in fault.key.split("."))
+        return source.fault(path, fault.message, fault.hint)
 
     return MechanismError(place(fault) for fault in error.faults)

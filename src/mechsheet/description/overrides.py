@@ -11,7 +11,8 @@ import unicodedata
 from collections.abc import Mapping
 
 from mechsheet.description.index import Path
-from mechsheet.description.report import quoted, suggestion
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import suggestion
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault
 

@@ -9,12 +9,14 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from mechsheet.description import dimensions, driver, joints, links, results
+from mechsheet.description.kinds import plain_unit
 from mechsheet.description.overrides import with_language, with_values
-from mechsheet.description.report import BAD, Report, quoted
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, Report
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.shape import fit
-from mechsheet.description.source import Source, parse, read_text
+from mechsheet.description.source import Source, parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Words
 
@@ -42,20 +44,21 @@ def loads(
     language: str | None = None,
 ) -> Mechanism:
     """The mechanism that a text describes; `file` is what messages call it. See `load`."""
-    source = parse(text, file)
-    faults: list[Fault] = []
+    source, faults = parse_as_meant(text, file)
+    mistyped = {fault.line for fault in faults}
     if language is not None and language not in LANGUAGES:
         faults.append(Fault(f"unknown language {quoted(language)}", hint='languages: "en", "tr"'))
-    if overrides:
+    if overrides and not faults:
         changed, faults_of_values = with_values(source, overrides)
         faults += faults_of_values
         source = parse(changed, file)
     _check_format(source)
     report = Report(source)
     mechanism = _read(source, report)
-    faults += report.in_order()
+    # What else is wrong with a line that was mistyped may come from how it was taken.
+    faults += [fault for fault in report.in_order() if fault.line is None or fault.line not in mistyped]
     if faults or mechanism is None:
-        raise DescriptionError(faults)
+        raise DescriptionError(sorted(faults, key=lambda fault: fault.line or 0))
     if language is None or language == mechanism.language:
         return mechanism
     return loads(with_language(source, language), file)
@@ -93,7 +96,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     results.declare(outputs, summary, scope)
     workbook = _part(data, "workbook", {})
     parts: dict[str, Any] = {
-        "sketch": results.sketch(_part(data, "assembly", {}), scope),
+        "sketch": results.sketch(_part(data, "assembly", {}), driven, scope),
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(_part(data, "charts", []), scope),
@@ -131,7 +134,7 @@ def _choice(table: dict[str, Any], key: str, default: str) -> str:
 
 def _length_unit(head: dict[str, Any], report: Report) -> str:
     unit = _choice(head, "length_unit", "mm")
-    if unit in ("deg", "rad", "1") or unit != unit.strip():
+    if plain_unit(unit) in ("deg", "rad", "1") or unit != unit.strip():
         report.at(("mechanism", "length_unit"), f"{quoted(unit)} cannot be the unit of lengths")
         return "mm"
     return unit

@@ -8,7 +8,8 @@ from enum import Enum
 from typing import Any, Final
 
 from mechsheet.description.index import Path
-from mechsheet.description.source import Source, printable
+from mechsheet.description.quoting import quoted
+from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault, near_miss
 from mechsheet.formula.names import folded
 
@@ -54,12 +55,6 @@ def listed(names: Iterable[str], last: str = "and") -> str:
     """`"a", "b" and "c"`."""
     quoted = [f'"{name}"' for name in names]
     return f" {last} ".join(filter(None, (", ".join(quoted[:-1]), quoted[-1])))
-
-
-def quoted(text: str, most: int = 60) -> str:
-    """The text in quotes, shortened, and safe to print."""
-    text = printable(text)
-    return f'"{text}"' if len(text) <= most else f'"{text[: most - 1]}…"'
 
 
 def found(value: Any) -> str:

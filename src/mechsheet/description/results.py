@@ -5,21 +5,26 @@ from __future__ import annotations
 from typing import Any
 
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANY
+from mechsheet.description.kinds import ANGLE, ANY, LENGTH, label_fault, plain_unit
 from mechsheet.description.links import pair
-from mechsheet.description.report import BAD, quoted, suggestion
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, words
 from mechsheet.formula.nodes import symbols
-from mechsheet.model import ChartRequest, Output, Quantity, Sketch, Summary, TableRequest
+from mechsheet.model import ChartRequest, Driver, Output, Quantity, Sketch, Summary, TableRequest
 
 
-def sketch(data: dict[str, Any], scope: Scope) -> Sketch:
-    """The rough first position: points by [x, y], angles and displacements by a number."""
+def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
+    """The rough position: points by [x, y], angles and displacements by a number; `at` is in the driver's unit."""
     points: dict[str, tuple[Quantity, Quantity]] = {}
     values: dict[str, Quantity] = {}
+    at: Quantity | None = None
     for name, value in data.items():
         path: Path = ("assembly", name)
-        if isinstance(value, list):
+        if name == "at":
+            if driver is not None and value is not BAD:
+                at = scope.quantity(value, LENGTH if driver.joint else ANGLE, path)
+        elif isinstance(value, list):
             if name not in scope.points:
                 hint = suggestion(name, scope.points, "points")
                 scope.report.at(path, f"no link has a point {quoted(name)}", hint)
@@ -34,7 +39,7 @@ def sketch(data: dict[str, Any], scope: Scope) -> Sketch:
                 message = f"{quoted(name)} is no point, link angle or displacement"
             names = [*scope.points, *scope.variables]
             scope.report.at(path, message, suggestion(name, names, "allowed"))
-    return Sketch(points, values)
+    return Sketch(points, values, at)
 
 
 def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) -> None:
@@ -54,10 +59,11 @@ def outputs(data: dict[str, Any], scope: Scope) -> tuple[Output, ...]:
             continue
         path: Path = ("outputs", name)
         unit = entry.get("unit", scope.length_unit)
-        unit = scope.length_unit if unit is BAD else unit
+        unit = scope.length_unit if unit is BAD else plain_unit(unit)
         text = entry["formula"]
         if text is not BAD:
             _check_output(text, unit, (*path, "formula"), scope)
+            _check_label(text, unit, path, scope)
         cell = scope.cell(entry, path)
         result.append(Output(name, text, unit, words(entry.get("label")), cell))
     return tuple(result)
@@ -67,11 +73,21 @@ def _check_output(text: str, unit: str, path: Path, scope: Scope) -> None:
     tree = scope.parse(text, path)
     if tree is None:
         return
+    scope.trees[text] = tree
     names = symbols(tree)
     good = [name in scope.units or _is_known(name, text, path, scope) for name in names]
     scope.fits(tree, text, scope.kind_of_unit(unit) if unit != "1" else ANY, path)
     if all(good) and all(name in scope.numbers for name in names):
         scope.value(tree, path)
+
+
+def _check_label(text: str, unit: str, path: Path, scope: Scope) -> None:
+    """A label of one's own must not stand behind radians, nor behind lengths in another unit."""
+    if unit in ("deg", "rad", "1", scope.length_unit) or (tree := scope.trees.get(text)) is None:
+        return
+    message, hint = label_fault(tree, scope.kinds, unit, scope.length_unit)
+    if message:
+        scope.report.at((*path, "unit"), f"{quoted(text)} {message}", hint)
 
 
 def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
@@ -152,6 +168,7 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
                 scope.report.at((*path, "paths", number), f"no point is called {quoted(name)}", hint)
         for key, names in (("y", y), ("paths", paths)):
             _check_twice(names, (*path, key), scope)
+        _check_moves(paths, (*path, "paths"), scope)
         result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths)))
     return tuple(result)
 
@@ -160,6 +177,14 @@ def _check_twice(names: list[Any], path: Path, scope: Scope) -> None:
     for number, name in enumerate(names):
         if name is not BAD and name in names[:number]:
             scope.report.at((*path, number), f"{quoted(name)} is listed twice")
+
+
+def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:
+    """A chart of paths needs a point that moves; fixed points beside it are marks in the picture."""
+    if names and all(name in scope.fixed for name in names):
+        moving = [point for point in scope.points if point not in scope.fixed]
+        fixed = f"{listed(names)} {'are points' if len(names) > 1 else 'is a point'} of the ground"
+        scope.report.at(path, f"{fixed}: what does not move has no path", suggestion("", moving, "moving points"))
 
 
 def tables(data: list[Any], driver: str | None, scope: Scope) -> tuple[TableRequest, ...]:

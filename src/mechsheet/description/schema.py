@@ -7,7 +7,7 @@ of one key alone (names that must exist, circles, rows) is checked by the module
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
@@ -77,12 +77,13 @@ class Items:
 
 @dataclass(frozen=True, slots=True)
 class Named:
-    """A table whose keys are names that the description gives; `what` they name."""
+    """A table whose keys are names that the description gives; `what` they name. `keys` are keys beside them."""
 
     item: Shape
     what: str
     least: int = 0
     most: int | None = None
+    keys: Mapping[str, Key] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,7 +233,9 @@ DRIVER = Table(
 OUTPUT = Table(
     {
         "formula": Key(Text(longest=8000), "an expression over variables and dimensions", True),
-        "unit": Key(Text(longest=20), 'as for a dimension, or any label; "deg": the formula yields radians'),
+        "unit": Key(
+            Text(longest=20), 'as for a dimension, or any label but for an angle; "deg": the formula yields radians'
+        ),
         "label": _LABEL,
         "cell": _CELL,
     }
@@ -275,6 +278,12 @@ WORKBOOK = Table(
     }
 )
 
+ASSEMBLY = Named(
+    Either((PAIR, Quantity())),
+    "point or variable",
+    keys={"at": Key(Quantity(), "the driver value that the sketch shows; by default the first")},
+)
+
 DESCRIPTION = Table(
     {
         "format": Key(Integer(FORMAT, FORMAT), "version of this format", True),
@@ -283,7 +292,7 @@ DESCRIPTION = Table(
         "links": Key(Named(LINK, "link", 2), "rigid links; the first is the ground", True),
         "joints": Key(Items(JOINT), "sliding joints"),
         "driver": Key(DRIVER, "what is driven, and its values", True),
-        "assembly": Key(Named(Either((PAIR, Quantity())), "point or variable"), "a rough first position"),
+        "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
         "charts": Key(Items(CHART), "charts; sensible ones are chosen when left out"),

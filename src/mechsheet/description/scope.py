@@ -9,8 +9,10 @@ from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, unit_kind
-from mechsheet.description.report import BAD, Report, listed, quoted, suggestion
+from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, plain_unit, unit_kind
+from mechsheet.description.numbers import typed_number
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import Node, children, symbols
@@ -56,7 +58,7 @@ class Scope:
     numbers    dimension -> its value in internal units, where it has one
     kinds      dimension or variable -> ANGLE, LENGTH or ANY
     variables  symbols of angles, displacements and the driver
-    points     point -> the links that name it
+    points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
     """
 
@@ -69,6 +71,7 @@ class Scope:
     kinds: dict[str, str] = field(default_factory=dict)
     variables: list[str] = field(default_factory=list)
     points: dict[str, list[str]] = field(default_factory=dict)
+    fixed: set[str] = field(default_factory=set)
     outputs: list[str] = field(default_factory=list)
     complete: bool = True
     symbols: Space = field(init=False)
@@ -112,6 +115,9 @@ class Scope:
         try:
             tree = parse_description(text)
         except FormulaError as error:
+            if number := typed_number(text):
+                self.report.at(path, f"found {quoted(text)}: {number.why}", number.hint)
+                return None
             for fault in error.faults:
                 self.report.at(path, f"in {quoted(text)}: {fault.message}", fault.hint)
             return None
@@ -193,8 +199,10 @@ class Scope:
         """The unit of a dimension: "deg", "rad", "1" or the length unit (the default)."""
         unit = table.get("unit", self.length_unit)
         choices = ("deg", "rad", "1", self.length_unit)
-        if unit is BAD or unit in choices:
-            return self.length_unit if unit is BAD else str(unit)
+        if unit is BAD or unit == self.length_unit:
+            return self.length_unit
+        if plain_unit(unit) in choices:
+            return plain_unit(unit)
         hint = suggestion(unit, choices, "units")
         self.report.at((*path, "unit"), f"unknown unit {quoted(unit)}", hint)
         return "1"  # fits everywhere

@@ -11,7 +11,10 @@ import unicodedata
 from typing import Any
 
 from mechsheet.description.index import Path
-from mechsheet.description.report import BAD, Report, found, listed, quoted, suggestion
+from mechsheet.description.kinds import plain_unit
+from mechsheet.description.numbers import typed_number, with_points
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, Report, found, listed, suggestion
 from mechsheet.description.schema import (
     Either,
     Integer,
@@ -101,6 +104,10 @@ def allowed(shape: Shape) -> str:
 
 
 def _type_hint(value: Any, shape: Shape, path: Path) -> str:
+    if isinstance(value, str) and _wants_number(shape) and (number := typed_number(value)):
+        if number.is_angle and isinstance(shape, Either):
+            return f'write {{ value = {number.text}, unit = "deg" }}'
+        return number.hint + ", without quotes" * (not number.unit)
     match shape:
         case Items(Table() | Kinds()) if isinstance(value, dict):
             return f"write [[{path[-1]}]] instead of [{path[-1]}]"
@@ -111,6 +118,11 @@ def _type_hint(value: Any, shape: Shape, path: Path) -> str:
         case Named(_, what) if isinstance(value, list):
             return f"write one heading for each {what}: [{path[-1]}.name]"
     return ""
+
+
+def _wants_number(shape: Shape) -> bool:
+    shapes = shape.shapes if isinstance(shape, Either) else (shape,)
+    return any(isinstance(one, Number | Integer) for one in shapes)
 
 
 def _number(value: Any, shape: Number | Quantity | Integer, path: Path, report: Report) -> Any:
@@ -133,16 +145,22 @@ def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
     if value in shape.later:
         report.at(path, f"{quoted(value)} is not supported yet: it is reserved for a later version")
     elif shape.choices and value not in shape.choices:
-        report.at(path, f"expected {allowed(shape)}, found {quoted(value)}", near_miss(value, shape.choices))
+        report.at(path, f"expected {allowed(shape)}, found {quoted(value)}", _choice_hint(value, shape))
     elif not value.strip():
         report.at(path, "the text is empty")
     elif len(value) > shape.longest:
         report.at(path, f"the text has {len(value)} characters; at most {shape.longest} are allowed")
     elif unfit := [sign for sign in value if _unfit(sign) and not (shape.lines and sign == "\n")]:
-        report.at(path, f"the text holds a character that a workbook cannot carry: U+{ord(unfit[0]):04X}")
+        name = "a tab" if unfit[0] == "\t" else "a character that a workbook cannot carry"
+        report.at(path, f"the text holds {name}: U+{ord(unfit[0]):04X}")
     else:
         return value
     return BAD
+
+
+def _choice_hint(value: str, shape: Text) -> str:
+    plain = plain_unit(value)
+    return f'write "{plain}"' if plain in shape.choices else near_miss(value, shape.choices)
 
 
 def _unfit(sign: str) -> bool:
@@ -167,9 +185,18 @@ def _items(value: list[Any], shape: Items, path: Path, report: Report) -> Any:
     if not shape.least <= len(value) <= shape.most:
         count = f"a list of {shape.least}" if value else "at least one item"
         count = f"at most {shape.most:,} items" if len(value) > shape.most else count
-        report.at(path, f"expected {shape.note or count}, found {found(value)}")
+        report.at(path, f"expected {shape.note or count}, found {found(value)}", _commas_hint(shape, path, report))
         return BAD
     return [fit(item, shape.item, (*path, place), report) for place, item in enumerate(value)]
+
+
+def _commas_hint(shape: Items, path: Path, report: Report) -> str:
+    """For `[50,5, 55,2]` where two numbers are meant."""
+    spot = report.source.spots.get(path)
+    items = with_points(report.source.text[spot.start : spot.end]) if spot else None
+    if items is None or not shape.least <= len(items) <= shape.most:
+        return ""
+    return f"the decimal sign is a point: write [{', '.join(items)}]"
 
 
 def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> Any:
@@ -181,7 +208,10 @@ def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> A
         )
         if shape.most is not None:
             return BAD
-    return {key: fit(item, shape.item, (*path, key), report) for key, item in value.items()}
+    return {
+        key: fit(item, shape.keys[key].shape if key in shape.keys else shape.item, (*path, key), report)
+        for key, item in value.items()
+    }
 
 
 def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> Any:

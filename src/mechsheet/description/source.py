@@ -11,16 +11,31 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from mechsheet.description.index import Path, Spot, index
+from mechsheet.description.quoting import printable
+from mechsheet.description.typed import Mistake, mended
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 
 MAX_BYTES = 1_000_000
 """A description is written by hand; a larger file is something else."""
 
+MOST_TOLD = 100
+"""Typing mistakes that are told of one text; with more it is something else than a description."""
+
 _POSITION = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
-_PLAINER = {r"illegal character '\n'": "the line ends inside a text"}
+_PLAINER = {
+    r"illegal character '\n'": "the line ends inside a text",
+    "expected newline or end of document after a statement": "the line goes on behind its value",
+    "expected '=' after a key in a key/value pair": "a line is a [heading] or key = value",
+    "invalid statement": "a line is a [heading] or key = value",
+    "cannot overwrite a value": "this key is there already",
+}
+_TWICE = re.compile(r"Cannot declare \((.*)\) twice")
+_NAMED = r"'([^']*)'"
 _HINTS = {
     r"illegal character '\n'": "a quotation mark is missing",
     "invalid value": "texts and expressions stand in quotes",
+    "unclosed array": 'the list is not closed: write "]"',
+    "expected ']' at the end of a table declaration": 'the heading is not closed: write "]"',
 }
 """By what the standard reader says, in small letters."""
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
@@ -57,11 +72,6 @@ def dotted(path: Path) -> str:
     return text
 
 
-def printable(text: str) -> str:
-    """The text with everything that could disturb a terminal written as an escape."""
-    return "".join(sign if sign.isprintable() else repr(sign)[1:-1] for sign in text)
-
-
 def _shortened(text: str, most: int = 160) -> str:
     return printable(text.expandtabs(4)) if len(text) <= most else printable(text[: most - 1]) + "…"
 
@@ -88,6 +98,10 @@ def text_of(content: bytes, name: str) -> str:
     """The text of a file's first MAX_BYTES + 1 bytes; `name` is what messages call it. Raises DescriptionError."""
     if len(content) > MAX_BYTES:
         raise _refusal(name, f"larger than {MAX_BYTES:,} bytes: this is no description")
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        raise _refusal(
+            name, 'saved as UTF-16 (some editors call it "Unicode")', 'save the file with the encoding "UTF-8"'
+        )
     if b"\0" in content:
         hint = "a workbook carries its description inside; name the .toml file here" if content[:2] == b"PK" else ""
         raise _refusal(name, "a binary file, not a description (TOML text)", hint)
@@ -105,6 +119,18 @@ def parse(text: str, file: str) -> Source:
     The whole text is brought into Unicode's normal form C first, so that a name typed with combining marks in one
     place and with composed letters in another is one name.
     """
+    source, faults = parse_as_meant(text, file)
+    if faults:
+        raise DescriptionError(faults)
+    return source
+
+
+def parse_as_meant(text: str, file: str) -> tuple[Source, list[Fault]]:
+    """The same of a text with typing mistakes: decimal commas, a word processor's quotation marks, keys without quotes …
+
+    The source is that of the text as it is meant, with the lines as they are; and what is wrong with them. Raises
+    DescriptionError where nobody can say what is meant.
+    """
     if len(text) > MAX_BYTES:
         raise _refusal(file, f"larger than {MAX_BYTES:,} characters: this is no description")
     text = unicodedata.normalize("NFC", text.removeprefix("\ufeff").replace("\r\n", "\n"))
@@ -113,19 +139,37 @@ def parse(text: str, file: str) -> Source:
     lines = tuple(text.split("\n"))
     try:
         text.encode("utf-8")
-        data = tomllib.loads(text)
-        return Source(text, file, data, index(text), lines)
+        return Source(text, file, _data(text, file), index(text), lines), []
     except UnicodeEncodeError as error:
         raise _refusal(file, "not Unicode text", "", text.count("\n", 0, error.start) + 1) from None
+    except tomllib.TOMLDecodeError:
+        meant = mended(text)
+    faults = [_mistake(one, text, file, lines) for one in meant.mistakes[:MOST_TOLD]]
+    try:
+        return Source(meant.text, file, _data(meant.text, file), index(meant.text), lines), faults
+    except tomllib.TOMLDecodeError as error:
+        left = _broken(str(error), file, lines, meant.keys)
+        told = any(fault.line == left.line for fault in faults)
+        raise DescriptionError(faults if told else [*faults, left]) from None
+
+
+def _data(text: str, file: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        raise
     except RecursionError:
         raise _refusal(file, "lists or tables stand too deep inside one another") from None
-    except tomllib.TOMLDecodeError as error:
-        raise DescriptionError(_broken(str(error), file, lines)) from None
     except ValueError:  # Python refuses to convert whole numbers of thousands of digits
         raise _refusal(file, "a number has too many digits") from None
 
 
-def _broken(reason: str, file: str, lines: tuple[str, ...]) -> Fault:
+def _mistake(mistake: Mistake, text: str, file: str, lines: tuple[str, ...]) -> Fault:
+    line = text.count("\n", 0, mistake.offset) + 1
+    return Fault(mistake.message, file, line, dotted(mistake.path), _shortened(lines[line - 1]), mistake.hint)
+
+
+def _broken(reason: str, file: str, lines: tuple[str, ...], keys: tuple[Path, ...]) -> Fault:
     found = _POSITION.search(reason)
     reason = _POSITION.sub("", reason)
     line, column = None, ""
@@ -137,10 +181,11 @@ def _broken(reason: str, file: str, lines: tuple[str, ...]) -> Fault:
             line -= 1
     shown = lines[line - 1] if line else ""
     hint = _HINTS.get(reason.lower(), "")
-    if reason.startswith(("Expected '='", "Invalid statement")) and not shown.isascii():
-        hint = 'a key with letters beyond a-z stands in quotes: "ş1" = 20'
+    if twice := _TWICE.fullmatch(reason):
+        reason = f"the heading [{'.'.join(re.findall(_NAMED, twice[1]))}] is there already"
     reason = _PLAINER.get(reason.lower(), reason[:1].lower() + reason[1:])
-    return Fault(f"broken TOML: {printable(reason)}{column}", file, line, source=_shortened(shown), hint=hint)
+    key = dotted(keys[line - 1]) if line and line <= len(keys) else ""
+    return Fault(f"broken TOML: {printable(reason)}{column}", file, line, key, _shortened(shown), hint)
 
 
 def _refusal(file: str, message: str, hint: str = "", line: int | None = None) -> DescriptionError:

@@ -6,7 +6,8 @@ from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from mechsheet.description.report import quoted, suggestion
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import suggestion
 from mechsheet.diagnostics import DescriptionError, Fault
 
 _SUFFIX = ".toml"

@@ -16,6 +16,7 @@ from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Equation, Equations
+from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_order, solve
 from mechsheet.model import Dimension, Mechanism, Quantity
 from mechsheet.sheet.positions import shown_number
@@ -120,6 +121,7 @@ def commented(code: str, words: str, mark: str) -> list[str]:
 def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
     """The program of a mechanism; no name in it is one of `reserved`. Raises MechanismError."""
     equations = solve(mechanism)
+    tell(mechanism, equations)
     language = mechanism.language
     dimensions = {dim.symbol: dim for dim in mechanism.dimensions}
     order = [dimensions[symbol] for symbol in dimension_order(mechanism)]

@@ -23,6 +23,23 @@ SEPARATE = 1e-6
 """Assemblies closer than this part of the size (or radians) are one: a dead centre."""
 
 
+class BetweenModesError(MechanismError):
+    """The sketch lies between the two assemblies of a group."""
+
+
+class NeverClosesError(MechanismError):
+    """A group of links cannot be joined in any row; `links` names them and their joints."""
+
+    def __init__(self, links: str) -> None:
+        self.links = links
+        fault = Fault(
+            f"the links cannot be joined at any value of the driver: {links}",
+            key="dimensions",
+            hint="check the lengths of these links and the distance of their outer joints",
+        )
+        super().__init__(fault)
+
+
 def pick_mode(
     mechanism: Mechanism,
     ledger: Ledger,
@@ -38,7 +55,7 @@ def pick_mode(
     """
     first = ledger.first_number(solved.closes)
     if first is None:
-        raise MechanismError(_never_closes(solved))
+        raise NeverClosesError(solved.label.en)
     if not solved.mode:
         return 1, False
     if given is not None:
@@ -67,7 +84,7 @@ def pick_mode(
     if abs(apart) < BETWEEN * math.sqrt(separation):
         if row != first:  # a good sketch of a dead centre: it is as near to the one as to the other
             return 1, True
-        raise MechanismError(_between(entries, positions, solved))
+        raise BetweenModesError(_between(entries, positions, solved))
     mode = 1 if apart < 0 else -1
     _take(ledger, solved.mode, mode, start)
     return mode, False
@@ -117,14 +134,6 @@ def _difference(a: float, b: float, scale: float) -> float:
 def _take(ledger: Ledger, mode: str, sign: int, start: int) -> None:
     ledger.set_mode(mode, sign)
     ledger.recompute(start)
-
-
-def _never_closes(solved: Solved) -> Fault:
-    return Fault(
-        f"the links cannot be joined at any value of the driver: {solved.label.en}",
-        key="dimensions",
-        hint="check the lengths of these links and the distance of their outer joints",
-    )
 
 
 def _between(entries: list[Entry], positions: dict[int, list[float]], solved: Solved) -> Fault:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,11 +18,11 @@ from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.equations import Equations, Group, validate
-from mechsheet.kinematics.graph import graph_of
+from mechsheet.kinematics.graph import Graph, graph_of
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lines import solve_prp, solve_rpp
-from mechsheet.kinematics.mobility import check_mobility
-from mechsheet.kinematics.modes import pick_mode
+from mechsheet.kinematics.mobility import check_mobility, mobility
+from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import Place, angle_of, cartesian
 from mechsheet.kinematics.poses import Member, Poses
@@ -94,23 +95,49 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equat
     return solve_in_full(mechanism, modes)[0]
 
 
+def solve_unpicked(mechanism: Mechanism) -> Equations:
+    """The equations with every mode +1, whatever the sketch says and even where nothing closes so."""
+    return _solve(mechanism, None)[0]
+
+
 def solve_in_full(
     mechanism: Mechanism, modes: Mapping[str, int] | None = None
 ) -> tuple[Equations, Poses, tuple[Dyad, ...]]:
     """As `solve`, with what the equations were found from: poses and places of all bodies, and the dyads in order."""
+    try:
+        return _solve(mechanism, modes or {})
+    except (BetweenModesError, NeverClosesError) as error:
+        if mechanism.sketch.at is not None or modes:
+            raise
+        from mechsheet.kinematics.sketched import with_position  # which needs this module
+
+        raise MechanismError(with_position(fault, mechanism) for fault in error.faults) from error
+
+
+def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> tuple[Equations, Poses, tuple[Dyad, ...]]:
+    """`modes`: those that are given, the sketch picks the others; None: none is picked."""
     graph = graph_of(mechanism)
-    check_mobility(mechanism, graph)
+    opened: list[str] = []
+    _check_mobility(mechanism, graph)
     order = order_of(mechanism, graph)
     dimensions = dimension_values(mechanism)
     ledger = _ledger(mechanism, dimensions)
     poses = Poses(mechanism, graph, ledger)
     _drive(poses, order.drive)
     groups: list[Group] = []
+    given = modes or {}
     for index, dyad in enumerate(order.dyads, 1):
         ledger.group = index
         start = len(ledger.columns)
         solved = _solve_dyad(poses, dyad, always=not groups)
-        value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, (modes or {}).get(solved.mode))
+        if modes is not None and mechanism.sketch.at is not None and solved.mode and solved.mode not in given:
+            shown = _shown(mechanism, mechanism.sketch.at)
+            opened = [group.mode for group in shown if group.open]
+            given = {group.mode: group.mode_value for group in shown} | dict(given)
+        value, is_open = 1, True
+        if modes is not None:
+            value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, given.get(solved.mode))
+            is_open = is_open or solved.mode in opened
         poses.settle_turns()
         groups.append(_group(index, dyad, solved, value, is_open))
     _outputs(mechanism, ledger)
@@ -123,6 +150,32 @@ def solve_in_full(
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
     return result, poses, order.dyads
+
+
+def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
+    """As `check_mobility`; of what moves although it is counted as rigid it is told what may be left out."""
+    try:
+        check_mobility(mechanism, graph)
+    except MechanismError as error:
+        from mechsheet.kinematics.redundancy import redundancy_faults  # which needs this module
+
+        missing = 1 - mobility(graph)
+        found = redundancy_faults(mechanism, missing) if missing > 0 else []
+        if not found:
+            raise
+        hint = "it moves all the same: some of its links or joints say what others say already"
+        raise MechanismError([replace(error.faults[0], hint=hint), *found]) from error
+
+
+def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
+    """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
+    driver = replace(mechanism.driver, values=(at,))
+    try:
+        return _solve(replace(mechanism, driver=driver, sketch=replace(mechanism.sketch, at=None)), {})[0].groups
+    except NeverClosesError as error:
+        message = f"the sketch cannot show this position: there {error.links} cannot be joined"
+        hint = "check `at`, which is in the driver's unit, and the lengths of these links"
+        raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
 
 
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:

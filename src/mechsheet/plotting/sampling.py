@@ -13,6 +13,7 @@ import numpy as np
 from mechsheet.compute import computed
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.given import number_given
+from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Mechanism
 from mechsheet.sheet.layout import lay_out
@@ -53,7 +54,9 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     at = None if at is None else number_given(at, "at")
     if language not in (None, "en", "tr"):
         raise MechsheetError(Fault(f'unknown language "{language}"', key="language", hint='languages: "en", "tr"'))
-    modes = {group.mode: group.mode_value for group in solve(mechanism).groups if group.mode}
+    equations = solve(mechanism)
+    tell(mechanism, equations)
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
     values = resampled([float(value) for value in driver_values(mechanism, dimension_values(mechanism))], least)
     shown, sweep = None, len(values)
     if at is not None:

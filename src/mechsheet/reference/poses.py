@@ -91,7 +91,10 @@ def solve(
     built = system(mechanism, numbers)
     wishes = Wishes(built, start)
     scaled = driver / built.scale if mechanism.driver.joint else driver
+    if wishes.at is not None:  # a row of its own before the others: it need not be one of them
+        scaled = np.concatenate([[wishes.at], scaled])
     path, asked = _with_steps_between(built, scaled)
+    asked = asked[len(scaled) - len(driver) :]
     state = np.full((len(path), built.columns), np.nan)
     state[:, :3] = 0.0
     state[:, 3 * len(built.bodies) + 2 :: 3] = 0.0

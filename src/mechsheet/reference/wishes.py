@@ -31,12 +31,15 @@ class Wish:
 
 
 class Wishes:
-    """A sketch, or rough poses, asked block by block."""
+    """A sketch, or rough poses, asked block by block. `at`: the driver value that the sketch shows, as the system has it."""
 
     def __init__(self, system: System, start: Mapping[str, Pose] | None) -> None:
         self.system = system
         self._done = _deciding_blocks(system)
         self.entries = tuple(self._poses(start) if start else self._sketch())
+        at = None if start else system.mechanism.sketch.at
+        scale = system.scale if system.mechanism.driver.joint else 1.0
+        self.at = None if at is None else number(at, system.dimensions) / scale
 
     def _poses(self, start: Mapping[str, Pose]) -> list[Wish]:
         origin, scale = self.system.origin, self.system.scale
@@ -84,8 +87,14 @@ class Wishes:
         return max(self._done[first : first + 3])
 
     def away(self, values: Array) -> Array:
-        """How far each driver value (m,) is from that of the rough poses; how late it comes, where there are none."""
+        """How far each driver value (m,) is from that of the rough poses; how late it comes, where there are none.
+
+        Of a sketch that says which driver value it shows (`at`), how far from that.
+        """
         driver = self.system.mechanism.driver
+        if self.at is not None:
+            off = values - self.at
+            return np.asarray(np.abs(off if driver.joint else off - 2 * np.pi * np.round(off / (2 * np.pi))))
         rough = np.zeros((1, self.system.columns))
         known = {self.system.mechanism.ground.name}
         for wish in self.entries:

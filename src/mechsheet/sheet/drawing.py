@@ -126,10 +126,9 @@ def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame
     for axis in ("x", "y"):
         head = plain(f"{moving[0]}.{axis}") if len(moving) == 1 else axis
         constants = tuple(page.at_position(f"{name}.{axis}") for name in fixed)
-        low, high = page.extremes(head, [page.read(f"{name}.{axis}") for name in moving])
-        if constants:
-            low, high = al.smallest((low, *constants)), al.largest((high, *constants))
-        extremes.append((low, high))
+        nodes = [page.read(f"{name}.{axis}") for name in moving]
+        low, high = ([node] for node in page.extremes(head, nodes)) if nodes else ([], [])  # a disk alone turns
+        extremes.append((al.smallest((*low, *constants)), al.largest((*high, *constants))))
     return write_frame(page, title, extremes[0], extremes[1], margin)
 
 

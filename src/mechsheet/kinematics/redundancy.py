@@ -1,0 +1,195 @@
+"""Links and sliding joints that may be left out: with them the count says that nothing moves, and it moves all the same.
+
+Gruebler's criterion counts joints and knows no lengths. Side rods of a locomotive with three axles, the third crank of a
+parallelogram, two guides side by side are counted as rigid although they move. So each candidate is left out, the rest is
+solved, and the condition that it stood for is measured over the whole sweep. Source: texts on
+mobility, "redundant constraints".
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import combinations, islice
+
+import numpy as np
+
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.graph import graph_of
+from mechsheet.kinematics.mobility import mobility
+from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.rough import sweep
+from mechsheet.kinematics.sketched import assemblies
+from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve_unpicked
+from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Sketch
+
+HOLDS = 1e-7
+"""A condition that is met within this part of the size, in every position, is met by itself."""
+
+MOST_TRIED = 200
+"""So many ways of leaving something out are tried, then the count is all that is told."""
+
+LEAST_ROWS = 3
+MOST_ROWS = 60
+
+Part = Link | Joint
+
+
+def redundancy_faults(mechanism: Mechanism, missing: int) -> list[Fault]:
+    """What may be left out so that `missing` more degrees of freedom are counted; none when it does not move.
+
+    One fault for each link or joint that alone would do; for the first set that does where one alone is not enough.
+    """
+    candidates = _candidates(mechanism)
+    tried = (
+        found
+        for count in range(1, missing + 1)
+        for found in combinations(candidates, count)
+        if sum(gain for _, gain in found) == missing
+    )
+    parts: dict[str, Fault] = {}
+    for found in islice(tried, MOST_TRIED):
+        left_out = [part for part, _ in found]
+        if (len(left_out) > 1 and parts) or not _moves(mechanism, left_out):
+            continue
+        for part in left_out:
+            others = [_name(other) for other in left_out if other is not part]
+            parts.setdefault(_name(part), _fault(mechanism, part, others))
+    return list(parts.values())
+
+
+def _candidates(mechanism: Mechanism) -> list[tuple[Part, int]]:
+    """Links with two revolute joints and nothing else at them, and sliding joints; each with the freedoms that it takes."""
+    driver = mechanism.driver
+    used = {driver.link, driver.relative_to, mechanism.ground.name}
+    for joint in mechanism.joints:
+        used |= {joint.link, joint.on}
+    links = [(link, 1) for link in mechanism.links if link.name not in used and len(_shared(mechanism, link)) == 2]
+    joints = [
+        (joint, 2 if joint.kind == "prismatic" else 1) for joint in mechanism.joints if joint.name != driver.joint
+    ]
+    return [*reversed(links), *reversed(joints)]  # what was described last was added last
+
+
+def _shared(mechanism: Mechanism, link: Link) -> list[str]:
+    """The points at which a link is joined to others."""
+    return [point for point in link.points if sum(point in other.points for other in mechanism.links) > 1]
+
+
+def _moves(mechanism: Mechanism, left_out: list[Part]) -> bool:
+    """Whether the rest moves, and keeps the conditions of what was left out over the whole sweep."""
+    rest = _without(mechanism, left_out)
+    try:
+        if mobility(graph_of(rest)) != 1:
+            return False
+        equations = solve_unpicked(rest)
+    except MechanismError:
+        return False
+    dimensions = dimension_values(mechanism)
+    driver = driver_values(mechanism, dimensions)
+    driver = driver[:: math.ceil(len(driver) / MOST_ROWS)]
+    least = np.full(len(driver), np.inf)
+    for assembly in assemblies(equations):
+        values = sweep(rest, assembly, driver)
+        gaps = np.max([_gap(mechanism, part, values) for part in left_out], axis=0) / _size(rest, values)
+        least = np.fmin(least, gaps)  # row by row: at a change point the mechanism goes over into the other assembly
+    there = np.isfinite(least)
+    return bool(there.sum() >= min(LEAST_ROWS, len(driver)) and np.all(least[there] <= HOLDS))
+
+
+def _without(mechanism: Mechanism, left_out: list[Part]) -> Mechanism:
+    names = {_name(part) for part in left_out if isinstance(part, Link)}
+    slides = {part.symbol for part in left_out if isinstance(part, Joint)}
+    return replace(
+        mechanism,
+        # Numbers stay: they name the angles.
+        links=tuple(link for link in mechanism.links if link.name not in names),
+        joints=tuple(joint for joint in mechanism.joints if joint.symbol not in slides),
+        sketch=Sketch(),
+        outputs=(), summaries=(), charts=(), tables=(),
+    )  # fmt: skip
+
+
+def _size(mechanism: Mechanism, values: dict[str, Array]) -> float:
+    points = dict.fromkeys(point for link in mechanism.links for point in link.points)
+    columns = [[values[f"{point}.{axis}"] for point in points] for axis in "xy"]
+    spans = [np.ptp(found) for found in (np.array(part)[np.isfinite(part)] for part in columns) if len(found)]
+    return float(max(spans, default=0.0)) or 1.0
+
+
+def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
+    """How far each row misses the condition of a part that was left out, as a length."""
+    dimensions = dimension_values(mechanism)
+    if isinstance(part, Link):
+        first, second = _shared(mechanism, part)
+        places = _flat(part, dimensions)
+        length = math.dist(places[first], places[second])
+        apart = np.hypot(values[f"{first}.x"] - values[f"{second}.x"], values[f"{first}.y"] - values[f"{second}.y"])
+        return np.asarray(np.abs(apart - length))
+    on = next(link for link in mechanism.links if link.name == part.on)
+    base = _flat(on, dimensions)
+    u, v = base[part.through] if isinstance(part.through, str) else (number(x, dimensions) for x in part.through)
+    theta = _angle(mechanism, on, values)
+    # From a point of the link whose place is known; the ground's own frame needs none.
+    anchor = "" if on is mechanism.ground else next(iter(base))
+    x0, y0 = (values[f"{anchor}.x"], values[f"{anchor}.y"]) if anchor else (0.0, 0.0)
+    du, dv = (u - base[anchor][0], v - base[anchor][1]) if anchor else (u, v)
+    x = x0 + du * np.cos(theta) - dv * np.sin(theta)
+    y = y0 + du * np.sin(theta) + dv * np.cos(theta)
+    line = theta + number(part.angle, dimensions)
+    across = np.abs((values[f"{part.point}.y"] - y) * np.cos(line) - (values[f"{part.point}.x"] - x) * np.sin(line))
+    if part.kind == "pin-slot":
+        return np.asarray(across)
+    body = next(link for link in mechanism.links if link.name == part.link)
+    turned = _angle(mechanism, body, values) - line - number(part.orientation, dimensions)
+    return np.asarray(across + np.abs(np.sin(turned / 2)) * _size(mechanism, values))
+
+
+def _flat(link: Link, dimensions: Mapping[str, float]) -> dict[str, tuple[float, float]]:
+    """The places of a link's points in its own frame, in numbers."""
+    found: dict[str, tuple[float, float]] = {}
+
+    def place(point: str) -> tuple[float, float]:
+        given = link.points[point]
+        match given:
+            case _ if point in found:
+                pass
+            case Cartesian(x, y):
+                found[point] = (number(x, dimensions), number(y, dimensions))
+            case Polar(r, angle):
+                length, direction = number(r, dimensions), number(angle, dimensions)
+                found[point] = (length * math.cos(direction), length * math.sin(direction))
+            case Distances(first, b, second, c, side):
+                (x, y), (x2, y2) = place(first), place(second)
+                near, far, apart = number(b, dimensions), number(c, dimensions), math.dist((x, y), (x2, y2))
+                along = (near * near - far * far + apart * apart) / (2 * apart)
+                across = math.sqrt(max(near * near - along * along, 0.0)) * (1 if side == "left" else -1)
+                ux, uy = (x2 - x) / apart, (y2 - y) / apart
+                found[point] = (x + along * ux - across * uy, y + along * uy + across * ux)
+        return found[point]
+
+    for point in link.points:
+        place(point)
+    return found
+
+
+def _angle(mechanism: Mechanism, link: Link, values: dict[str, Array]) -> Array:
+    if link is mechanism.ground:
+        return np.zeros(len(values[mechanism.driver.symbol]))
+    return values[link.angle_symbol]
+
+
+def _name(part: Part) -> str:
+    return part.name
+
+
+def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
+    what = "link" if isinstance(part, Link) else "sliding joint"
+    key = f"links.{part.name}" if isinstance(part, Link) else f"joints.{mechanism.joints.index(part)}"
+    together = "".join(f' together with "{other}"' for other in others)
+    return Fault(
+        f'the {what} "{part.name}" is redundant and may be left out{together}: the rest moves in the same way without it',
+        key=key,
+        hint="leave it out of the description (its points can be points of another link, its forces are another matter)",
+    )

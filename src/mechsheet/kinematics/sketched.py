@@ -1,0 +1,265 @@
+"""What the sketch shows: the position it is read at, and doubts whether that is the position it was drawn at.
+
+A sketch drawn at 40 degrees and read at the first row may lie nearer to the assembly that is not meant. So the sketch is
+held against the whole sweep, in every assembly: where it fits another driver value much better, that value is named.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.diagnostics import DescriptionWarning, Fault
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.rough import sweep
+from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve_unpicked
+from mechsheet.model import Mechanism
+
+FAR = 0.15
+"""A sketch that misses the position by this part of the mechanism's size (or radians) was hardly drawn there."""
+
+SUSPICIOUS = 0.03
+"""From this part on a sketch may be that of another position in the other assembly."""
+
+BETTER = 1 / 3
+"""Another position is named when the sketch misses it by less than this part of what it misses the one it is read at."""
+
+ALIKE = 0.02
+"""Positions that fit the sketch worse than the best one by less than this are named beside it."""
+
+BESIDE = 0.06
+"""Driver values nearer to one another than this part of a turn, or of the sweep, are one position of a rough sketch."""
+
+MOST_NAMED = 3
+MOST_ROWS = 400
+MOST_ASSEMBLIES = 64
+STEP = math.radians(2.0)
+"""Outside its sweep a turning driver is tried in such steps."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One thing sketched: its columns (x and y of a point, or a symbol), the values it has there, whether it is an angle."""
+
+    name: str
+    columns: tuple[str, ...]
+    wanted: tuple[float, ...]
+    angle: bool = False
+
+    def missed(self, values: Mapping[str, Array], size: float) -> Array:
+        """How far each row is from it: a part of the size, or radians."""
+        gaps = [values[column] - wanted for column, wanted in zip(self.columns, self.wanted, strict=True)]
+        if self.angle:
+            return np.abs(np.remainder(gaps[0] + math.pi, math.tau) - math.pi)
+        return np.sqrt(sum((gap / size) ** 2 for gap in gaps))
+
+
+def tell(mechanism: Mechanism, equations: Equations) -> None:
+    """Warn (DescriptionWarning) of every doubt about the mechanism's sketch."""
+    for fault in doubts(mechanism, equations):
+        warnings.warn(DescriptionWarning(fault), stacklevel=3)
+
+
+def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
+    """What a person should hear of the sketch although it picks an assembly in every group; empty for a good one."""
+    fixed = [point for point in mechanism.sketch.points if point in mechanism.ground.points]
+    found = [
+        Fault(f'"{point}" is a point of the ground: sketching it decides nothing', key=f"assembly.{point}")
+        for point in fixed
+    ]
+    dimensions = dimension_values(mechanism)
+    entries = _entries(mechanism, dimensions)
+    if not entries:
+        return tuple(found)
+    driver = driver_values(mechanism, dimensions)
+    at = mechanism.sketch.at
+    shown = driver if at is None else np.array([number(at, dimensions)])
+    values, row = _position(mechanism, equations, shown)
+    if row is None:
+        return tuple(found)
+    size = _size(values, row, mechanism)
+    missed = _missed(entries, values, size)
+    here = float(missed[row])
+    if here > SUSPICIOUS:
+        found += _elsewhere(mechanism, equations, entries, _Read(float(shown[row]), here, size, driver, values, row))
+    return tuple(found)
+
+
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """The position at which the sketch was read: the driver's value there, how far the sketch misses it."""
+
+    value: float
+    missed: float
+    size: float
+    driver: Array
+    values: Mapping[str, Array]
+    row: int
+
+
+def _entries(mechanism: Mechanism, dimensions: Mapping[str, float]) -> list[Entry]:
+    """Everything sketched that moves: points, angles, displacements, the driver itself."""
+    sketch, driver = mechanism.sketch, mechanism.driver
+    angles = {link.angle_symbol for link in mechanism.links} | ({driver.symbol} if not driver.joint else set())
+    found = [
+        Entry(point, (f"{point}.x", f"{point}.y"), (number(x, dimensions), number(y, dimensions)))
+        for point, (x, y) in sketch.points.items()
+        if point not in mechanism.ground.points
+    ]
+    found += [
+        Entry(symbol, (symbol,), (number(value, dimensions),), symbol in angles)
+        for symbol, value in sketch.symbols.items()
+    ]
+    return found
+
+
+def with_position(fault: Fault, mechanism: Mechanism) -> Fault:
+    """A fault of a sketch that is read at the first position, with the driver value that it fits, if there is one."""
+    dimensions = dimension_values(mechanism)
+    entries, driver = _entries(mechanism, dimensions), driver_values(mechanism, dimensions)
+    if not entries:
+        return fault
+    equations = solve_unpicked(mechanism)
+    size = max(abs(value) for entry in entries for value in entry.wanted)
+    size = max([size, *(abs(value) for value in dimensions.values())]) or 1.0
+    values, missed, _ = _best(mechanism, equations, entries, driver, size)
+    if not missed.min() < SUSPICIOUS:
+        return fault
+    written = _written(mechanism, _named(mechanism, values, missed))
+    fits = f"the sketch fits {mechanism.driver.symbol} = {' or '.join(written)}"
+    return replace(fault, hint=f"{fault.hint}; {fits}: if it was drawn there, write at = {written[0]}")
+
+
+def _position(mechanism: Mechanism, equations: Equations, driver: Array) -> tuple[Mapping[str, Array], int | None]:
+    """The first of the rows that exists, and the values there; one row is tried before all of them."""
+    for count in dict.fromkeys((1, len(driver))):
+        values = sweep(mechanism, equations, driver[:count])
+        exists = np.ones(count, dtype=bool)
+        for group in equations.groups:
+            exists &= np.isfinite(values[group.closes])
+        if exists.any():
+            return values, int(np.flatnonzero(exists)[0])
+    return {}, None
+
+
+def _size(values: Mapping[str, Array], row: int, mechanism: Mechanism) -> float:
+    """The larger side of the smallest upright rectangle around all points."""
+    names = dict.fromkeys(point for link in mechanism.links for point in link.points)
+    spans = [np.ptp([float(values[f"{point}.{axis}"][row]) for point in names]) for axis in "xy"] if names else []
+    return float(max(spans, default=1.0)) or 1.0
+
+
+def _missed(entries: Sequence[Entry], values: Mapping[str, Array], size: float) -> Array:
+    """Root of the mean square of what the entries miss, row by row; infinite where a position does not exist."""
+    squares = np.mean([entry.missed(values, size) ** 2 for entry in entries], axis=0)
+    return np.where(np.isfinite(squares), np.sqrt(squares), np.inf)
+
+
+def _elsewhere(mechanism: Mechanism, equations: Equations, entries: Sequence[Entry], read: _Read) -> list[Fault]:
+    """The warning that names the driver values that the sketch fits, or the entry that fits nowhere."""
+    rows, best, modes = _best(mechanism, equations, entries, read.driver, read.size)
+    least = float(best.min())
+    other = int(modes[int(best.argmin())]) != 0
+    if least < BETTER * read.missed and (read.missed > FAR or other):
+        return [_fits(mechanism, _named(mechanism, rows, best), read)]
+    if read.missed > FAR:
+        return [_misfit(mechanism, entries, read)]
+    return []
+
+
+def _best(
+    mechanism: Mechanism, equations: Equations, entries: Sequence[Entry], driver: Array, size: float
+) -> tuple[Array, Array, NDArray[np.int_]]:
+    """Driver values, how far the sketch misses the nearest assembly there, and which one that is (0: the one picked)."""
+    rows = _tried(mechanism, driver)
+    best, modes = np.full(len(rows), np.inf), np.zeros(len(rows), dtype=int)
+    for place, assembly in enumerate(assemblies(equations)):
+        missed = _missed(entries, sweep(mechanism, assembly, rows), size)
+        better = missed < best
+        best, modes = np.where(better, missed, best), np.where(better, place, modes)
+    return rows, best, modes
+
+
+def _tried(mechanism: Mechanism, driver: Array) -> Array:
+    """Driver values to try: those of the sweep, thinned; all around the circle for a driver that turns."""
+    rows = driver[:: math.ceil(len(driver) / MOST_ROWS)]
+    if mechanism.driver.joint:
+        return rows
+    return np.concatenate([rows, driver[0] + np.arange(0.0, math.tau, STEP)])
+
+
+def assemblies(equations: Equations) -> list[Equations]:
+    """The equations in every assembly, the one picked first; of very many groups only each flipped alone."""
+    places = [place for place, group in enumerate(equations.groups) if group.mode]
+    if 2 ** len(places) <= MOST_ASSEMBLIES:
+        flips = [set(part) for count in range(len(places) + 1) for part in itertools.combinations(places, count)]
+    else:
+        flips = [set[int](), *({place} for place in places)]
+    return [
+        replace(
+            equations,
+            groups=tuple(
+                replace(group, mode_value=-group.mode_value) if place in flip else group
+                for place, group in enumerate(equations.groups)
+            ),
+        )
+        for flip in flips
+    ]
+
+
+def _named(mechanism: Mechanism, rows: Array, missed: Array) -> list[float]:
+    """The driver values that fit best, those that lie beside a better one left out."""
+    turn = 0.0 if mechanism.driver.joint else math.tau
+    beside = BESIDE * (turn or float(np.ptp(rows)))
+    found: list[float] = []
+    for row in np.argsort(missed, kind="stable"):
+        value = float(rows[row])
+        if missed[row] > missed.min() + ALIKE or len(found) == MOST_NAMED:
+            break
+        apart = [math.remainder(value - other, turn) if turn else value - other for other in found]
+        if all(abs(gap) > beside for gap in apart):
+            found.append(value)
+    return found
+
+
+def shown_value(mechanism: Mechanism, value: float) -> str:
+    """A value of the driver as a person writes it, with its symbol: `theta12 = 40`."""
+    driver = mechanism.driver
+    written = math.degrees(value) if driver.unit == "deg" else value
+    return f"{driver.symbol} = {written:.4g}"
+
+
+def _written(mechanism: Mechanism, values: Sequence[float]) -> list[str]:
+    return [shown_value(mechanism, value).partition(" = ")[2] for value in values]
+
+
+def _fits(mechanism: Mechanism, values: Sequence[float], read: _Read) -> Fault:
+    written = _written(mechanism, values)
+    fits = f"{mechanism.driver.symbol} = {' or '.join(written)}"
+    where = shown_value(mechanism, read.value)
+    if mechanism.sketch.at is None:
+        message = f"the sketch is read at the first position, {where}, but it fits {fits}"
+        return Fault(
+            message, key="assembly", hint=f"write at = {written[0]} in [assembly], or sketch the first position"
+        )
+    message = f"the sketch is said to show {where}, but it fits {fits}"
+    return Fault(message, key="assembly.at", hint=f"write at = {written[0]}, or sketch the position at {where}")
+
+
+def _misfit(mechanism: Mechanism, entries: Sequence[Entry], read: _Read) -> Fault:
+    worst = max(entries, key=lambda entry: float(entry.missed(read.values, read.size)[read.row]))
+    lies = ", ".join(
+        f"{column} = {math.degrees(value) if worst.angle and mechanism.angle_unit == 'deg' else value:.4g}"
+        for column in worst.columns
+        for value in [float(read.values[column][read.row])]
+    )
+    where = shown_value(mechanism, read.value)
+    message = f"the sketch of {worst.name} is far from every position; at {where} it is at {lies}"
+    return Fault(message, key=f"assembly.{worst.name}", hint="check the dimensions and the sketch")
