@@ -20,6 +20,9 @@ from mechsheet.sheet.rows import exists_column, fixed_column
 ROUNDING = Number(1e-9)
 """Parts of a value (or of a unit of the driver) below this are rounding."""
 
+LAST_DIGITS = 1e-12
+"""Parts of a number that its last digits make."""
+
 SHOWN = ("variable", "point", "output")
 """Kinds of columns that people read."""
 
@@ -164,15 +167,16 @@ def summaries(plan: Plan, sheet: str) -> tuple[Node, ...]:
 
 
 def _copy(plan: Plan, sheet: str, column: TableColumn) -> Node:
-    """How far a helper column's mean is from that of its original; of a rounded one, in units of 1e-9 of its last digit."""
+    """How far a helper column's sum is from that of its original; of a rounded one, in units of what rounding may make."""
     copy = plan.at.area(plan.at.shown[f"#{column.kind} {column.symbol}"], sheet)
     total = Call("SUM", (copy,))
     original = Call("SUMIF", (plan.at.column(column.symbol, sheet), EVERY_NUMBER))
     if column.kind == "blank":
         return _difference(total, original)
-    digit = 10.0 ** -digits_kept(plan, column.symbol)
-    share = Number(1e-9 / plan.rows / digit)
-    return Binary("*", Call("ABS", (Binary("-", total, original),)), share)
+    digit = Number(plan.rows * 10.0 ** -digits_kept(plan, column.symbol))
+    largest = al.largest([Call("MAX", (copy,)), al.neg(Call("MIN", (copy,)))])  # may have fewer decimals than are kept
+    room = Binary("+", digit, Binary("*", Number(plan.rows * LAST_DIGITS), largest))
+    return Binary("*", ROUNDING, Binary("/", Call("ABS", (Binary("-", total, original),)), room))
 
 
 def rows(plan: Plan, sheet: str) -> Whole:

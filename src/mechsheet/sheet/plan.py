@@ -11,7 +11,7 @@ from typing import Literal
 
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.kinematics.equations import Equation, Equations
-from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
+from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
 from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.findings import findings
@@ -78,6 +78,11 @@ class Plan:
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
     proven: dict[str, set[tuple[int, int]]] = field(default_factory=dict)
+
+    @cached_property
+    def size(self) -> float:
+        """The largest length, as the description has it; 1 where there is none."""
+        return largest_length(self.mechanism, dimension_values(self.mechanism)) or 1.0
 
     @cached_property
     def reads(self) -> dict[str, tuple[str, ...]]:

@@ -128,10 +128,10 @@ def blank_unit(plan: Plan, symbol: str) -> str:
 
 
 def digits_kept(plan: Plan, symbol: str) -> int:
-    """Decimals that leave a column about twelve digits."""
+    """Decimals that leave a column about twelve digits: of a length, twelve digits of the largest length."""
     unit = blank_unit(plan, symbol)
     if _unit_of(plan, symbol) == "length":
-        return max(0, 12 - math.ceil(math.log10(_largest_length(plan))))
+        return max(0, 12 - math.ceil(math.log10(plan.size)))
     return {"°": 9, "rad": 11}.get(unit, 10)
 
 
@@ -259,17 +259,8 @@ def places(plan: Plan, unit: str) -> int:
         return 2 if plan.mechanism.angle_unit == "deg" else 4
     if unit == "number":
         return 4
-    finest = min(tolerances) if tolerances else _largest_length(plan) / 1e4
+    finest = min(tolerances) if tolerances else plan.size / 1e4
     return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))
-
-
-def _largest_length(plan: Plan) -> float:
-    sizes = [
-        abs(dim.value)
-        for dim in plan.mechanism.dimensions
-        if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
-    ]
-    return max([*sizes, 1e-9])
 
 
 def _decimals(style: Style, count: int) -> Style:

@@ -174,9 +174,7 @@ class _Block:
         ranges = self.value("#input ranges")
         unit = _after_number(unit_text(self.driver.unit))
         names = [self.value(f"#input {key}") for key in ("from", "to", "from other", "to other")]
-        one, other = (
-            _joined(_short(a, 3), Text(f"{unit} … "), _short(b, 3), Text(unit)) for a, b in (names[:2], names[2:])
-        )
+        one, other = (_joined(_end(a), Text(f"{unit} … "), _end(b), Text(unit)) for a, b in (names[:2], names[2:]))
         turns = self.driver.unit in ("deg", "rad")
         if turns:  # of a slide the other range is a mirror image: the same lengths laid off backwards
             one = _joined(one, Call("IF", (Binary("=", ranges, al.TWO), _joined(Text("; "), other), Text(""))))
@@ -369,6 +367,11 @@ class _Block:
 def _short(node: Node, digits: int = 4) -> Node:
     """A number as text in a formula, with few digits and the reader's own decimal sign."""
     return Call("ROUND", (node, Number(float(digits))))
+
+
+def _end(node: Node) -> Node:
+    """An end of a range in few digits; one that is no number (infinite) as it stands."""
+    return Call("IF", (Call("ISNUMBER", (node,)), _short(node, 3), node))
 
 
 def _joined(*nodes: Node) -> Node:
