@@ -39,7 +39,7 @@ LEAPS = ("dead-centre",)
 TEXTS = {name: text for name, text in descriptions().items() if name not in NOT_BUILT}
 
 
-@pytest.mark.parametrize("name", part([name for name in TEXTS if name not in LEAPS], of=3))
+@pytest.mark.parametrize("name", part([name for name in TEXTS if name not in LEAPS], of=4))
 def test_all_clear(name):
     """Every check is passed, and how it stands is said in words."""
     laid = Laid(TEXTS[name], copies=True)

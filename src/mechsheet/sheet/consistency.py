@@ -73,9 +73,12 @@ def fixed_points(plan: Plan, sheet: str) -> tuple[Node, ...]:
     """Differences between fixed points' coordinates and their places in the description."""
     ground = plan.mechanism.ground
     parts: list[Node] = []
+    cells = {
+        point: (plan.at.reading_shown(f"{point}.x", sheet, None), plan.at.reading_shown(f"{point}.y", sheet, None))
+        for point in ground.points
+    }
     for point in ground.points:
-        for axis, node in zip("xy", place(ground, point), strict=True):
-            cell = plan.at.reading_shown(f"{point}.{axis}", sheet, None)
+        for cell, node in zip(cells[point], place(ground, point, cells), strict=True):
             parts.append(Call("ABS", (al.sub(cell, plan.at.bind(node, sheet, None)),)))
     return tuple(parts)
 

@@ -63,6 +63,7 @@ class Plan:
     """Addresses of everything; see `Addresses` for `at`.
 
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    ways    by link and point, the cells of the way from the link's base point to it, once the checks are laid out
     proven  by sheet, where fills begin (row, column) that need no copy on the sheet "Recomputed": geometry proves them
     """
 
@@ -77,6 +78,7 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
+    ways: dict[tuple[str, str], tuple[Spot, Spot]] = field(default_factory=dict)
     proven: dict[str, set[tuple[int, int]]] = field(default_factory=dict)
 
     @cached_property

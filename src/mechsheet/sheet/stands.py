@@ -8,13 +8,13 @@ from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import link_words
-from mechsheet.model import Link
+from mechsheet.model import Distances, Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer
 from mechsheet.sheet.checks import ROUNDING
 from mechsheet.sheet.extremes import sweep_of
 from mechsheet.sheet.findings import FourBar, findings
-from mechsheet.sheet.geometry import distance
+from mechsheet.sheet.geometry import UV, Known, base_point, distance
 from mechsheet.sheet.limits import SLOTS
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, unit_text
 from mechsheet.sheet.positions import places
@@ -231,8 +231,25 @@ class _Block:
             (loop.coupler, loop.pin, loop.inner),
             (loop.last, loop.end, loop.inner),
         )
-        a, b, c, d = (self.plan.at.bind(distance(*end), self.plan.main, None) for end in ends)
+        a, b, c, d = (self.plan.at.bind(distance(*end, self._laid_off(*end)), self.plan.main, None) for end in ends)
         return a, b, c, d
+
+    def _laid_off(self, link: Link, *points: str) -> Known:
+        """The cells of two points' places, where one is given by distances: written out, it could be of any length."""
+        if not any(isinstance(link.points[point], Distances) for point in points):
+            return {}
+        known: dict[str, UV] = {}
+        for point in points:
+            if link is self.plan.mechanism.ground:
+                known[point] = self.value(f"{point}.x"), self.value(f"{point}.y")
+            elif point == base_point(link):
+                known[point] = al.ZERO, al.ZERO
+            else:
+                u, v = (
+                    CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in self.plan.ways[link.name, point]
+                )
+                known[point] = u, v
+        return known
 
     def _rounding(self) -> Node:
         return al.mul(al.number(ROUNDING), self.plan.at.reference(self.plan.equations.tolerance, self.plan.main, None))
