@@ -119,7 +119,7 @@ def _all_points(plan: Plan) -> tuple[str, ...]:
 
 
 def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame:
-    """A window around the points at all positions of the sweep."""
+    """A window around the points at all positions of the sweep; its sweep columns stand apart from those of paths."""
     moving = [name for name in names if name in moving_points(page.plan.mechanism)]
     fixed = [name for name in names if name not in moving]
     extremes = []
@@ -130,6 +130,7 @@ def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame
         if constants:
             low, high = al.smallest((low, *constants)), al.largest((high, *constants))
         extremes.append((low, high))
+    page.apart()
     return write_frame(page, title, extremes[0], extremes[1], margin)
 
 
@@ -194,6 +195,8 @@ def _traces(page: Page, frame: Frame, names: Sequence[str], colors: Sequence[str
         y = page.column(f"Y {plain(name)}", frame.chart_y(page.read(f"{name}.y")))
         refs = SeriesRef(page.title, x), SeriesRef(page.title, y)
         found.append(Series(plain(name), *refs, line=colors[index % len(colors)], width=width))
+    if found:
+        page.apart()
     return found
 
 
