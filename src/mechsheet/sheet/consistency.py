@@ -161,11 +161,15 @@ def summaries(plan: Plan, sheet: str) -> tuple[Node, ...]:
             "range": al.sub(largest, smallest),
             "mean": al.div(Call("SUM", (column_,)), Call("COUNT", (column_,))),
         }
+        found: list[Node] = []
         if summary.take in expected:
-            differences.append(_difference(value, expected[summary.take]))
+            found.append(_difference(value, expected[summary.take]))
         if summary.take in ("max", "min") and not plan.mechanism.driver.values:
             drivers = plan.at.column(plan.mechanism.driver.symbol, sheet)
-            differences.append(_difference(value, Call("SUMIF", (drivers, place, column_))))
+            found.append(_difference(value, Call("SUMIF", (drivers, place, column_))))
+        nothing = Binary("=", Call("COUNT", (column_,)), al.ZERO)
+        missing = Call("IF", (Call("ISNA", (value,)), al.ZERO, al.ONE))
+        differences += [Call("IF", (nothing, missing, difference)) for difference in found]
     return tuple(differences)
 
 

@@ -220,7 +220,7 @@ def _position(writer: Writer) -> None:
     driver = plan.mechanism.driver
     last = plan.rows - 1
     writer.line(rows["position"], plan.text("name.position"), "", plan.text("position.number", last=last))
-    writer.put(rows["position"], VALUE, 0.0, styles.INPUT)
+    writer.put(rows["position"], VALUE, float(plan.first_existing), styles.INPUT)
     writer.validations.append(
         Validation(
             Area(rows["position"], VALUE, rows["position"], VALUE),

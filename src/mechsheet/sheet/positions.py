@@ -168,6 +168,8 @@ def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
             return [], [_fill(plan, column.col, _shown(plan, column), _shown_style(plan, column))]
         case "blank" | "rounded":
             value = plan.at.reading_shown(column.symbol, plan.table, plan.at.first)
+            if column.symbol == plan.mechanism.driver.symbol:  # a number in every row
+                value = _guarded(plan, value)
             digits = Number(float(digits_kept(plan, column.symbol)))
             kept = Call("ROUND", (value, digits)) if column.kind == "rounded" else value
             node = Call("IF", (Call("ISNUMBER", (value,)), kept, Text("")))

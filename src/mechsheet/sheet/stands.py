@@ -132,6 +132,10 @@ class _Block:
         gap = Call("INDEX", (drivers, Call("MATCH", (al.ZERO, exists, al.ZERO))))
         self.at("missing", Call("IF", (none, Text(""), gap)))
 
+    def _nowhere(self) -> Node:
+        """TRUE where no row exists."""
+        return Binary("=", CellRef(self.rows["rows"], VALUE, True, True), al.ZERO)
+
     def _stretches(self) -> Node:
         """The number of runs of rows that exist: rows that exist where the row above does not."""
         column = exists_column(self.plan)
@@ -315,7 +319,8 @@ class _Block:
         return Call("IFERROR", (on, Boolean(False)))  # a link that does not exist in some rows does not turn fully
 
     def _extent(self, symbol: str) -> Node:
-        return Call("IFERROR", (al.sub(self.value(f"#max {symbol}"), self.value(f"#min {symbol}")), Text("")))
+        """#N/A where there is no position: no number, and no 0 that could be taken for a small one."""
+        return Call("IFERROR", (al.sub(self.value(f"#max {symbol}"), self.value(f"#min {symbol}")), Call("NA")))
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
@@ -343,7 +348,7 @@ class _Block:
             value = Call("IF", (Call("AND", (whole, Binary(">", turns, Number(0.5)), whole_rows)), value, Text("")))
         else:
             value, words = Text(""), self.said("no_turn")
-        value = Call("IFERROR", (value, Text("")))
+        value = Call("IF", (self._nowhere(), Call("NA"), Call("IFERROR", (value, Text("")))))
         self.line(key, self.text("ratio_symbol"), "", value, styles.decimals(styles.RESULT, 2), words)
 
     def transmission(self, group: Group) -> None:
@@ -372,7 +377,7 @@ class _Block:
         from_to = _joined(_short(shown[1], 1), Text(f"{after} … "), _short(shown[2], 1), Text(f"{after}: "))
         words = _joined(from_to, Call("IF", (poor, self.said("poor"), self.said("fair"))))
         style = styles.decimals(styles.RESULT, places(self.plan, "angle"))
-        value = Call("IFERROR", (shown[0], Text("")))
+        value = Call("IFERROR", (shown[0], Call("NA")))
         self.line(key, label, unit, value, style, Call("IFERROR", (words, Text(""))))
         place = Call("IF", (at_low, self.value(f"#min at {symbol}"), self.value(f"#max at {symbol}")))
         self.at(key, Call("IFERROR", (place, Text(""))))
