@@ -87,7 +87,7 @@ class Group:
 class Equations:
     """All equations of a mechanism: constants first, then columns, in order of solution.
 
-    positive   symbols of dimensions that are lengths between joints: they must stay greater than zero
+    positive   symbols of dimensions that are lengths between joints: they must stay greater than zero; the driver's, too
     tolerance  symbol of the constant below which a length counts as zero
     """
 

@@ -25,7 +25,7 @@ class Ledger:
     """The growing list of equations.
 
     constant_symbols  symbols that have one value for all rows
-    positive          input dimensions used as the length of a link between joints
+    positive          input dimensions (or the driver's displacement) used as the length of a link between joints
     values            the columns' values over the first `rows` rows, by symbol
     """
 
@@ -34,6 +34,7 @@ class Ledger:
         self.rows = len(driver_values)
         self.values: dict[str, Array] = {name: np.full(self.rows, number) for name, number in dimensions.items()}
         self.values[driver] = driver_values
+        self.driver = driver
         self.constant_symbols = set(dimensions)
         self.constants: list[Equation] = []
         self.columns: list[Equation] = []
@@ -109,7 +110,7 @@ class Ledger:
             return plain > 0
         match node:
             case Symbol(name) if bool(np.all(self.values[name] > 0)):
-                if name in self.dimensions:
+                if name in self.dimensions or name == self.driver:
                     self.positive[name] = None
                 return True
             case Call("SQRT" | "ABS", _):

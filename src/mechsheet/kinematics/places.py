@@ -91,6 +91,7 @@ class LinkPlaces:
         self.words = link_words(link)
         self.ledger = ledger
         self._places: dict[str, Place] = {}
+        self._offsets: dict[str, Place] = {}
         self._lengths: dict[frozenset[str], Node] = {}
 
     def place(self, point: str) -> Place:
@@ -107,6 +108,15 @@ class LinkPlaces:
                 case Distances():
                     self._places[point] = self._from_distances(point, given)
         return self._places[point]
+
+    def way(self, start: str, end: str) -> Place:
+        """The vector from one point to another; a point given by distances lies at its offset from the first of them."""
+        for point, base in ((end, start), (start, end)):
+            given = self.link.points[point]
+            if isinstance(given, Distances) and given.first == base:
+                self.place(point)
+                return self._offsets[point] if point == end else -self._offsets[point]
+        return self.place(end) - self.place(start)
 
     def known_length(self, first: str, second: str) -> Node | None:
         """The distance of two points where the description gives it as such."""
@@ -140,8 +150,15 @@ class LinkPlaces:
         )
         turned = Angle(gamma) if given.side == "left" else Angle(al.neg(gamma))
         offset = polar(b, line + turned)
+        self._offsets[point] = offset
         start = self.place(given.first)
-        return offset if start.is_zero else cartesian(al.add(start.u, offset.u), al.add(start.v, offset.v))
+        if start.is_zero:
+            return offset
+        # in cells of its own: places that are given by this one would repeat its formula, and theirs in turn
+        label = Words(f"{point} in the frame of {self.words.en}", f"{self.words.tr} takımında {point}")
+        u = ledger.hoist(f"u_{point}", al.add(start.u, offset.u), "length", label)
+        v = ledger.hoist(f"v_{point}", al.add(start.v, offset.v), "length", label)
+        return cartesian(u, v)
 
 
 def arm(places: LinkPlaces, start: str, end: str) -> tuple[Node, Angle]:
@@ -149,7 +166,7 @@ def arm(places: LinkPlaces, start: str, end: str) -> tuple[Node, Angle]:
     name = f"{start}{end}"
     return arm_of(
         places.ledger,
-        places.place(end) - places.place(start),
+        places.way(start, end),
         places.known_length(start, end),
         name,
         Words(f"{start}–{end} on {places.words.en}", f"{places.words.tr}: {start}–{end}"),

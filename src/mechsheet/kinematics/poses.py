@@ -59,6 +59,10 @@ class Guide:
     symbol: str
 
 
+STILL = Member(Angle(), ORIGIN)
+"""Of a body whose frame is its assembly's."""
+
+
 class Poses:
     """The state of the solution. `xy` holds the coordinates of solved points."""
 
@@ -68,7 +72,7 @@ class Poses:
         self.ledger = ledger
         self.links = {link.name: link for link in mechanism.links}
         self.places = {link.name: LinkPlaces(link, ledger) for link in mechanism.links}
-        self.members: dict[str, Member] = {body: Member(Angle(), ORIGIN) for body in graph.bodies}
+        self.members: dict[str, Member] = dict.fromkeys(graph.bodies, STILL)
         self.known: dict[str, Pose] = {}
         self.xy: dict[str, tuple[Node, Node]] = {}
         self.turned: list[tuple[str, Angle]] = []
@@ -117,11 +121,12 @@ class Poses:
 
     def arm(self, assembly: Assembly, start: str, end: str) -> tuple[Node, Angle]:
         """Length (> 0) and direction in the assembly's frame of the arm from one of its points to another."""
-        known = None
+        known = way = None
         for body in assembly:
             if body in self.places and {start, end} <= set(self.graph.points[body]):
                 known = self.places[body].known_length(start, end)
-        way = self.place(assembly, end) - self.place(assembly, start)
+                way = self.places[body].way(start, end) if self.members[body] == STILL else None
+        way = way or self.place(assembly, end) - self.place(assembly, start)
         label = Words(f"{start}–{end} on {self.name(assembly)}", f"{self.name(assembly, 'tr')}: {start}–{end}")
         return arm_of(self.ledger, way, known, f"{start}{end}", label)
 
@@ -179,7 +184,7 @@ class Poses:
             origin_x, origin_y = (member.origin - base).turned(angle)
             if member.origin == base:
                 self.known[body] = Pose(own, ORIGIN, x, y)
-            elif member == Member(Angle(), ORIGIN):
+            elif member == STILL:
                 self.known[body] = Pose(own, base, x, y)
             else:
                 name = f"origin_{self._number(body)}"

@@ -29,7 +29,7 @@ from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
-from mechsheet.model import Cartesian, Distances, Mechanism, Polar, Quantity, Words
+from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity, Words
 
 PROBED_ROWS = 200
 """Rows at the start, and as many again spread over the rest, on which modes are picked."""
@@ -141,11 +141,12 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> tuple[Equat
         poses.settle_turns()
         groups.append(_group(index, dyad, solved, value, is_open))
     _outputs(mechanism, ledger)
+    given = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
         tuple(groups),
-        tuple(dim.symbol for dim in mechanism.dimensions if dim.symbol in ledger.positive),
+        tuple(symbol for symbol in (*given, mechanism.driver.symbol) if symbol in ledger.positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
@@ -199,19 +200,40 @@ def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
 
 
 def _largest_length(mechanism: Mechanism) -> Node:
-    """MAX of the sizes of all lengths given: input dimensions, and plain numbers in places."""
+    """MAX of the sizes of all lengths given: input dimensions, and plain numbers in places; where there are none, the
+    largest length that there is."""
     lengths: list[Node] = [
         Symbol(dim.symbol) if not isinstance(dim.value, float) or dim.value > 0 else Call("ABS", (Symbol(dim.symbol),))
         for dim in mechanism.dimensions
-        if dim.unit not in ("deg", "rad", "1") and not dim.derived
+        if is_length(dim) and not dim.derived
     ]
-    plain = [abs(value) for value in _plain_lengths(mechanism)]
+    plain = [abs(value) for value in _lengths_of_places(mechanism) if not isinstance(value, str)]
     if plain and max(plain) > 0:
         lengths.append(NumberNode(max(plain)))
-    return al.largest(lengths) if lengths else al.ONE
+    if not lengths:
+        lengths.append(NumberNode(largest_length(mechanism, dimension_values(mechanism)) or 1.0))
+    return al.largest(lengths)
 
 
-def _plain_lengths(mechanism: Mechanism) -> list[float]:
+def is_length(dimension: Dimension) -> bool:
+    """True for a dimension in the length unit."""
+    return dimension.unit not in ("deg", "rad", "1")
+
+
+def largest_length(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:
+    """The largest size of all lengths: dimensions, derived ones too, lengths in places, and the way of a driven slide.
+
+    dimensions  all their values; what has no value (NaN) does not count. 0.0 where there is no length at all
+    """
+    sizes = [dimensions[dim.symbol] for dim in mechanism.dimensions if is_length(dim)]
+    sizes += [number(quantity, dimensions) for quantity in _lengths_of_places(mechanism)]
+    if mechanism.driver.joint:
+        sizes += [float(value) for value in driver_values(mechanism, dimensions)]
+    return max((abs(size) for size in sizes if math.isfinite(size)), default=0.0)
+
+
+def _lengths_of_places(mechanism: Mechanism) -> list[Quantity]:
+    """All lengths in the places of points and of lines."""
     found: list[Quantity] = []
     for link in mechanism.links:
         for place in link.points.values():
@@ -225,7 +247,7 @@ def _plain_lengths(mechanism: Mechanism) -> list[float]:
     for joint in mechanism.joints:
         if not isinstance(joint.through, str):
             found += joint.through
-    return [value for value in found if not isinstance(value, str)]
+    return found
 
 
 def _solve_dyad(poses: Poses, dyad: Dyad, always: bool) -> Solved:

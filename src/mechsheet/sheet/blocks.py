@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Node, Number, Unary
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan, unit_text
 from mechsheet.sheet.positions import places
-from mechsheet.sheet.workbook import Cell, Conditional, Content, Fill, Style, Validation
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Style, Validation
 
 
 class Writer:
@@ -55,3 +56,21 @@ def shown_unit(plan: Plan, symbol: str) -> str:
 def value_style(plan: Plan, unit: str) -> Style:
     """The style of a result of this kind: one decimal more than the tolerances justify for lengths."""
     return styles.decimals(styles.RESULT, places(plan, unit) + (1 if unit == "length" else 0))
+
+
+def input_validation(plan: Plan, area: Area, symbol: str) -> Validation:
+    """What may be typed into cells that hold values of `symbol`: a number; of a length between joints one above 0."""
+    positive = symbol in plan.equations.positive
+    key = "positive" if positive else "number"
+    title, message = plan.text(f"hint.{key}.title"), plan.text(f"hint.{key}", symbol=plain(symbol))
+    return Validation(
+        area,
+        "decimal",
+        ">" if positive else "between",
+        Number(0.0) if positive else Unary("-", Number(1e100)),
+        None if positive else Number(1e100),
+        input_title=title,
+        input_message=message,
+        error_title=title,
+        error_message=message,
+    )

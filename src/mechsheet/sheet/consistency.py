@@ -20,6 +20,9 @@ from mechsheet.sheet.rows import exists_column, fixed_column
 ROUNDING = Number(1e-9)
 """Parts of a value (or of a unit of the driver) below this are rounding."""
 
+LAST_DIGITS = 1e-12
+"""Parts of a number that its last digits make."""
+
 SHOWN = ("variable", "point", "output")
 """Kinds of columns that people read."""
 
@@ -70,9 +73,12 @@ def fixed_points(plan: Plan, sheet: str) -> tuple[Node, ...]:
     """Differences between fixed points' coordinates and their places in the description."""
     ground = plan.mechanism.ground
     parts: list[Node] = []
+    cells = {
+        point: (plan.at.reading_shown(f"{point}.x", sheet, None), plan.at.reading_shown(f"{point}.y", sheet, None))
+        for point in ground.points
+    }
     for point in ground.points:
-        for axis, node in zip("xy", place(ground, point), strict=True):
-            cell = plan.at.reading_shown(f"{point}.{axis}", sheet, None)
+        for cell, node in zip(cells[point], place(ground, point, cells), strict=True):
             parts.append(Call("ABS", (al.sub(cell, plan.at.bind(node, sheet, None)),)))
     return tuple(parts)
 
@@ -155,24 +161,29 @@ def summaries(plan: Plan, sheet: str) -> tuple[Node, ...]:
             "range": al.sub(largest, smallest),
             "mean": al.div(Call("SUM", (column_,)), Call("COUNT", (column_,))),
         }
+        found: list[Node] = []
         if summary.take in expected:
-            differences.append(_difference(value, expected[summary.take]))
+            found.append(_difference(value, expected[summary.take]))
         if summary.take in ("max", "min") and not plan.mechanism.driver.values:
             drivers = plan.at.column(plan.mechanism.driver.symbol, sheet)
-            differences.append(_difference(value, Call("SUMIF", (drivers, place, column_))))
+            found.append(_difference(value, Call("SUMIF", (drivers, place, column_))))
+        nothing = Binary("=", Call("COUNT", (column_,)), al.ZERO)
+        missing = Call("IF", (Call("ISNA", (value,)), al.ZERO, al.ONE))
+        differences += [Call("IF", (nothing, missing, difference)) for difference in found]
     return tuple(differences)
 
 
 def _copy(plan: Plan, sheet: str, column: TableColumn) -> Node:
-    """How far a helper column's mean is from that of its original; of a rounded one, in units of 1e-9 of its last digit."""
+    """How far a helper column's sum is from that of its original; of a rounded one, in units of what rounding may make."""
     copy = plan.at.area(plan.at.shown[f"#{column.kind} {column.symbol}"], sheet)
     total = Call("SUM", (copy,))
     original = Call("SUMIF", (plan.at.column(column.symbol, sheet), EVERY_NUMBER))
     if column.kind == "blank":
         return _difference(total, original)
-    digit = 10.0 ** -digits_kept(plan, column.symbol)
-    share = Number(1e-9 / plan.rows / digit)
-    return Binary("*", Call("ABS", (Binary("-", total, original),)), share)
+    digit = Number(plan.rows * 10.0 ** -digits_kept(plan, column.symbol))
+    largest = al.largest([Call("MAX", (copy,)), al.neg(Call("MIN", (copy,)))])  # may have fewer decimals than are kept
+    room = Binary("+", digit, Binary("*", Number(plan.rows * LAST_DIGITS), largest))
+    return Binary("*", ROUNDING, Binary("/", Call("ABS", (Binary("-", total, original),)), room))
 
 
 def rows(plan: Plan, sheet: str) -> Whole:

@@ -236,14 +236,14 @@ class DeadCentres:
 
 
 class _Forms(dict[str, Node]):
-    """The cells of symbols in the row of a trial; what has no column is a dimension or a constant."""
+    """The cells of symbols in the row of a trial, the driver's own among them; else a dimension or a constant."""
 
     def __init__(self, trials: Trials, row: int) -> None:
         super().__init__()
         self.trials, self.row = trials, row
 
     def __missing__(self, name: str) -> Node:
-        if name in self.trials.rules:
+        if name in self.trials.forms:
             return self.trials.value(name, self.row)
         return self.trials.plan.at.reference(name, self.trials.corner.sheet, None)
 

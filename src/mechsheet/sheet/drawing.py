@@ -119,7 +119,7 @@ def _all_points(plan: Plan) -> tuple[str, ...]:
 
 
 def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame:
-    """A window around the points at all positions of the sweep."""
+    """A window around the points at all positions of the sweep; its sweep columns stand apart from those of paths."""
     moving = [name for name in names if name in moving_points(page.plan.mechanism)]
     fixed = [name for name in names if name not in moving]
     extremes = []
@@ -129,6 +129,7 @@ def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame
         nodes = [page.read(f"{name}.{axis}") for name in moving]
         low, high = ([node] for node in page.extremes(head, nodes)) if nodes else ([], [])  # a disk alone turns
         extremes.append((al.smallest((*low, *constants)), al.largest((*high, *constants))))
+    page.apart()
     return write_frame(page, title, extremes[0], extremes[1], margin)
 
 
@@ -193,6 +194,8 @@ def _traces(page: Page, frame: Frame, names: Sequence[str], colors: Sequence[str
         y = page.column(f"Y {plain(name)}", frame.chart_y(page.read(f"{name}.y")))
         refs = SeriesRef(page.title, x), SeriesRef(page.title, y)
         found.append(Series(plain(name), *refs, line=colors[index % len(colors)], width=width))
+    if found:
+        page.apart()
     return found
 
 

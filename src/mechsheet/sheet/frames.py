@@ -119,6 +119,15 @@ class Page:
         """The value, or an empty text (which MAX and MIN pass over) where the position does not exist."""
         return Call("IF", (Binary("=", self.read("#exists"), al.ONE), node, Text("")))
 
+    def apart(self) -> None:
+        """Leave a sweep column empty, between columns that a cell is computed from and columns that read that cell.
+
+        LibreOffice computes neighbouring columns of a hundred rows and more together: without the empty one between them
+        it would find a circle (Err:522) when everything is recalculated.
+        """
+        self.cells.append(Cell(self.first - 1, self.col, None, styles.HEAD))
+        self.col += 1
+
     def column(self, head: str, node: Node) -> Area:
         """A new sweep column."""
         self.cells.append(Cell(self.first - 1, self.col, head, styles.HEAD))

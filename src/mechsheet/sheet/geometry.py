@@ -6,14 +6,32 @@ so here every place is (u, v) in its link's frame, as the drawing gives it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import TypeAlias
+
 from mechsheet.formula.nodes import Call, Node
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Cartesian, Distances, Link, Polar
 
+UV: TypeAlias = tuple[Node, Node]
+Known: TypeAlias = Mapping[str, UV]
+"""Places of points by name, bound."""
 
-def place(link: Link, point: str) -> tuple[Node, Node]:
-    """(u, v) of a point in its link's frame, over dimensions."""
+NOTHING_KNOWN: Known = {}
+
+
+def base_point(link: Link) -> str:
+    """The first point of a link that is given by coordinates, from which its others are laid off; "" without points."""
+    placed = [point for point, given in link.points.items() if not isinstance(given, Distances)]
+    return next(iter([*placed, *link.points]), "")
+
+
+def place(link: Link, point: str, known: Known = NOTHING_KNOWN) -> UV:
+    """(u, v) of a point in its link's frame, over dimensions.
+
+    known  places that stand in cells already: a point given by its distances from them is laid off from those cells
+    """
     given = link.points[point]
     match given:
         case Cartesian(x, y):
@@ -22,16 +40,20 @@ def place(link: Link, point: str) -> tuple[Node, Node]:
             length, direction = length_node(r), angle_of(angle)
             return al.mul(length, al.cos(direction)), al.mul(length, al.sin(direction))
         case Distances():
-            return _by_distances(link, given)
+            return _by_distances(given, *(_known_place(link, name, known) for name in (given.first, given.second)))
 
 
-def _by_distances(link: Link, given: Distances) -> tuple[Node, Node]:
+def _known_place(link: Link, point: str, known: Known) -> UV:
+    return known[point] if point in known else place(link, point, known)
+
+
+def _by_distances(given: Distances, first: UV, second: UV) -> UV:
     """Where two circles meet: along the line from the first point to the second, then across it to the side given.
 
     along = (b^2 - c^2 + d^2) / (2 d),   across = sqrt((b+c+d)(b+c-d)(d+b-c)(d-b+c)) / (2 d)    (twice the area over d)
     """
-    u, v = place(link, given.first)
-    way_u, way_v = _way(link, given.first, given.second)
+    u, v = first
+    way_u, way_v = al.sub(second[0], u), al.sub(second[1], v)
     b, c = length_node(given.first_distance), length_node(given.second_distance)
     d = al.sqrt(al.add(al.square(way_u), al.square(way_v)))
     along = al.div(al.add(al.sub(al.square(b), al.square(c)), al.square(d)), al.mul(al.TWO, d))
@@ -48,13 +70,7 @@ def _by_distances(link: Link, given: Distances) -> tuple[Node, Node]:
     )
 
 
-def _way(link: Link, start: str, end: str) -> tuple[Node, Node]:
-    """(u, v) of the vector from one point of a link to another."""
-    (u0, v0), (u1, v1) = place(link, start), place(link, end)
-    return al.sub(u1, u0), al.sub(v1, v0)
-
-
-def distance(link: Link, start: str, end: str) -> Node:
+def distance(link: Link, start: str, end: str, known: Known = NOTHING_KNOWN) -> Node:
     """The distance of two points of a link: as given, or from their places."""
     for point, other in ((start, end), (end, start)):
         given = link.points[point]
@@ -63,18 +79,16 @@ def distance(link: Link, start: str, end: str) -> Node:
                 return length_node(given.first_distance)
             if given.second == other:
                 return length_node(given.second_distance)
-    u, v = _way(link, start, end)
-    return al.sqrt(al.add(al.square(u), al.square(v)))
+    (u0, v0), (u1, v1) = (_known_place(link, point, known) for point in (start, end))
+    return al.sqrt(al.add(al.square(al.sub(u1, u0)), al.square(al.sub(v1, v0))))
 
 
 def measured_pairs(link: Link) -> tuple[tuple[str, str], ...]:
-    """Pairs of points to lay a ruler on: those whose distance the description gives, and each point with the first."""
-    points = list(link.points)
-    first = points[0] if points else ""
+    """Pairs of points to lay a ruler on: those whose distance the description gives, and each other point with the base."""
+    base = base_point(link)
     pairs: dict[frozenset[str], tuple[str, str]] = {}
-    for index, point in enumerate(points[1:]):
-        given = link.points[point]
-        by_distances = isinstance(given, Distances) and index > 0
-        for other in (given.first, given.second) if isinstance(given, Distances) and by_distances else (first,):
-            pairs.setdefault(frozenset((other, point)), (other, point))
+    for point, given in link.points.items():
+        for other in (given.first, given.second) if isinstance(given, Distances) else (base,):
+            if point != other:
+                pairs.setdefault(frozenset((other, point)), (other, point))
     return tuple(pairs.values())

@@ -167,6 +167,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "hint.position": ("A whole number from 0 to {last}.", "0 ile {last} arasında bir tam sayı."),
     "hint.position.title": ("Position", "Konum"),
     "hint.step": ("Any number but 0.", "0 dışında bir sayı."),
+    "summary.part": ("{count} of {rows} positions", "{rows} konumun {count} tanesi"),
     "take.max": ("largest {symbol}", "en büyük {symbol}"),
     "take.min": ("smallest {symbol}", "en küçük {symbol}"),
     "take.range": ("range of {symbol}", "{symbol} aralığı"),

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, Unary
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import Writer, shown_unit, value_style
+from mechsheet.sheet.blocks import Writer, input_validation, shown_unit, value_style
 from mechsheet.sheet.plan import (
     DRIVER,
     MEANING,
@@ -24,7 +24,7 @@ from mechsheet.sheet.positions import shown_number
 from mechsheet.sheet.rows import fixed_column
 from mechsheet.sheet.stands import write_stands
 from mechsheet.sheet.summaries import write_summaries
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
@@ -110,21 +110,7 @@ def _dimensions(writer: Writer) -> None:
         value = dim.shown if dim.shown is not None else shown_number(dim.value, dim.unit == "deg")
         writer.put(row, VALUE, value, styles.INPUT)
         writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
-        positive = dim.symbol in plan.equations.positive
-        key = "positive" if positive else "number"
-        writer.validations.append(
-            Validation(
-                Area(row, VALUE, row, VALUE),
-                "decimal",
-                ">" if positive else "between",
-                Number(0.0) if positive else Unary("-", Number(1e100)),
-                None if positive else Number(1e100),
-                input_title=plan.text(f"hint.{key}.title"),
-                input_message=plan.text(f"hint.{key}", symbol=plain(dim.symbol)),
-                error_title=plan.text(f"hint.{key}.title"),
-                error_message=plan.text(f"hint.{key}", symbol=plain(dim.symbol)),
-            )
-        )
+        writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
 
 
 def _label(plan: Plan, dim: Dimension) -> str:
@@ -173,6 +159,9 @@ def _sweep(writer: Writer) -> None:
             _result(writer, rows[key], parse_description(quantity), degrees, styles.RESULT)
         else:
             writer.put(rows[key], VALUE, shown_number(quantity, degrees), styles.INPUT)
+    if not isinstance(driver.start, str) and driver.symbol in plan.equations.positive:
+        start = rows["start"]
+        writer.validations.append(input_validation(plan, Area(start, VALUE, start, VALUE), driver.symbol))
     writer.line(rows["stop"], plan.text("name.stop"), unit, plan.text("sweep.stop", rows=plan.rows))
     last = CellRef(plan.at.last, DRIVER, True, True, plan.table)
     writer.formula(rows["stop"], VALUE, last, styles.RESULT)
@@ -231,7 +220,7 @@ def _position(writer: Writer) -> None:
     driver = plan.mechanism.driver
     last = plan.rows - 1
     writer.line(rows["position"], plan.text("name.position"), "", plan.text("position.number", last=last))
-    writer.put(rows["position"], VALUE, 0.0, styles.INPUT)
+    writer.put(rows["position"], VALUE, float(plan.first_existing), styles.INPUT)
     writer.validations.append(
         Validation(
             Area(rows["position"], VALUE, rows["position"], VALUE),

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.places import angle_of, cartesian, length_node
 from mechsheet.kinematics.solve import number
-from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar
+from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
 
 Point = tuple[float, float]
 
@@ -19,21 +19,33 @@ def corners(link: Link, dimensions: Mapping[str, float]) -> tuple[str, ...]:
     """The link's points in the order in which its outline passes them: around their middle."""
     if len(link.points) <= 3:
         return tuple(link.points)
-    places = {point: _number_place(link, point, dimensions) for point in link.points}
+    places = _number_places(link, dimensions)
     x = sum(place[0] for place in places.values()) / len(places)
     y = sum(place[1] for place in places.values()) / len(places)
     return tuple(sorted(places, key=lambda point: math.atan2(places[point][1] - y, places[point][0] - x)))
 
 
-def _number_place(link: Link, point: str, dimensions: Mapping[str, float]) -> Point:
-    match link.points[point]:
+def _number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
+    """Every point of a link, in the order of the description."""
+    found: dict[str, Point] = {}
+
+    def locate(point: str) -> Point:
+        if point not in found:
+            found[point] = _number_place(link.points[point], dimensions, locate)
+        return found[point]
+
+    return {point: locate(point) for point in link.points}
+
+
+def _number_place(place: Place, dimensions: Mapping[str, float], locate: Callable[[str], Point]) -> Point:
+    match place:
         case Cartesian(x, y):
             return number(x, dimensions), number(y, dimensions)
         case Polar(r, angle):
             turn = number(angle, dimensions)
             return number(r, dimensions) * math.cos(turn), number(r, dimensions) * math.sin(turn)
         case Distances(first, first_distance, second, second_distance, side):
-            (x1, y1), (x2, y2) = (_number_place(link, name, dimensions) for name in (first, second))
+            (x1, y1), (x2, y2) = locate(first), locate(second)
             a, b = number(first_distance, dimensions), number(second_distance, dimensions)
             base = math.hypot(x2 - x1, y2 - y1)
             along = (a * a - b * b + base * base) / (2 * base)

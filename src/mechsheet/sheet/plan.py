@@ -9,9 +9,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
 
+import numpy as np
+
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.kinematics.equations import Equation, Equations
-from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
+from mechsheet.kinematics.numeric import Array, evaluate_column
+from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
 from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.findings import findings
@@ -63,6 +66,7 @@ class Plan:
     """Addresses of everything; see `Addresses` for `at`.
 
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    ways    by link and point, the cells of the way from the link's base point to it, once the checks are laid out
     proven  by sheet, where fills begin (row, column) that need no copy on the sheet "Recomputed": geometry proves them
     """
 
@@ -77,7 +81,32 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
+    ways: dict[tuple[str, str], tuple[Spot, Spot]] = field(default_factory=dict)
     proven: dict[str, set[tuple[int, int]]] = field(default_factory=dict)
+
+    @cached_property
+    def size(self) -> float:
+        """The largest length, as the description has it; 1 where there is none."""
+        return largest_length(self.mechanism, dimension_values(self.mechanism)) or 1.0
+
+    @cached_property
+    def nominal(self) -> dict[str, Array]:
+        """Every symbol's values over the rows with the dimensions and modes as described, NaN where there is none."""
+        groups = self.equations.groups
+        values = {symbol: np.full(self.rows, value) for symbol, value in dimension_values(self.mechanism).items()}
+        values[self.mechanism.driver.symbol] = np.array(self.driver)
+        values |= {group.mode: np.full(self.rows, float(group.mode_value)) for group in groups if group.mode}
+        for equation in self.equations.all:
+            values[equation.symbol] = evaluate_column(equation, values, self.rows)
+        return values
+
+    @cached_property
+    def first_existing(self) -> int:
+        """The number of the first row that has a position, with the dimensions as described; 0 where none has."""
+        there = np.ones(self.rows, dtype=bool)
+        for group in self.equations.groups:
+            there &= np.isfinite(self.nominal[group.closes])
+        return int(np.argmax(there))
 
     @cached_property
     def reads(self) -> dict[str, tuple[str, ...]]:

@@ -133,10 +133,10 @@ def blank_unit(plan: Plan, symbol: str) -> str:
 
 
 def digits_kept(plan: Plan, symbol: str) -> int:
-    """Decimals that leave a column about twelve digits."""
+    """Decimals that leave a column about twelve digits: of a length, twelve digits of the largest length."""
     unit = blank_unit(plan, symbol)
     if _unit_of(plan, symbol) == "length":
-        return max(0, 12 - math.ceil(math.log10(_largest_length(plan))))
+        return max(0, 12 - math.ceil(math.log10(plan.size)))
     return {"°": 9, "rad": 11}.get(unit, 10)
 
 
@@ -175,6 +175,8 @@ def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
             return [], [_fill(plan, column.col, _shown(plan, column), _shown_style(plan, column))]
         case "blank" | "rounded":
             value = plan.at.reading_shown(column.symbol, plan.table, plan.at.first)
+            if column.symbol == plan.mechanism.driver.symbol:  # a number in every row
+                value = _guarded(plan, value)
             digits = Number(float(digits_kept(plan, column.symbol)))
             kept = Call("ROUND", (value, digits)) if column.kind == "rounded" else value
             node = Call("IF", (Call("ISNUMBER", (value,)), kept, Text("")))
@@ -266,17 +268,8 @@ def places(plan: Plan, unit: str) -> int:
         return 2 if plan.mechanism.angle_unit == "deg" else 4
     if unit == "number":
         return 4
-    finest = min(tolerances) if tolerances else _largest_length(plan) / 1e4
+    finest = min(tolerances) if tolerances else plan.size / 1e4
     return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))
-
-
-def _largest_length(plan: Plan) -> float:
-    sizes = [
-        abs(dim.value)
-        for dim in plan.mechanism.dimensions
-        if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
-    ]
-    return max([*sizes, 1e-9])
 
 
 def _decimals(style: Style, count: int) -> Style:

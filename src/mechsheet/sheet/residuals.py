@@ -1,7 +1,7 @@
 """What the sheet of checks measures in every row: what a person could do with ruler and protractor.
 
 For every row that exists: the distance of the points of each link against its length; the gap at its joints when the link
-is laid down by its first point and its angle (closure of the loops); the gap at each sliding joint, and the angle that it
+is laid down by its base point and its angle (closure of the loops); the gap at each sliding joint, and the angle that it
 keeps; the farthest move of a point and the largest turn of a link since the row before, and whether that is a leap. Lengths
 and places come from the description (`geometry`), not from the equations, and values from the columns that people read.
 
@@ -20,9 +20,10 @@ from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, s
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.naming import link_words
 from mechsheet.kinematics.places import angle_of, length_node
-from mechsheet.model import Joint, Link
+from mechsheet.model import Distances, Joint, Link
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.gaps import gap_of
-from mechsheet.sheet.geometry import distance, measured_pairs, place
+from mechsheet.sheet.geometry import UV, Known, base_point, distance, measured_pairs, place
 from mechsheet.sheet.plan import EXISTS, Plan
 from mechsheet.sheet.symbols import plain
 
@@ -144,20 +145,33 @@ class _Ruler:
             self.add(self.name(link), f"{start}–{end}", "length", error, (self.bound(distance(link, start, end)),))
 
     def gaps(self, link: Link) -> None:
-        """How far each point is from where the link's first point and its angle put it."""
-        points = list(link.points)
-        if len(points) < 2:
-            return
-        first = points[0]
-        u0, v0 = place(link, first)
-        for point in points[1:]:
-            u1, v1 = place(link, point)
-            way = (self.bound(al.sub(u1, u0)), self.bound(al.sub(v1, v0)))
+        """How far each point is from where the link's base point and its angle put it."""
+        base = base_point(link)
+        others = [point for point in link.points if point != base]
+        places = self._places(link, base, others)
+        u0, v0 = place(link, base) if base else (al.ZERO, al.ZERO)
+        for point in others:
+            u, v = place(link, point, places)
+            if not isinstance(link.points[point], Distances):
+                u, v = al.sub(u, u0), al.sub(v, v0)
+            way = (self.bound(u), self.bound(v))
             x, y = _turned(*self.local(*way), self.angle(link))
-            gap_x = al.sub(al.sub(self.shown(f"{point}.x"), self.shown(f"{first}.x")), x)
-            gap_y = al.sub(al.sub(self.shown(f"{point}.y"), self.shown(f"{first}.y")), y)
+            gap_x = al.sub(al.sub(self.shown(f"{point}.x"), self.shown(f"{base}.x")), x)
+            gap_y = al.sub(al.sub(self.shown(f"{point}.y"), self.shown(f"{base}.y")), y)
             head = self.plan.text("checks.gap", point=point)
             self.add(self.name(link), head, "length", _hypot(gap_x, gap_y), way)
+
+    def _places(self, link: Link, base: str, others: list[str]) -> Known:
+        """The cells, over the columns that come next, of the ways from a link's base to its other points.
+
+        Points given by distances are laid off from there: written out, each would repeat all those that it is given by.
+        """
+        title, row, col = self.frame.title, self.frame.given_row, self.frame.col + len(self.found)
+        places: dict[str, UV] = {base: (al.ZERO, al.ZERO)}
+        for index, point in enumerate(others):
+            places[point] = CellRef(row, col + index, True, True), CellRef(row + 1, col + index, True, True)
+            self.plan.ways[link.name, point] = Spot(title, row, col + index), Spot(title, row + 1, col + index)
+        return places
 
     # --- sliding joints, the driver ---------------------------------------------------------------------------
 
@@ -181,9 +195,9 @@ class _Ruler:
         return al.add(self.angle(self.links[joint.on]), self.bound(angle_of(joint.angle).expression()))
 
     def _base(self, carrier: Link) -> str | Joint | None:
-        """What says where a link is: its first point; a link without points stands where its first slide puts it."""
+        """What says where a link is: its base point; a link without points stands where its first slide puts it."""
         on = (joint for joint in self.plan.mechanism.joints if joint.on == carrier.name)
-        return next(iter(carrier.points), None) or next(on, None)
+        return base_point(carrier) or next(on, None)
 
     def _through(self, joint: Joint, carrier: Link) -> tuple[Node, Node, tuple[Node, ...]]:
         """(x, y) of the point that the line passes, and the constants over the column that they read."""

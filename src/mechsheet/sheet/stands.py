@@ -8,13 +8,13 @@ from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import link_words
-from mechsheet.model import Link
+from mechsheet.model import Distances, Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer
 from mechsheet.sheet.checks import ROUNDING
 from mechsheet.sheet.extremes import sweep_of
 from mechsheet.sheet.findings import FourBar, findings
-from mechsheet.sheet.geometry import distance
+from mechsheet.sheet.geometry import UV, Known, base_point, distance
 from mechsheet.sheet.limits import SLOTS
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, unit_text
 from mechsheet.sheet.positions import places
@@ -136,6 +136,10 @@ class _Block:
         gap = Call("INDEX", (drivers, Call("MATCH", (al.ZERO, exists, al.ZERO))))
         self.at("missing", Call("IF", (none, Text(""), gap)))
 
+    def _nowhere(self) -> Node:
+        """TRUE where no row exists."""
+        return Binary("=", CellRef(self.rows["rows"], VALUE, True, True), al.ZERO)
+
     def _stretches(self) -> Node:
         """The number of runs of rows that exist: rows that exist where the row above does not."""
         column = exists_column(self.plan)
@@ -178,9 +182,7 @@ class _Block:
         ranges = self.value("#input ranges")
         unit = _after_number(unit_text(self.driver.unit))
         names = [self.value(f"#input {key}") for key in ("from", "to", "from other", "to other")]
-        one, other = (
-            _joined(_short(a, 3), Text(f"{unit} … "), _short(b, 3), Text(unit)) for a, b in (names[:2], names[2:])
-        )
+        one, other = (_joined(_end(a), Text(f"{unit} … "), _end(b), Text(unit)) for a, b in (names[:2], names[2:]))
         turns = self.driver.unit in ("deg", "rad")
         if turns:  # of a slide the other range is a mirror image: the same lengths laid off backwards
             one = _joined(one, Call("IF", (Binary("=", ranges, al.TWO), _joined(Text("; "), other), Text(""))))
@@ -237,8 +239,25 @@ class _Block:
             (loop.coupler, loop.pin, loop.inner),
             (loop.last, loop.end, loop.inner),
         )
-        a, b, c, d = (self.plan.at.bind(distance(*end), self.plan.main, None) for end in ends)
+        a, b, c, d = (self.plan.at.bind(distance(*end, self._laid_off(*end)), self.plan.main, None) for end in ends)
         return a, b, c, d
+
+    def _laid_off(self, link: Link, *points: str) -> Known:
+        """The cells of two points' places, where one is given by distances: written out, it could be of any length."""
+        if not any(isinstance(link.points[point], Distances) for point in points):
+            return {}
+        known: dict[str, UV] = {}
+        for point in points:
+            if link is self.plan.mechanism.ground:
+                known[point] = self.value(f"{point}.x"), self.value(f"{point}.y")
+            elif point == base_point(link):
+                known[point] = al.ZERO, al.ZERO
+            else:
+                u, v = (
+                    CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in self.plan.ways[link.name, point]
+                )
+                known[point] = u, v
+        return known
 
     def _rounding(self) -> Node:
         return al.mul(al.number(ROUNDING), self.plan.at.reference(self.plan.equations.tolerance, self.plan.main, None))
@@ -304,7 +323,8 @@ class _Block:
         return Call("IFERROR", (on, Boolean(False)))  # a link that does not exist in some rows does not turn fully
 
     def _extent(self, symbol: str) -> Node:
-        return Call("IFERROR", (al.sub(self.value(f"#max {symbol}"), self.value(f"#min {symbol}")), Text("")))
+        """#N/A where there is no position: no number, and no 0 that could be taken for a small one."""
+        return Call("IFERROR", (al.sub(self.value(f"#max {symbol}"), self.value(f"#min {symbol}")), Call("NA")))
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
@@ -332,7 +352,7 @@ class _Block:
             value = Call("IF", (Call("AND", (whole, Binary(">", turns, Number(0.5)), whole_rows)), value, Text("")))
         else:
             value, words = Text(""), self.said("no_turn")
-        value = Call("IFERROR", (value, Text("")))
+        value = Call("IF", (self._nowhere(), Call("NA"), Call("IFERROR", (value, Text("")))))
         self.line(key, self.text("ratio_symbol"), "", value, styles.decimals(styles.RESULT, 2), words)
 
     def transmission(self, group: Group) -> None:
@@ -361,7 +381,7 @@ class _Block:
         from_to = _joined(_short(shown[1], 1), Text(f"{after} … "), _short(shown[2], 1), Text(f"{after}: "))
         words = _joined(from_to, Call("IF", (poor, self.said("poor"), self.said("fair"))))
         style = styles.decimals(styles.RESULT, places(self.plan, "angle"))
-        value = Call("IFERROR", (shown[0], Text("")))
+        value = Call("IFERROR", (shown[0], Call("NA")))
         self.line(key, label, unit, value, style, Call("IFERROR", (words, Text(""))))
         place = Call("IF", (at_low, self.value(f"#min at {symbol}"), self.value(f"#max at {symbol}")))
         self.at(key, Call("IFERROR", (place, Text(""))))
@@ -373,6 +393,11 @@ class _Block:
 def _short(node: Node, digits: int = 4) -> Node:
     """A number as text in a formula, with few digits and the reader's own decimal sign."""
     return Call("ROUND", (node, Number(float(digits))))
+
+
+def _end(node: Node) -> Node:
+    """An end of a range in few digits; one that is no number (infinite) as it stands."""
+    return Call("IF", (Call("ISNUMBER", (node,)), _short(node, 3), node))
 
 
 def _joined(*nodes: Node) -> Node:

@@ -11,12 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text, Unary
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Symbol, Text
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import quote_sheet
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import shown_unit
+from mechsheet.sheet.blocks import input_validation, shown_unit
 from mechsheet.sheet.charts import driver_axis
 from mechsheet.sheet.expansion import Expansion, definitions, expand, varying
 from mechsheet.sheet.plan import Plan, needs_guard, unit_text
@@ -38,7 +38,6 @@ from mechsheet.sheet.workbook import (
     SeriesRef,
     Sheet,
     Style,
-    Validation,
 )
 
 TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range(8)
@@ -110,7 +109,7 @@ class _Table:
             row_heights=((TITLE_ROW, 26.0), (HINT_ROW, 30.0)),
             merges=tuple(Merge(Area(row, 0, row, self._text_end())) for row in (ABOUT_ROW, HINT_ROW)),
             charts=(self._chart(),),
-            validations=(self._validation(),),
+            validations=(input_validation(plan, Area(HEAD_ROW, 1, HEAD_ROW, self.count), self.request.column),),
             conditionals=(Conditional(area, missing, styles.MISSING),),
             freeze=(FIRST, 1),
             selected=(HEAD_ROW, 1),
@@ -254,22 +253,6 @@ class _Table:
         if helpers:
             widths.append(Column(self.helpers_at, self._helper_col(helpers) - 2, 11, level=1))
         return tuple(widths)
-
-    def _validation(self) -> Validation:
-        plan, symbol = self.plan, plain(self.request.column)
-        positive = self.request.column in plan.equations.positive
-        key = "positive" if positive else "number"
-        return Validation(
-            Area(HEAD_ROW, 1, HEAD_ROW, self.count),
-            "decimal",
-            ">" if positive else "between",
-            Number(0.0) if positive else Unary("-", Number(1e100)),
-            None if positive else Number(1e100),
-            input_title=plan.text(f"hint.{key}.title"),
-            input_message=plan.text(f"hint.{key}", symbol=symbol),
-            error_title=plan.text(f"hint.{key}.title"),
-            error_message=plan.text(f"hint.{key}", symbol=symbol),
-        )
 
     def _chart(self) -> Chart:
         plan, value = self.plan, self.request.value

@@ -10,9 +10,7 @@ import numpy as np
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.algebra import Angle
-from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.numeric import Array, evaluate_column
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.numeric import Array
 from mechsheet.sheet.expansion import varying
 from mechsheet.sheet.plan import Plan
 
@@ -71,7 +69,7 @@ def _read_windowed(rule: Node, angles: set[str]) -> Node:
 def _windows(plan: Plan, angles: set[str]) -> dict[str, Window]:
     """Each angle's window, from the values that it has with the dimensions as described."""
     driver = np.array(plan.driver)
-    values = _nominal(plan)
+    values = plan.nominal
     turns = plan.mechanism.driver.unit in ("deg", "rad") and bool(np.ptp(driver) > 0)
     return {symbol: _window(values[symbol], driver, turns) for symbol in angles}
 
@@ -86,13 +84,3 @@ def _window(angle: Array, driver: Array, turns: bool) -> Window:
         slope = round(float((angle[-1] - angle[0]) / (driver[-1] - driver[0]))) if driver[-1] != driver[0] else 0
     rest = angle - slope * driver
     return Window(slope, float(rest.max() + rest.min()) / 2)
-
-
-def _nominal(plan: Plan) -> dict[str, Array]:
-    equations: Equations = plan.equations
-    values = {symbol: np.full(plan.rows, value) for symbol, value in dimension_values(plan.mechanism).items()}
-    values[plan.mechanism.driver.symbol] = np.array(plan.driver)
-    values |= {group.mode: np.full(plan.rows, float(group.mode_value)) for group in equations.groups if group.mode}
-    for equation in equations.all:
-        values[equation.symbol] = evaluate_column(equation, values, plan.rows)
-    return values

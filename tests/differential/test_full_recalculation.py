@@ -1,0 +1,47 @@
+"""LibreOffice's full recalculation (Ctrl+Shift+F9): no cell of ours may become an error, whatever the number of rows.
+
+It computes neighbouring columns of a hundred rows and more together. Where a cell is computed from one of them and read by
+its neighbour, that is a circle to it (Err:522): the drawing of every sweep of 101 rows and more vanished.
+"""
+
+import re
+from pathlib import Path
+
+import pytest
+
+import mechsheet
+from chosen import part
+from mechsheet.checking.cells import compare_cells
+from mechsheet.engine import evaluate
+from mechsheet.formats import read
+from office_macros import Job, with_macros
+
+ROOT = Path(__file__).parents[2]
+
+pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
+
+
+def swept(rows, name="four-bar"):
+    """A template whose crank turns once in so many rows."""
+    text = (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")
+    found, count = re.subn(r"(?m)^step = \d+$", f"step = {360 / (rows - 1):.12g}", text)
+    assert count == 1
+    return mechsheet.loads(found)
+
+
+def agree(paths):
+    for path, answer in zip(paths, with_macros([Job(path) for path in paths]), strict=True):
+        book = read(path)
+        compared = compare_cells("libreoffice", book, evaluate(book), answer.get)
+        assert compared.agrees, (path.name, compared)
+
+
+@pytest.mark.parametrize("rows", part([101, 99, 361, 3601], of=4))
+def test_no_circle_whatever_the_rows(rows, tmp_path):
+    agree(mechsheet.build(swept(rows), tmp_path, ("xlsx", "ods") if rows == 101 else ("xlsx",)))
+
+
+@pytest.mark.ci
+@pytest.mark.parametrize("name", ["slider-crank", "adjustable-pump"])
+def test_no_circle_with_slides_and_tables(name, tmp_path):
+    agree(mechsheet.build(swept(121, name), tmp_path, ("ods",)))

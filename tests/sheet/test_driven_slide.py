@@ -1,0 +1,82 @@
+"""A driven slide that is itself a side of the first group: a cylinder whose line goes through both of its pins, and its kin.
+
+Building such a mechanism stopped with a traceback: its dead centres asked for the driver as if it were a constant.
+"""
+
+import math
+from pathlib import Path
+
+import pytest
+from laid import Laid
+
+import mechsheet
+from chosen import IN_CI, part
+from mechsheet.exporting.kinds import KINDS
+from mechsheet.formula.nodes import Number
+
+CASES = Path(__file__).parents[1] / "cases/reference"
+FAR = math.hypot(3, 2)
+BOOM = 4.0
+"""From the boom's pin to the barrel's, and to the rod's."""
+
+REACH = {
+    "cylinder": (BOOM - FAR, BOOM + FAR),
+    "driven-pin-slot": (BOOM - FAR, BOOM + FAR),
+    "eccentric-cylinder": (-math.sqrt((BOOM + FAR) ** 2 - 0.5**2), math.sqrt((BOOM + FAR) ** 2 - 0.5**2)),
+    "telescope": (3.0, "∞"),
+}
+"""From where to where each slide can go. The eccentric one lies beside the pin, so that it gets through; the telescope is
+3 long at its shortest, where it stands at right angles to the guide."""
+
+
+def text_of(name):
+    return (CASES / f"{name}.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize("name", REACH)
+def test_range_of_the_slide(name, language):
+    laid = Laid(text_of(name), language)
+    low, high = REACH[name]
+    assert laid.spot("#input from") == pytest.approx(low, abs=1e-11)
+    assert laid.spot("#input to") == (high if isinstance(high, str) else pytest.approx(high, abs=1e-11))
+    shown = [end if isinstance(end, str) else f"{round(end, 3):.15g}" for end in (low, high)]
+    assert laid.stands("input", 4) == f"{shown[0]} mm … {shown[1]} mm"
+
+
+def test_boom_by_the_law_of_cosines():
+    """theta14 = -atan(2/3) + acos((4^2 + 13 - s^2) / (2 * 4 * sqrt(13)))"""
+    laid = Laid(text_of("cylinder"))
+    spot = laid.plan.at.shown["theta14"]
+    for row in range(7):
+        length = 3 + 0.5 * row
+        angle = math.acos((BOOM**2 + FAR**2 - length**2) / (2 * BOOM * FAR)) - math.atan2(2, 3)
+        assert laid.values.get(spot.sheet, spot.row + row, spot.col) == pytest.approx(math.degrees(angle), abs=1e-11)
+
+
+def test_start_must_be_a_length():
+    """A cylinder's length is a side of a triangle: a start of -3 is refused when it is typed, not shown as a gap."""
+    laid = Laid(text_of("cylinder"))
+    row = laid.plan.blocks["sweep"].rows["start"]
+    (rule,) = [rule for rule in laid.workbook.sheets[0].validations if rule.area.first_row == row]
+    assert (rule.operator, rule.low) == (">", Number(0.0))
+    assert "s₂₃" in rule.error_message
+
+
+@pytest.mark.parametrize(("name", "language"), part([("cylinder", "tr"), *((name, "en") for name in REACH)], of=5))
+def test_files_agree(name, language, tmp_path):
+    for path in mechsheet.build(mechsheet.loads(text_of(name), language=language), tmp_path, ("xlsx", "ods")):
+        report = mechsheet.check(path)
+        assert report.agrees, report
+
+
+@pytest.mark.parametrize("to", list(KINDS) if IN_CI else ["python", "csv"])
+def test_exports(to, tmp_path):
+    mechanism = mechsheet.loads(text_of("cylinder"))
+    (path,) = mechsheet.export(mechanism, to, tmp_path / f"cylinder{KINDS[to].suffix}")
+    assert path.stat().st_size > 500
+
+
+def test_plot(tmp_path):
+    mechsheet.plot(mechsheet.loads(text_of("cylinder")), tmp_path / "cylinder.svg")
+    assert (tmp_path / "cylinder.svg").stat().st_size > 1000

@@ -1,0 +1,88 @@
+"""Summaries over a sweep of which a part, or nothing, exists: no number that could be taken for a result."""
+
+import pytest
+from laid import Laid, template_text
+
+from mechsheet.formula.nodes import ErrorValue
+
+NA = ErrorValue("#N/A")
+
+SUMMARIES = """
+[summary]
+least = { of = "theta14", take = "min" }
+most = { of = "mu", take = "max" }
+swing = { of = "theta14", take = "range" }
+middle = { of = "B.x", take = "mean" }
+begin = { of = "B.y", take = "first" }
+finish = { of = "B.y", take = "last" }
+turned = { of = "theta12", take = "range" }
+pin = { of = "A.x", take = "min" }
+"""
+
+FOUR_BAR = template_text("four-bar").partition("[summary]")[0] + SUMMARIES
+NAMES = [line.partition(" =")[0] for line in SUMMARIES.splitlines() if "take" in line]
+
+
+def cell(laid, name, col=1):
+    """A cell of a summary's line: 1 the value, 3 where, 4 the words."""
+    return laid.values.get(laid.plan.main, laid.plan.blocks["summary"].rows[name], col)
+
+
+def test_nothing_exists():
+    """a1 = 500: the crank's pin still turns, but the coupler never reaches."""
+    laid = Laid(FOUR_BAR).change(a1=500)
+    for name in NAMES:
+        assert cell(laid, name) == NA, name
+        assert cell(laid, name, 3) in (NA, None), name
+        assert cell(laid, name, 4).endswith(": 0 of 25 positions"), name
+    for line in laid.plan.blocks["stands"].rows:
+        if line.partition(" ")[0] in ("swing", "stroke", "ratio", "transmission"):
+            assert laid.stands(line) == NA, line
+
+
+@pytest.mark.parametrize(("language", "words"), [("en", "{} of 25 positions"), ("tr", "25 konumun {} tanesi")])
+def test_a_part_exists(language, words):
+    """a1 = 110 leaves a part of the rows: the numbers are those of these rows, and the words say so."""
+    laid = Laid(FOUR_BAR, language).change(a1=110)
+    there = int(laid.stands("rows"))
+    assert 0 < there < 25
+    for name in NAMES:
+        assert cell(laid, name, 4).endswith(": " + words.format(there)), name
+        assert isinstance(cell(laid, name), float), name
+    assert cell(laid, "pin") > -34  # the crank turns on, but where nothing assembles its pin does not count
+
+
+def test_the_whole_sweep_is_not_mentioned():
+    laid = Laid(FOUR_BAR)
+    assert cell(laid, "swing", 4) == "range of θ₁₄"
+    assert cell(laid, "turned") == 360
+    assert cell(laid, "finish") == pytest.approx(cell(laid, "begin"), abs=1e-9)
+
+
+def test_smallest_swing_is_of_a_linkage_that_assembles():
+    """Who looks for the ground link with the smallest swing by typing in one after the other finds one that turns."""
+    laid = Laid(FOUR_BAR)
+    swings = {a1: cell(laid.change(a1=a1), "swing") for a1 in (66, 70, 74, 200, 500)}
+    assert {a1 for a1, swing in swings.items() if swing == NA} == {200, 500}
+    assert min((swing, a1) for a1, swing in swings.items() if swing != NA)[1] in (66, 70, 74)
+
+
+def test_pole_in_the_first_row():
+    """The first value of an output that has none there is its error, not an empty text."""
+    text = FOUR_BAR.replace("[summary]", '[summary]\nstart = { of = "pole", take = "first" }')
+    text = text.replace("[outputs]", '[outputs]\npole = { formula = "1/sin(theta12)" }')
+    laid = Laid(text)
+    assert cell(laid, "start") == ErrorValue("#DIV/0!")
+    assert cell(laid, "start", 4).endswith(": 24 of 25 positions")
+
+
+@pytest.mark.parametrize("start", [0, 120, 170])
+def test_position_shown_starts_at_a_row_that_exists(start):
+    """Whoever opens the workbook sees the mechanism, not an empty drawing, also where the first rows do not exist."""
+    text = FOUR_BAR.replace("value = 70,", "value = 110,").replace("start = 0", f"start = {start}")
+    laid = Laid(text)
+    shown = laid.spot("#position")
+    exists = laid.plan.at.shown["#exists"]
+    flags = [laid.values.get(exists.sheet, exists.row + row, exists.col) for row in range(laid.plan.rows)]
+    assert shown == flags.index(1.0)
+    assert isinstance(laid.values.get(laid.plan.main, laid.plan.blocks["variables"].rows["theta14"], 1), float)

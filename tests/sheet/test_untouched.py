@@ -1,0 +1,69 @@
+"""Workbooks that nobody has touched: none of them shows a red cell, whatever its description looks like."""
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+from degenerate_cases import cases
+from laid import Laid
+
+from chosen import part
+from mechsheet.description import loads
+from mechsheet.formula.nodes import ErrorValue
+from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.plan import plan_of
+from mechsheet.sheet.positions import digits_kept
+
+TESTS = Path(__file__).parents[1]
+
+
+def descriptions():
+    """Everything under tests that can be built: whole files, and texts inside files of cases."""
+    found = {}
+    for path in [*sorted((TESTS / "cases").rglob("*.toml")), *sorted((TESTS / "data").glob("*.toml"))]:
+        text = path.read_text(encoding="utf-8")
+        if "links" in tomllib.loads(text):
+            found[path.stem] = text
+    for folder in ("branches", "degenerate"):
+        found |= {case.name: case.description for case in cases(folder) if case.clear and not case.refused}
+    return found
+
+
+NOT_BUILT = ("everything", "trammel")
+"""Two drivers would be needed; the driven link shares no point with the ground."""
+
+LEAPS = ("dead-centre",)
+"""Its driver's values are listed, a billionth of a degree and 45 degrees apart."""
+
+TEXTS = {name: text for name, text in descriptions().items() if name not in NOT_BUILT}
+
+
+@pytest.mark.parametrize("name", part([name for name in TEXTS if name not in LEAPS], of=4))
+def test_all_clear(name):
+    """Every check is passed, and how it stands is said in words."""
+    laid = Laid(TEXTS[name], copies=True)
+    assert laid.spot("#clear") in ("all clear", "her şey yolunda")
+    words = [laid.stands(line, 4) for line in laid.plan.blocks["stands"].rows]
+    assert not [word for word in words if isinstance(word, ErrorValue)]
+
+
+@pytest.mark.parametrize("name", ["scotch-yoke", "turning-slots", "trammel-by-slider", "far-pin"])
+def test_lengths_without_a_name_count(name):
+    """Without a dimension the size was 1e-9, and peaks were told apart by 21 decimals that no program has."""
+    plan = plan_of(loads(TEXTS[name]), solve(loads(TEXTS[name])))
+    rounded = [column.symbol for column in plan.columns if column.kind == "rounded"]
+    assert rounded
+    assert all(9 <= digits_kept(plan, symbol) <= 12 for symbol in rounded)
+
+
+@pytest.mark.parametrize("length", ["12000", "6 * 2000"])
+def test_size_of_plain_and_derived_lengths(length):
+    """A derived length, and one that an expression in a place gives, are lengths too."""
+    text = TEXTS["four-bar"]
+    derived = text.replace("[links.ground]", f'long = {{ formula = "{length}" }}\n[links.ground]')
+    placed = re.sub(r'C = \{.*?side = "left" \}', f'C = ["{length}", 0]', text)
+    for changed in (derived, placed):
+        assert changed != text
+        mechanism = loads(changed)
+        assert plan_of(mechanism, solve(mechanism)).size == pytest.approx(12000)
