@@ -36,6 +36,12 @@ class Problem(Exception):  # noqa: N818 - an error value on its way to the cell,
         self.code = code
 
 
+def need(*conditions: bool) -> None:
+    """#NUM! unless all conditions hold."""
+    if not all(conditions):
+        raise Problem("#NUM!")
+
+
 class Serial(float):
     """A day as a number, counted from 1900: workbooks that count from 1904 show it smaller."""
 

@@ -8,90 +8,100 @@ from typing import Any
 
 import numpy as np
 
-from ..calling import Problem, raise_first
-from ..special import beta_parts, binomial_density, gamma_parts, poisson_density
+from ..calling import Problem, need, raise_first
 from ..values import NUMBER, Cells, Numbers
-from .distributions import chisq_right, f_right, need, normal_below, normal_quantile, t_inv_both, t_right
+from .densities import beta_below, binomial_density, gamma_above, poisson_density
+from .distributions import chisq_right, either, f_right, normal_below, normal_quantile, t_inv_both, t_tail, within
 from .numbers import paired
 
 _MOST_TERMS = 1_000_000
 """Sums of more terms are not computed: #NUM!."""
 
 
-def _share(p: float) -> None:
-    need(0 <= p <= 1)
+def _binom_below(k: Any, n: Any, p: Any) -> Any:
+    return np.where(np.equal(k, n), 1.0, beta_below(n - k, k + 1, 1 - p, p))
 
 
-def binom_dist(hits: float, trials: float, p: float, cumulative: bool) -> float:
+def binom_dist(hits: Any, trials: Any, p: Any, cumulative: Any) -> Any:
     """BINOM.DIST."""
-    k, n = math.trunc(hits), math.trunc(trials)
-    _share(p)
-    need(0 <= k <= n < 2**31)
-    if not cumulative:
-        return binomial_density(k, n, p, 1 - p)
-    return 1.0 if k == n else beta_parts(n - k, k + 1, 1 - p, p)[0]
+    k, n = np.trunc(hits), np.trunc(trials)
+    found = either(cumulative, lambda: _binom_below(k, n, p), lambda: binomial_density(k, n, p, 1 - p))
+    return within(found, k >= 0, k <= n, n < 2**31, np.greater_equal(p, 0), np.less_equal(p, 1))
 
 
 def binom_range(trials: float, p: float, first: float, last: float | None = None) -> float:
     """BINOM.DIST.RANGE: from `first` to `last` hits."""
     n, low = math.trunc(trials), math.trunc(first)
     high = low if last is None else math.trunc(last)
-    _share(p)
-    need(n >= 0, 0 <= low <= n, low <= high <= n)
+    need(0 <= p <= 1, n >= 0, 0 <= low <= n, low <= high <= n)
     if high - low < 1000:
-        return math.fsum(binomial_density(k, n, p, 1 - p) for k in range(low, high + 1))
-    return binom_dist(high, n, p, True) - (binom_dist(low - 1, n, p, True) if low else 0.0)
+        return math.fsum(binomial_density(np.arange(low, high + 1.0), n, p, 1 - p))
+    return float(binom_dist(high, n, p, True) - (binom_dist(low - 1, n, p, True) if low else 0.0))
 
 
-def binom_inv(trials: float, p: float, alpha: float) -> float:
-    """BINOM.INV: the least count whose cumulative probability reaches alpha."""
-    n = math.trunc(trials)
-    need(n >= 0, 0 < alpha < 1, 0 <= p < 1)
-    low, high = -1, n
-    while high - low > 1:
-        middle = (low + high) // 2
-        if binom_dist(middle, n, p, True) >= alpha:
-            high = middle
-        else:
-            low = middle
-    return float(high)
+def binom_inv(trials: Any, p: Any, alpha: Any) -> Any:
+    """BINOM.INV: the least count whose cumulative probability reaches alpha, by halving."""
+    n, p, alpha = np.broadcast_arrays(np.trunc(trials), p, alpha)
+    there = (n >= 0) & (n < 2**31) & (alpha > 0) & (alpha < 1) & (p >= 0) & (p < 1)
+    low, high = np.full(n.shape, -1.0), np.where(there, n, 0.0)
+    while np.any(high - low > 1):
+        middle = np.floor((low + high) / 2)
+        enough = _binom_below(middle, n, p) >= alpha
+        low, high = np.where(enough, low, middle), np.where(enough, middle, high)
+    return within(high, there)
 
 
-def negbinom_dist(failures: float, hits: float, p: float, cumulative: bool = False) -> float:
+def negbinom_dist(failures: Any, hits: Any, p: Any, cumulative: Any = False) -> Any:
     """NEGBINOM.DIST: so many failures before the last hit."""
-    f, s = math.trunc(failures), math.trunc(hits)
-    need(f >= 0, s >= 1, 0 < p < 1)
-    if cumulative:
-        return beta_parts(s, f + 1, p, 1 - p)[0]
-    return binomial_density(s, f + s, p, 1 - p) * s / (f + s)
+    f, s = np.trunc(failures), np.trunc(hits)
+    found = either(
+        cumulative,
+        lambda: beta_below(s, f + 1, p, 1 - p),
+        lambda: binomial_density(s, f + s, p, 1 - p) * s / (f + s),
+    )
+    return within(found, f >= 0, s >= 1, np.greater(p, 0), np.less(p, 1))
 
 
-def hypgeom_dist(hits: float, sample: float, good: float, population: float, cumulative: bool = False) -> float:
-    """HYPGEOM.DIST."""
-    k, n, m, size = (math.trunc(value) for value in (hits, sample, good, population))
-    need(size > 0, 0 < n <= size, 0 < m <= size, 0 <= k <= min(n, m), k >= n + m - size)
-    counts = range(max(0, n + m - size), k + 1) if cumulative else (k,)
-    need(len(counts) <= _MOST_TERMS)
+def _hypgeom_density(k: Any, n: Any, m: Any, size: Any) -> Any:
     p = n / size
     whole = binomial_density(n, size, p, 1 - p)
-    return math.fsum(
-        binomial_density(i, m, p, 1 - p) * (binomial_density(n - i, size - m, p, 1 - p) / whole) for i in counts
+    return binomial_density(k, m, p, 1 - p) * (binomial_density(n - k, size - m, p, 1 - p) / whole)
+
+
+def _hypgeom_below(k: float, n: float, m: float, size: float) -> float:
+    counts = k - max(0.0, n + m - size) + 1
+    if not 0 < counts <= _MOST_TERMS:
+        return math.nan
+    return math.fsum(_hypgeom_density(k - np.arange(counts), n, m, size))
+
+
+def hypgeom_dist(hits: Any, sample: Any, good: Any, population: Any, cumulative: Any = False) -> Any:
+    """HYPGEOM.DIST."""
+    k, n, m, size = map(np.trunc, (hits, sample, good, population))
+    found = either(
+        cumulative,
+        lambda: np.vectorize(_hypgeom_below, otypes=[np.float64])(k, n, m, size),
+        lambda: _hypgeom_density(k, n, m, size),
     )
+    there = (size > 0) & (n > 0) & (n <= size) & (m > 0) & (m <= size)
+    return within(found, there, k >= 0, k <= np.minimum(n, m), k >= n + m - size)
 
 
-def poisson_dist(x: float, mean: float, cumulative: bool) -> float:
+def poisson_dist(x: Any, mean: Any, cumulative: Any) -> Any:
     """POISSON.DIST."""
-    k = math.trunc(x)
-    need(x >= 0, mean >= 0)
-    if not cumulative:
-        return poisson_density(k, mean)
-    return 1.0 if mean == 0 else gamma_parts(k + 1, mean)[1]
+    k = np.trunc(x)
+    found = either(
+        cumulative,
+        lambda: np.where(np.equal(mean, 0), 1.0, gamma_above(k + 1, mean)),
+        lambda: poisson_density(k, mean),
+    )
+    return within(found, np.greater_equal(x, 0), np.greater_equal(mean, 0))
 
 
-def confidence_normal(alpha: float, deviation: float, size: float) -> float:
+def confidence_normal(alpha: Any, deviation: Any, size: Any) -> Any:
     """CONFIDENCE.NORM: half the width of the interval."""
-    need(0 < alpha < 1, deviation > 0, size >= 1)
-    return -normal_quantile(alpha / 2) * deviation / math.sqrt(math.trunc(size))
+    found = -normal_quantile(alpha / 2) * deviation / np.sqrt(np.trunc(size))
+    return within(found, np.greater(alpha, 0), np.less(alpha, 1), np.greater(deviation, 0), np.greater_equal(size, 1))
 
 
 def confidence_t(alpha: float, deviation: float, size: float) -> float:
@@ -99,7 +109,7 @@ def confidence_t(alpha: float, deviation: float, size: float) -> float:
     need(0 < alpha < 1, deviation > 0, size >= 1)
     if math.trunc(size) == 1:
         raise Problem("#DIV/0!")
-    return t_inv_both(alpha, math.trunc(size) - 1) * deviation / math.sqrt(math.trunc(size))
+    return float(t_inv_both(alpha, math.trunc(size) - 1)) * deviation / math.sqrt(math.trunc(size))
 
 
 # --- tests -----------------------------------------------------------------------------------------------------------
@@ -122,7 +132,7 @@ def chisq_test(found: Cells, expected: Cells) -> float:
     need(bool(np.all(wanted > 0)))
     rows, cols = found.numbers.shape
     freedom = (rows - 1) * (cols - 1) if rows > 1 and cols > 1 else rows * cols - 1
-    return chisq_right(float(np.sum((observed - wanted) ** 2 / wanted)), freedom)
+    return float(chisq_right(np.sum((observed - wanted) ** 2 / wanted), freedom))
 
 
 def f_test(first: Numbers, second: Numbers) -> float:
@@ -131,7 +141,7 @@ def f_test(first: Numbers, second: Numbers) -> float:
     if above == 0 or below == 0:
         raise Problem("#DIV/0!")
     right = f_right(above / below, len(first) - 1, len(second) - 1)
-    return 2 * min(right, f_right(below / above, len(second) - 1, len(first) - 1))
+    return float(2 * np.minimum(right, f_right(below / above, len(second) - 1, len(first) - 1)))
 
 
 def t_test(first: Cells, second: Cells, tails: float, kind: float) -> float:
@@ -139,7 +149,7 @@ def t_test(first: Cells, second: Cells, tails: float, kind: float) -> float:
     sides, how = math.trunc(tails), math.trunc(kind)
     need(sides in (1, 2), how in (1, 2, 3))
     t, freedom = _paired_t(first, second) if how == 1 else _separate_t(_numbers(first), _numbers(second), how == 2)
-    return sides * _t_right_real(abs(t), freedom)
+    return sides * float(t_tail(abs(t), freedom))
 
 
 def _numbers(table: Cells) -> Numbers:
@@ -171,13 +181,6 @@ def _separate_t(x: Numbers, y: Numbers, equal: bool) -> tuple[float, float]:
     return float(x.mean() - y.mean()) / math.sqrt(error), freedom
 
 
-def _t_right_real(t: float, freedom: float) -> float:
-    """As T.DIST.RT, also for degrees of freedom that are not whole."""
-    if freedom == math.trunc(freedom):
-        return t_right(t, freedom)
-    return beta_parts(freedom / 2, 0.5, freedom / (freedom + t * t), t * t / (freedom + t * t))[0] / 2
-
-
 def z_test(numbers: Numbers, mean: float, deviation: float | None = None) -> float:
     """Z.TEST: the probability of a greater mean."""
     if not len(numbers):
@@ -186,13 +189,12 @@ def z_test(numbers: Numbers, mean: float, deviation: float | None = None) -> flo
     if sigma == 0 and deviation is None:
         raise Problem("#DIV/0!")
     need(sigma > 0)
-    return normal_below((mean - float(numbers.mean())) / (sigma / math.sqrt(len(numbers))))
+    return float(normal_below((mean - numbers.mean()) / (sigma / math.sqrt(len(numbers)))))
 
 
-PLAIN: dict[str, Callable[..., Any]] = {
+MAPS: dict[str, Callable[..., Any]] = {
     "BINOM.DIST": binom_dist,
     "BINOMDIST": binom_dist,
-    "BINOM.DIST.RANGE": binom_range,
     "BINOM.INV": binom_inv,
     "CRITBINOM": binom_inv,
     "NEGBINOM.DIST": negbinom_dist,
@@ -203,6 +205,10 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "POISSON": poisson_dist,
     "CONFIDENCE": confidence_normal,
     "CONFIDENCE.NORM": confidence_normal,
+}
+
+PLAIN: dict[str, Callable[..., Any]] = {
+    "BINOM.DIST.RANGE": binom_range,
     "CONFIDENCE.T": confidence_t,
     "CHISQ.TEST": chisq_test,
     "CHITEST": chisq_test,

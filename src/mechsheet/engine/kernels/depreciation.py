@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from .distributions import need
+from ..calling import need
 from .finance import MOST_PERIODS, division
 
 

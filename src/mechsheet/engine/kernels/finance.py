@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..calling import Problem, raise_first
+from ..calling import Problem, need, raise_first
 from ..values import NUMBER, Cells, Numbers
-from .distributions import need
 from .numbers import paired
 
 MOST_PERIODS = 1e6

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Node
-from ..calling import Problem, raise_first
+from ..calling import Problem, need, raise_first
 from ..coerce import numbers_of
 from ..frames import Frame
 from ..values import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Numbers, codes_of
-from .distributions import need
 from .fold import count, fold, folded, is_reference, total, united
 from .logic import _first_of, _flat
 
