@@ -98,9 +98,7 @@ def front() -> Sheet:
             Fill(12, 1, Text(""), values=("",)),
             Fill(13, 1, Unary("-", Binary("^", Number(2), Number(2))), values=(-4.0,)),
             Fill(14, 1, Call("IF", (Boolean(False), Number(1), Text("no"))), values=("no",)),
-            Fill(15, 3, Call("MAX", (RangeRef(cell(FIRST, 1, TABLE), cell(FIRST + STEPS, 1, TABLE)),)), values=(
-                max(x for x, _ in points() if x is not None),
-            )) if False else Fill(15, 3, NameRef("ÇıkışUzvu"), RESULT, values=(RADIUS,)),
+            Fill(15, 3, NameRef("ÇıkışUzvu"), RESULT, values=(RADIUS,)),
             Fill(16, 1, Call("INDEX", (RangeRef(cell(FIRST, 0, TABLE), cell(FIRST + STEPS, 0, TABLE)),
                                        Binary("+", cell(6, 1), Number(1)))), DEGREES, values=(60.0,)),
             Fill(19, 0, Binary("&", Call("TEXT", (NameRef("ÇıkışUzvu"), Text("0"))), Text(" mm")), values=("40 mm",)),

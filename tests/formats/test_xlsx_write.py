@@ -54,7 +54,7 @@ def test_openpyxl_reads_the_formulas_and_the_values_back(path):
             content = getattr(cell.content, "plain", cell.content)
             if content is not None:
                 read = formulas[sheet.title].cell(cell.row + 1, cell.col + 1)
-                assert read.value == content.replace("\x01", "_x0001_") if isinstance(content, str) else content
+                assert read.value == (content.replace("\x01", "_x0001_") if isinstance(content, str) else content)
                 assert read.data_type != "f"
         for fill in sheet.fills:
             for row in range(fill.row, fill.row + fill.rows):

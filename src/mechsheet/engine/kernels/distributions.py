@@ -17,7 +17,6 @@ from scipy.special import (
     betaincinv,
     erf,
     ndtri,
-    stdtrit,
 )
 
 from .densities import (
@@ -217,7 +216,8 @@ def t_inv_both(p: Any, degrees: Any) -> Any:
     """T.INV.2T."""
     df = freedom(degrees)
     part = betaincinv(df / 2, 0.5, p)
-    found = np.where(part > 0, np.sqrt(df * betainccinv(0.5, df / 2, p) / part), -stdtrit(df, p / 2))
+    # of one degree the part falls below the smallest number: there the quantile is a cotangent
+    found = np.where(part > 0, np.sqrt(df * betainccinv(0.5, df / 2, p) / part), 1 / np.tan(math.pi / 2 * p))
     return within(found, np.greater(p, 0), np.less_equal(p, 1))
 
 
