@@ -217,7 +217,7 @@ def t_inv_both(p: Any, degrees: Any) -> Any:
     df = freedom(degrees)
     part = betaincinv(df / 2, 0.5, p)
     # of one degree the part falls below the smallest number: there the quantile is a cotangent
-    found = np.where(part > 0, np.sqrt(df * betainccinv(0.5, df / 2, p) / part), 1 / np.tan(math.pi / 2 * p))
+    found = np.where(part == 0, 1 / np.tan(math.pi / 2 * p), np.sqrt(df * betainccinv(0.5, df / 2, p) / part))
     return within(found, np.greater(p, 0), np.less_equal(p, 1))
 
 
