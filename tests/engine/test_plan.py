@@ -7,9 +7,9 @@ import pytest
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book, evaluate
+from mechsheet.engine.fast.recurrence import Held, RunningSum, recognise
 from mechsheet.engine.kernels.table import KERNELS
-from mechsheet.engine.recurrence import Held, RunningSum, recognise
-from mechsheet.engine.sequence import Together
+from mechsheet.engine.ordering.cell_by_cell import Together
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue, Symbol, shifted
 from mechsheet.formula.parser import parse_formula

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import ErrorValue, Missing, Node, Scalar
-from ..calling import Problem, to_number
-from ..coerce import compared, truths_of
-from ..frames import Frame
-from ..values import BOOLEAN, ERROR, NA, TEXT, VALUE, Cells, boolean, choose, codes_of, error, errors_of
+from ..values.calling import Problem, to_number
+from ..values.cells import BOOLEAN, ERROR, NA, TEXT, VALUE, Cells, boolean, choose, codes_of, error, errors_of
+from ..values.coerce import compared, truths_of
+from ..values.frames import Frame
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 

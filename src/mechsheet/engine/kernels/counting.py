@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..calling import Problem, need, raise_first
-from ..values import NUMBER, Cells, Numbers
+from ..values.calling import Problem, need, raise_first
+from ..values.cells import NUMBER, Cells, Numbers
 from .densities import beta_below, binomial_density, gamma_above, poisson_density
 from .distributions import chisq_right, either, f_right, normal_below, normal_quantile, t_inv_both, t_tail, within
 from .numbers import paired

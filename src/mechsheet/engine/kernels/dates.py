@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from ..calendar import (
+from ..texts.calendar import (
     clock_number,
     day_of,
     is_leap,
@@ -19,8 +19,8 @@ from ..calendar import (
     weekday,
     whole_day,
 )
-from ..calling import Problem, Serial
-from ..shown_dates import day_and_time
+from ..values.calling import Problem, Serial
+from ..values.typed_numbers import day_and_time
 
 
 def date_(year: float, month: float, day: float) -> Serial:

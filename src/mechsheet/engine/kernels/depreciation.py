@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from ..calling import need
+from ..values.calling import need
 from .finance import MOST_PERIODS, division
 
 

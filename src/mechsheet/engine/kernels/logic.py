@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import CellRef, Missing, Node
-from ..coerce import truths_of
-from ..frames import Frame, Span, VaryingSizeError
-from ..values import (
+from ..values.cells import (
     BLANK,
     BOOLEAN,
     ERROR,
@@ -27,9 +25,11 @@ from ..values import (
     first_error,
     fitted,
 )
+from ..values.coerce import truths_of
+from ..values.frames import Frame, Span, VaryingSizeError
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 

@@ -8,12 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Call, CellRef, Local, Missing, Node, RangeRef
-from ..calling import spread_cells, table_of
-from ..coerce import numbers_of, truths_of
-from ..frames import Frame
-from ..regions import gives_region, regions
-from ..searching import WILDCARD, Line
-from ..values import (
+from ..interpreter.regions import gives_region, regions
+from ..texts.searching import WILDCARD, Line
+from ..values.calling import spread_cells, table_of
+from ..values.cells import (
     BLANK,
     NA,
     REF,
@@ -27,9 +25,11 @@ from ..values import (
     first_error,
     fitted,
 )
+from ..values.coerce import numbers_of, truths_of
+from ..values.frames import Frame
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 

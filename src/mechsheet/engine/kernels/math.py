@@ -10,14 +10,10 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..values import DIV0, NUM
+from ..values.cells import DIV0, NEAR, NUM
 
 Result: TypeAlias = Any
 """Values, or (values, error codes with 0 where there is none)."""
-
-NEAR = 2.0**-48
-"""Two numbers nearer than this, relatively, are equal, and their difference is nothing: some 14 to 15 digits."""
-
 
 BELOW_HALF = 0.49999999999999994
 """The largest number below a half: added before cutting off, it rounds no sum up to the next whole number by itself."""

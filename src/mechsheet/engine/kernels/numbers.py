@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import Scalar
-from ..calling import Problem, raise_first, to_number
-from ..values import DIV0, NUM, NUMBER, Cells, Numbers
+from ..values.calling import Problem, raise_first, to_number
+from ..values.cells import DIV0, NUM, NUMBER, Cells, Numbers
 from .math import Result, half_away
 
 FARTHEST_ANGLE = 2.0**27

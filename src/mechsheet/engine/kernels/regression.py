@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..calling import Problem, to_truth
-from ..values import NA, NUM, Cells, Numbers
+from ..values.calling import Problem, to_truth
+from ..values.cells import NA, NUM, Cells, Numbers
 from .numbers import paired
 
 _DEPENDENT = 1e-11

@@ -7,11 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Missing, Node
-from ..calling import table_of
-from ..coerce import numbers_of
-from ..frames import Frame
-from ..searching import EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
-from ..values import (
+from ..texts.searching import EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
+from ..values.calling import table_of
+from ..values.cells import (
     NA,
     VALUE,
     Cells,
@@ -21,9 +19,11 @@ from ..values import (
     errors_of,
     first_error,
 )
+from ..values.coerce import numbers_of
+from ..values.frames import Frame
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 

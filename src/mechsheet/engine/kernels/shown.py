@@ -8,8 +8,8 @@ from collections.abc import Callable
 from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
-from ..calling import Problem, to_number
-from ..number_formats import WIDE, formatted
+from ..texts.number_formats import WIDE, formatted
+from ..values.calling import Problem, to_number
 
 
 def number_value(text: str, decimal: str = ".", group: str = ",") -> float:

@@ -1,8 +1,8 @@
 """The array code of every function in `formula/functions.txt`; each module of kernels is loaded when a formula needs it.
 
-A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `careful.py` for the words. A module may
-hold three tables: KERNELS; MAPS, functions of numbers and truth values over arrays; PLAIN, functions of Python values
-(`calling.py`).
+A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `interpreter/evaluator.py` for the words. A
+module may hold three tables: KERNELS; MAPS, functions of numbers and truth values over arrays; PLAIN, functions of Python
+values (`values/calling.py`).
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ import numpy as np
 
 from ...formula.functions import FUNCTIONS, Function
 from ...formula.nodes import Missing, Node
-from ..calling import called
-from ..coerce import truths_of
-from ..frames import Frame
-from ..values import BOOLEAN, VALUE, Cells
+from ..values.calling import called
+from ..values.cells import BOOLEAN, VALUE, Cells
+from ..values.coerce import truths_of
+from ..values.frames import Frame
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Kernel: TypeAlias = Callable[["Evaluator", tuple[Node, ...], "Frame", bool], Cells]
 

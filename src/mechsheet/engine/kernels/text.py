@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import ErrorValue, Missing, Node, Scalar
-from ..calling import EPOCHS
-from ..coerce import each, text_to_number, to_text
-from ..frames import Frame
-from ..number_formats import WIDE, formatted
-from ..values import BLANK, Cells, codes_of
+from ..texts.number_formats import WIDE, formatted
+from ..values.calling import EPOCHS
+from ..values.cells import BLANK, Cells, codes_of
+from ..values.coerce import each, text_to_number, to_text
+from ..values.frames import Frame
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 VALUE = ErrorValue("#VALUE!")

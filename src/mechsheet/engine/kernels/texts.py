@@ -11,10 +11,10 @@ from urllib.parse import quote
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from ...formula.printer import quote_sheet
 from ...formula.references import column_letters
-from ..calling import Problem
-from ..coerce import to_text
-from ..expressions import expression
-from ..wildcards import pattern_of
+from ..texts.expressions import expression
+from ..texts.wildcards import pattern_of
+from ..values.calling import Problem
+from ..values.coerce import to_text
 
 MOST_CHARACTERS = 32767
 """As many characters as a cell can hold."""

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from typing import Any
 
 from ...formula.nodes import ErrorValue, Scalar
-from ..calendar import LAST_DAY, weekday, whole_day
-from ..calling import Problem, Serial, to_number
+from ..texts.calendar import LAST_DAY, weekday, whole_day
+from ..values.calling import Problem, Serial, to_number
 
 _SATURDAY, _SUNDAY = 6, 0
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from ..diagnostics import Fault
-from ..formula.book import Book
-from ..formula.nodes import FunctionRef, Node
-from ..formula.references import cell_address
-from .layout import Area
+from ...diagnostics import Fault
+from ...formula.book import Book
+from ...formula.nodes import FunctionRef, Node
+from ...formula.references import cell_address
+from ..layout import Area
 
 _MOST = 100
 """Cells of which the same is remarked."""
@@ -25,7 +25,7 @@ def _all_there(area: Area, but: Collection[int]) -> None:
 
 
 @dataclass(slots=True)
-class Surroundings:
+class Environment:
     """`reference` reads a text as a reference; `check` raises NotReadyError for cells of an area that are not computed yet
     and not of some producers.
 

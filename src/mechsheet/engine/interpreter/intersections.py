@@ -7,8 +7,8 @@ in others. Functions that want arrays (SUMPRODUCT, MMULT, LOOKUP ...) take them 
 
 from __future__ import annotations
 
-from ..formula.functions import FUNCTIONS
-from ..formula.nodes import Arrayed, Binary, Call, Node, RangeRef, TableRef, Unary, children, rebuilt
+from ...formula.functions import FUNCTIONS
+from ...formula.nodes import Arrayed, Binary, Call, Node, RangeRef, TableRef, Unary, children, rebuilt
 
 SINGLES = frozenset("npytbdae")
 """Kinds of arguments that are single values."""

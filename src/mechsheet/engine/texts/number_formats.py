@@ -9,8 +9,8 @@ from decimal import ROUND_HALF_UP, Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
 
-from .coerce import number_to_text
-from .shown_moments import DATE_TOKEN, moment
+from ..values.coerce import number_to_text
+from .date_formats import DATE_TOKEN, moment
 
 _TOKEN = re.compile(
     r'"(?P<quoted>[^"]*)"|\\(?P<escaped>.)|_(?P<space>.)|\*(?P<fill>.)|\[(?P<bracket>[^\]]*)\]'

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from ..formula.nodes import (
+from ...formula.nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
     Apply,
@@ -24,12 +24,12 @@ from ..formula.nodes import (
     Node,
     RangeRef,
 )
-from .coerce import numbers_of, text_of, truths_of
-from .frames import ArrayArgumentError, Frame, Span, VaryingSizeError
-from .values import ERROR, NA, NULL, REF, VALUE, Cells, error, error_code
+from ..values.cells import ERROR, NA, NULL, REF, VALUE, Cells, error, error_code
+from ..values.coerce import numbers_of, text_of, truths_of
+from ..values.frames import ArrayArgumentError, Frame, Span, VaryingSizeError
 
 if TYPE_CHECKING:
-    from .careful import Evaluator
+    from .evaluator import Evaluator
 
 Regions: TypeAlias = "list[Span] | Cells | None"
 Args = tuple[Node, ...]

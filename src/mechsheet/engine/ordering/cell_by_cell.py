@@ -6,15 +6,15 @@ from collections.abc import Collection, Iterator, Sequence
 
 import numpy as np
 
-from ..formula.nodes import CellRef, Node, RangeRef
-from ..formula.references import cell_address
-from .arrays import fill_array
-from .careful import Evaluator
-from .fast.marks import Marks
-from .frames import Frame, NotReadyError
-from .graph import Functions, references
-from .layout import Area, Layout
-from .values import REF
+from ...formula.nodes import CellRef, Node, RangeRef
+from ...formula.references import cell_address
+from ..fast.marks import Marks
+from ..graph import Functions, references
+from ..interpreter.evaluator import Evaluator
+from ..layout import Area, Layout
+from ..values.cells import REF
+from ..values.frames import Frame, NotReadyError
+from .array_steps import fill_array
 
 Cell = tuple[int, int, int]
 """(block, rows down, columns right of its first cell)"""

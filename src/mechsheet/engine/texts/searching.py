@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from .coerce import compare_numbers
+from ..values.cells import BLANK, BOOLEAN, ERROR, NUMBER, TEXT, Cells, Texts
+from ..values.coerce import compare_numbers
 from .expressions import expression
-from .values import BLANK, BOOLEAN, ERROR, NUMBER, TEXT, Cells, Texts
 from .wildcards import pattern_of
 
 EXACT, SMALLER, LARGER, WILDCARD, EXPRESSION = 0, -1, 1, 2, 3

@@ -1,7 +1,7 @@
 """The plain way to evaluate a formula: any kind of value, every error in its place, whole blocks at a time.
 
 This is the definition of what a formula means here; the fast path is held to it by tests. A *frame* is the part of a block
-that is being computed; every operand has the frame's shape or one that broadcasts to it (`values.py`).
+that is being computed; every operand has the frame's shape or one that broadcasts to it (`values/cells.py`).
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..formula.nodes import (
+from ...formula.nodes import (
     Apply,
     Arrayed,
     ArrayLiteral,
@@ -29,18 +29,10 @@ from ..formula.nodes import (
     Text,
     Unary,
 )
-from .closures import Bound, Scopes
-from .coerce import compared, each, numbers_of, to_text
-from .deep import deeply
-from .fast.slots import at_slot, slots, with_slots
-from .frames import ArrayArgumentError, Frame, NotReadyError, Span, UnsupportedError, VaryingSizeError
-from .kernels.math import OPERATORS, snapped
-from .kernels.table import KERNELS
-from .layout import Layout
-from .reading import Reading, codes_of_all
-from .regions import gives_region, regions
-from .surroundings import Surroundings
-from .values import (
+from ..kernels.math import OPERATORS, snapped
+from ..kernels.table import KERNELS
+from ..layout import Layout
+from ..values.cells import (
     BLANK,
     CALC,
     VALUE,
@@ -54,6 +46,14 @@ from .values import (
     first_error,
     fitted,
 )
+from ..values.coerce import compared, each, numbers_of, to_text
+from ..values.frames import ArrayArgumentError, Frame, NotReadyError, Span, UnsupportedError, VaryingSizeError
+from .closures import Bound, Scopes
+from .deep import deeply
+from .environment import Environment
+from .reading import Reading, codes_of_all
+from .regions import gives_region, regions
+from .slots import at_slot, slots, with_slots
 
 _REFERENCES = frozenset((",", " ", ":"))
 _OVER_REFERENCES = frozenset(
@@ -67,7 +67,7 @@ class Evaluator(Reading):
     """Evaluates formulas over the flat array of one evaluation."""
 
     def __init__(
-        self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, around: Surroundings | None = None
+        self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, around: Environment | None = None
     ) -> None:
         super().__init__(layout, numbers, codes, texts, around)
         self.scopes = Scopes(self.around.functions, self.around.reference)

@@ -9,11 +9,11 @@ import numpy as np
 
 from ..diagnostics import Fault
 from ..formula.nodes import Scalar
-from .careful import Evaluator
+from .interpreter.evaluator import Evaluator
 from .layout import Area
 from .plan import Plan
 from .results import Values
-from .values import NUMBER, TEXT, Cells, Texts
+from .values.cells import NUMBER, TEXT, Cells, Texts
 
 MOST_TEXTS = 1 << 20
 """Texts that computed cells may leave behind before everything is computed anew without them."""
@@ -55,7 +55,7 @@ class Live:
         self.texts = Texts(layout.texts)
         self._marks = self.plan.marks.copy()
         self._set_codes: dict[int, dict[Cell, int]] = {}
-        self._evaluator = Evaluator(layout, self.numbers, self.codes, self.texts, self.plan.surroundings())
+        self._evaluator = Evaluator(layout, self.numbers, self.codes, self.texts, self.plan.environment())
         self._settled: Values | None = None
         self._most_texts = len(self.texts) + MOST_TEXTS
         self._stale = (1 << len(self.plan.steps)) - 1

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula.nodes import ErrorValue, Scalar
+from ...formula.nodes import ErrorValue, Scalar
 from .frames import UnsupportedError
 
 Numbers: TypeAlias = NDArray[np.float64]
@@ -25,6 +25,8 @@ Mask: TypeAlias = NDArray[np.bool_]
 NUMBER, BLANK, TEXT, BOOLEAN = 0, 1, 2, 3
 MOST_CELLS = 1 << 24
 """Cells of an array that an operation makes of smaller ones: one column of a sheet sixteen times."""
+NEAR = 2.0**-48
+"""Two numbers nearer than this, relatively, are equal, and their difference is nothing: some 14 to 15 digits."""
 ERROR = 16
 """Codes from here on are errors."""
 

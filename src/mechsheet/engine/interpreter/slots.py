@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 from ...formula.functions import FUNCTIONS
 from ...formula.nodes import Call, Missing, Node
-from ..intersections import SINGLES
+from .intersections import SINGLES
 
 Slot: TypeAlias = tuple[int, ...]
 _GIVING_REFERENCES = ("OFFSET", "INDIRECT")

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from .closures import Bound
+    from ..interpreter.closures import Bound
 
 
 class Frame(NamedTuple):

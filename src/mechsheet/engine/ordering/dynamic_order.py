@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..formula.book import Block, BookSheet, CellStore
-from ..formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
-from .careful import Evaluator
-from .fast.marks import Marks
-from .frames import NotReadyError
-from .layout import Area, Layout
-from .results import Values
-from .values import BLANK
+from ...formula.book import Block, BookSheet, CellStore
+from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
+from ..fast.marks import Marks
+from ..interpreter.evaluator import Evaluator
+from ..layout import Area, Layout
+from ..results import Values
+from ..values.cells import BLANK
+from ..values.frames import NotReadyError
 
 if TYPE_CHECKING:
-    from .plan import Plan
+    from ..plan import Plan
 
 _MOST_PASSES = 64
 Sizes = tuple[tuple[int, int, int, bool], ...]

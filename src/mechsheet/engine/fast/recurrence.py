@@ -13,15 +13,14 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ..formula.book import Block
-from ..formula.nodes import Binary, Call, CellRef, FunctionRef, Node, walk
-from .careful import Evaluator
-from .coerce import numbers_of, truths_of
-from .frames import Frame, NotReadyError
-from .graph import area_read, reads_anywhere, references
-from .kernels.math import NEAR
-from .layout import Layout
-from .values import BLANK, NUM, Cells, choose, codes_of
+from ...formula.book import Block
+from ...formula.nodes import Binary, Call, CellRef, FunctionRef, Node, walk
+from ..graph import area_read, reads_anywhere, references
+from ..interpreter.evaluator import Evaluator
+from ..layout import Layout
+from ..values.cells import BLANK, NEAR, NUM, Cells, choose, codes_of
+from ..values.coerce import numbers_of, truths_of
+from ..values.frames import Frame, NotReadyError
 
 
 @dataclass(frozen=True, slots=True)

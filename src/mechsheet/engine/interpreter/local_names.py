@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..formula.nodes import Apply, Binary, Call, Local, NameRef, Node, TableRef, children, rebuilt, walk
+from ...formula.nodes import Apply, Binary, Call, Local, NameRef, Node, TableRef, children, rebuilt, walk
 
 _SCOPES = ("LET", "LAMBDA")
 

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..formula.functions import Function
-from ..formula.nodes import ErrorValue, Missing, Node, Scalar
+from ...formula.functions import Function
+from ...formula.nodes import ArrayLiteral, CellRef, ErrorValue, Missing, Node, RangeRef, Scalar
+from .cells import BLANK, ERROR, ERROR_NAMES, NUMBER, Cells, Numbers, Texts, codes_of, error_code, fitted
 from .coerce import numbers_of, text_to_number, to_text
 from .frames import Frame, VaryingSizeError
-from .values import BLANK, ERROR, ERROR_NAMES, NUMBER, Cells, Numbers, Texts, codes_of, error_code, fitted
 
 if TYPE_CHECKING:
-    from .careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 LIFTED = frozenset("npytbdae")
 """Kinds of single values: an array there means one result for each of its cells."""
@@ -113,10 +113,13 @@ def raise_first(codes: Any) -> None:
         raise Problem(ERROR_NAMES[int(codes.flat[bad[0]]) - ERROR])
 
 
+def is_reference(node: Node) -> bool:
+    """Whether values come out of cells (or an array), where texts and truth values do not count."""
+    return isinstance(node, CellRef | RangeRef | ArrayLiteral)
+
+
 def values_of(ev: Evaluator, node: Node, frame: Frame) -> Numbers:
     """The numbers of an argument: those among the cells of a range; a value written out counts by what it shows."""
-    from .kernels.fold import is_reference
-
     single = np.ndim(ev.value(node, frame, spread=True).numbers) <= 2 and not is_reference(node)
     table = table_of(ev, node, frame)
     if single:

@@ -7,20 +7,20 @@ from typing import Any
 
 import numpy as np
 
-from ..formula.book import CellStore
-from ..formula.nodes import Node
-from .careful import Evaluator
-from .fast.marks import Marks
-from .frames import Frame
-from .layout import Layout
-from .values import NA, REF, SPILL, Codes
+from ...formula.book import CellStore
+from ...formula.nodes import Node
+from ..fast.marks import Marks
+from ..interpreter.evaluator import Evaluator
+from ..layout import Layout
+from ..values.cells import NA, REF, SPILL, Codes
+from ..values.frames import Frame
 
 
 class ArrayStep:
     """A block that shows one array.
 
     Of an array formula (`Ctrl+Shift+Enter`) a single row or column is repeated, and what lies beyond the array is #N/A. A
-    dynamic array notes its size (`Surroundings.sizes`); `blocked`: there is something in its way, so it shows #SPILL!.
+    dynamic array notes its size (`Environment.sizes`); `blocked`: there is something in its way, so it shows #SPILL!.
     """
 
     def __init__(self, layout: Layout, number: int, formula: Node, blocked: bool = False) -> None:

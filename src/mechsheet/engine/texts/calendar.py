@@ -6,7 +6,7 @@ import math
 from datetime import date, timedelta
 from typing import NamedTuple
 
-from .calling import Problem, Serial
+from ..values.calling import Problem, Serial
 
 LAST_DAY = 2958465
 """31 December 9999."""

@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from ..formula.functions import FUNCTIONS
-from ..formula.nodes import Apply, Call, FunctionRef, Local, Missing, Node
-from .coerce import truths_of
-from .frames import Frame
+from ...formula.functions import FUNCTIONS
+from ...formula.nodes import Apply, Call, FunctionRef, Local, Missing, Node
+from ..values.cells import NAME, NUM, VALUE, Cells, error
+from ..values.coerce import truths_of
+from ..values.frames import Frame
 from .regions import Regions, regions
-from .values import NAME, NUM, VALUE, Cells, error
 
 if TYPE_CHECKING:
-    from .careful import Evaluator
+    from .evaluator import Evaluator
 
 MOST_CALLS = 1024
 """How deep functions may call one another: #NUM! beyond."""

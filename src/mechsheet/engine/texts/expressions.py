@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from .calling import Problem
-from .frames import UnsupportedError
+from ..values.calling import Problem
+from ..values.frames import UnsupportedError
 
 _LONGEST_PATTERN = 1000
 _MOST_STEPS = 1e8

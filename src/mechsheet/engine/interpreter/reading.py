@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from ..formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, RangeRef
-from .frames import Frame, Span, VaryingSizeError
-from .layout import Area, Layout
-from .surroundings import Surroundings
-from .values import BLANK, REF, VALUE, Cells, Codes, Numbers, Texts, codes_of, error
+from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, RangeRef
+from ..layout import Area, Layout
+from ..values.cells import BLANK, REF, VALUE, Cells, Codes, Numbers, Texts, codes_of, error
+from ..values.frames import Frame, Span, VaryingSizeError
+from .environment import Environment
 
 _NOTHING = Cells(np.float64(0), np.uint8(BLANK))
 _MOST_WHOLE = 1 << 16
@@ -21,14 +21,14 @@ class Reading:
     """The flat array of one evaluation, read by references. `around`: what the evaluation knows beyond it."""
 
     def __init__(
-        self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, around: Surroundings | None = None
+        self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, around: Environment | None = None
     ) -> None:
         self.layout = layout
         self.numbers = numbers
         self.codes = codes
         self.texts = texts
         self.sheets = {title: index for index, title in enumerate(layout.titles)}
-        self.around = around or Surroundings()
+        self.around = around or Environment()
 
     def corners(self, node: CellRef | RangeRef, frame: Frame) -> Span | None:
         """The rectangle of a reference as it stands, None where it leaves the sheet."""

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ..formula.nodes import ErrorValue, Scalar
-from .coerce import compare_numbers, text_to_number
-from .values import BLANK, BOOLEAN, ERROR_NAMES, NUMBER, TEXT, Cells, Texts, codes_of, error_code
+from ...formula.nodes import ErrorValue, Scalar
+from ..values.cells import BLANK, BOOLEAN, ERROR_NAMES, NUMBER, TEXT, Cells, Texts, codes_of, error_code
+from ..values.coerce import compare_numbers, text_to_number
 from .wildcards import pattern_of
 
 Test = Callable[[Cells], Any]

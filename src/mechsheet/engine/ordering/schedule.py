@@ -6,18 +6,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from ..formula.book import CellStore
-from ..formula.nodes import Node
-from .arrays import ArrayStep, Kept
-from .careful import Evaluator
-from .fast.lowered_functions import FUNCTIONS
-from .fast.lowering import Lowering, UnsuitableError
-from .fast.marks import Marks, marks_of_constants
-from .fast.segments import Member, Segment, worth_at_once
-from .graph import Functions, ordered
-from .layout import Layout
-from .recurrence import recognise
-from .sequence import Together
+from ...formula.book import CellStore
+from ...formula.nodes import Node
+from ..fast.lowered_functions import FUNCTIONS
+from ..fast.lowering import Lowering, UnsuitableError
+from ..fast.marks import Marks, marks_of_constants
+from ..fast.recurrence import recognise
+from ..fast.segments import Member, Segment, worth_at_once
+from ..graph import Functions, ordered
+from ..interpreter.evaluator import Evaluator
+from ..layout import Layout
+from .array_steps import ArrayStep, Kept
+from .cell_by_cell import Together
 
 
 class Step(Protocol):

@@ -8,10 +8,23 @@ from typing import Any
 
 import numpy as np
 
-from ..formula.nodes import ErrorValue, Scalar
-from .kernels.math import NEAR
-from .shown_dates import shown_number
-from .values import BLANK, BOOLEAN, ERROR, TEXT, VALUE, Cells, Texts, boolean, codes_of, errors_of, first_error, fitted
+from ...formula.nodes import ErrorValue, Scalar
+from .cells import (
+    BLANK,
+    BOOLEAN,
+    ERROR,
+    NEAR,
+    TEXT,
+    VALUE,
+    Cells,
+    Texts,
+    boolean,
+    codes_of,
+    errors_of,
+    first_error,
+    fitted,
+)
+from .typed_numbers import shown_number
 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
