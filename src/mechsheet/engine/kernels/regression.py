@@ -10,7 +10,7 @@ import numpy as np
 
 from ..values.calling import Problem, to_truth
 from ..values.cells import NA, NUM, Cells, Numbers
-from .numbers import paired
+from .math import paired
 
 _DEPENDENT = 1e-11
 """A column whose part that the columns before it cannot explain is smaller than this share of it depends on them."""
