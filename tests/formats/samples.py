@@ -27,7 +27,6 @@ from mechsheet.sheet.workbook import (
     Conditional,
     Control,
     Fill,
-    Link,
     Merge,
     Name,
     PrintSetup,
@@ -128,10 +127,8 @@ def front() -> Sheet:
                         Style(color="9C0006", fill="FFC7CE", bold=True)),
         ),
         comments=(Comment(3, 1, "The radius.\nChange it & look."), Comment(8, 1, "not available")),
-        links=(Link(17, 0, f"{TABLE}!A3"), Link(18, 0, "https://example.org/a?b=1&c=2#there")),
         freeze=(2, 0),
         selected=(3, 1),
-        zoom=90,
         gridlines=False,
         tab_color="1F3864",
         print_setup=PrintSetup(repeat_rows=(0, 1), area=Area(0, 0, 40, 20), footer="&L&A&C&P / &N&R<mechsheet> && co"),
@@ -190,7 +187,7 @@ def table() -> Sheet:
         ),
         freeze=(FIRST, 1),
         selected=(FIRST, 0),
-        print_setup=PrintSetup(landscape=False, repeat_rows=(0, 1), repeat_cols=(0, 0), header="&C&A"),
+        print_setup=PrintSetup(landscape=False, repeat_rows=(0, 1), repeat_cols=(0, 0), footer="&C&A"),
     )  # fmt: skip
 
 
