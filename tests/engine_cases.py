@@ -8,7 +8,7 @@ from pathlib import Path
 
 from openpyxl.utils.datetime import to_excel
 
-from mechsheet.engine.values import ERROR_NAMES
+from mechsheet.engine.values.cells import ERROR_NAMES
 from mechsheet.formula.book import Book, BookBuilder
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula

@@ -15,7 +15,7 @@ import mechsheet
 from chosen import examples
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book
-from mechsheet.engine import live as live_module
+from mechsheet.engine import incremental as incremental_module
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
@@ -234,7 +234,7 @@ def test_an_empty_cell_can_be_set_and_emptied_again():
 
 
 def test_texts_of_long_loops_are_forgotten(monkeypatch):
-    monkeypatch.setattr(live_module, "MOST_TEXTS", 50)
+    monkeypatch.setattr(incremental_module, "MOST_TEXTS", 50)
     session = Session(columns('A1&"x"'))
     for number in range(200):
         session["S!A1"] = float(number)
@@ -244,7 +244,7 @@ def test_texts_of_long_loops_are_forgotten(monkeypatch):
 
 
 def test_inputs_stay_what_they_are_when_texts_are_forgotten(monkeypatch):
-    monkeypatch.setattr(live_module, "MOST_TEXTS", 5)
+    monkeypatch.setattr(incremental_module, "MOST_TEXTS", 5)
     session = Session(columns('A1&"x"', "$B$1*$A$3+SIN(A1)", rows=300))
     session.set("S!B1", "no number", force=True)
     for number in range(20):

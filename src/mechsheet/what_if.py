@@ -13,14 +13,14 @@ from mechsheet.cell_values import cell_value
 from mechsheet.diagnostics import Fault, FormulaError, WorkbookError, near_miss
 from mechsheet.engine import Live, compile_book
 from mechsheet.engine.layout import Area
-from mechsheet.engine.values import BOOLEAN, NUMBER
+from mechsheet.engine.values.cells import BOOLEAN, NUMBER
 from mechsheet.formula.book import Book
 from mechsheet.formula.dialects import MAX_NESTING
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, ErrorValue, NameRef, Node, RangeRef, Scalar
 from mechsheet.formula.parser import parse_formula
 
 if TYPE_CHECKING:
-    from mechsheet.engine.values import Cells
+    from mechsheet.engine.values.cells import Cells
 
 Numbers: TypeAlias = NDArray[np.float64]
 Value: TypeAlias = "float | int | str | bool | ErrorValue | np.number[Any] | None"

@@ -1,4 +1,4 @@
-"""The fast path gives what the careful evaluator gives, bit for bit, and is really taken."""
+"""The fast path gives what the interpreter gives, bit for bit, and is really taken."""
 
 import numpy as np
 import pytest
@@ -88,7 +88,7 @@ def same(first, second):
 
 
 def never(*_):
-    raise AssertionError("the careful evaluator was used")
+    raise AssertionError("the interpreter was used")
 
 
 @settings(max_examples=300, deadline=None, report_multiple_bugs=False)
@@ -101,7 +101,7 @@ def never(*_):
     st.sampled_from(["", "sum", "held"]),
     st.booleans(),
 )
-def test_fast_equals_careful(data, singles, first, second, third, recurrence, large):
+def test_fast_equals_the_interpreter(data, singles, first, second, third, recurrence, large):
     builder = BookBuilder()
     sheet = builder.sheet("S")
     for col, column in enumerate(data):
@@ -157,26 +157,26 @@ def four_columns(rows, extra=()):
 @pytest.mark.parametrize("rows", [1, 2, 255, 256, 257, 1000])
 def test_chunks(rows, small_chunks, monkeypatch):
     plan = compile_book(four_columns(rows))
-    careful = plan.evaluate()
+    interpreted = plan.evaluate()
     if rows > 1:
-        monkeypatch.setattr(Segment, "_carefully", never)
-    same(careful, plan.evaluate())
+        monkeypatch.setattr(Segment, "_interpreted", never)
+    same(interpreted, plan.evaluate())
 
 
-def test_rows_around_an_error_are_computed_carefully_and_the_others_fast(small_chunks, monkeypatch):
+def test_rows_around_an_error_are_computed_interpreted_and_the_others_fast(small_chunks, monkeypatch):
     plan = compile_book(four_columns(1000, ["1/(ROW()-400)", "F5+D5", "F4+1"]))
-    careful = plan.evaluate()
+    interpreted = plan.evaluate()
     ranges = []
-    original = Segment._carefully
+    original = Segment._interpreted
 
     def noted(segment, ev, dirty, start, stop):
         if segment.rows > 1:
             ranges.append((start, stop))
         original(segment, ev, dirty, start, stop)
 
-    monkeypatch.setattr(Segment, "_carefully", noted)
+    monkeypatch.setattr(Segment, "_interpreted", noted)
     fast = plan.evaluate()
-    same(careful, fast)
+    same(interpreted, fast)
     assert fast.get("S", 399, 5) == ErrorValue("#DIV/0!")
     assert ranges
     assert all(start <= 395 < stop <= start + 64 for start, stop in ranges)
@@ -186,9 +186,9 @@ def test_rows_of_a_large_chunk_are_tried_in_parts(monkeypatch):
     """One row in 30,000 that has no value, and a sum that is snapped, in a column of several chunks."""
     rows = 30_000
     plan = compile_book(four_columns(rows, [f"1/(ROW()-{rows // 2})", "(ROW()/10)-0.1-(ROW()-1)/10", "G5-F5*0"]))
-    careful = plan.evaluate()
+    interpreted = plan.evaluate()
     ranges = []
-    original = Segment._carefully
+    original = Segment._interpreted
 
     def noted(segment, ev, dirty, start, stop):
         ranges.append(stop - start)
@@ -197,8 +197,8 @@ def test_rows_of_a_large_chunk_are_tried_in_parts(monkeypatch):
     with monkeypatch.context() as patch:
         patch.setattr(Segment, "_fast", lambda *_: False)
         expected = plan.evaluate()
-    same(careful, expected)
-    monkeypatch.setattr(Segment, "_carefully", noted)
+    same(interpreted, expected)
+    monkeypatch.setattr(Segment, "_interpreted", noted)
     same(expected, plan.evaluate())
     assert 0 < sum(ranges) <= 3 * 4096
     zeros = plan.evaluate().column("S", 6, 4, rows + 3)
@@ -219,19 +219,19 @@ def test_a_running_sum_that_cancels_is_snapped_in_each_row():
 def test_a_status_column_is_a_text_without_leaving_the_fast_path(monkeypatch):
     plan = compile_book(four_columns(300, ['IF(ISNUMBER(C5),"ok","does not close")', "IF(ISNUMBER(C5),1,0)"]))
     plan.evaluate()
-    monkeypatch.setattr(Segment, "_carefully", never)
+    monkeypatch.setattr(Segment, "_interpreted", never)
     values = plan.evaluate()
     assert set(values.column("S", 5, 4, 303)) == {"ok"}
     assert set(values.column("S", 6, 4, 303)) == {1.0}
 
 
 def test_other_inputs_another_way(monkeypatch):
-    """An input that is no number sends what reads it to the careful evaluator, and back."""
+    """An input that is no number sends what reads it to the interpreter, and back."""
     plan = compile_book(four_columns(300))
     numbers = plan.evaluate()
     wrong = plan.evaluate({("S", 0, 0): "x"})
     assert wrong.get("S", 4, 1) == ErrorValue("#VALUE!")
     assert plan.evaluate({("S", 0, 0): True}).get("S", 4, 1) == 1 + 5 * 0.125
     same(numbers, plan.evaluate())
-    monkeypatch.setattr(Segment, "_carefully", never)
+    monkeypatch.setattr(Segment, "_interpreted", never)
     same(numbers, plan.evaluate())

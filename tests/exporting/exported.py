@@ -64,11 +64,8 @@ def complete(mechanism, found, theirs):
     return {symbol: theirs[symbol] for symbol in fixed} | found
 
 
-def turns_are_continuous(mechanism, found):
-    """True when no angle leaps by half a turn from one row to the next that exists."""
-    for link in mechanism.links[1:]:
-        angle = np.asarray(found[link.angle_symbol], float)
-        steps = np.abs(np.diff(angle[np.isfinite(angle)]))
-        if len(steps) and steps.max() > math.pi + 1e-9:
-            return False
-    return True
+def leaping_angles(mechanism, found):
+    """Angles that leap by a whole turn from one row to the next: where the arctangent has its cut, the turns were not
+    counted. (By half a turn a slotted link may well leap, where the pin passes its centre.)"""
+    steps = {link.angle_symbol: np.abs(np.diff(found[link.angle_symbol])) for link in mechanism.links[1:]}
+    return [symbol for symbol, step in steps.items() if (step > 1.5 * math.pi).any()]

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from exported import TEMPLATES, mechanisms, worst_against_reference
+from exported import TEMPLATES, leaping_angles, mechanisms, worst_against_reference
 
 from mechsheet.description import load
 from mechsheet.exporting import export
@@ -61,6 +61,12 @@ def ran(tmp_path_factory):
 def test_equal_to_the_reference(ran):
     given, _, folder = ran
     assert max(worst_against_reference(mechanism, loaded(folder, name)) for name, mechanism in given.items()) < 1e-9
+
+
+def test_angles_do_not_leap_by_a_turn(ran):
+    given, _, folder = ran
+    leaps = {name: leaping_angles(mechanism, loaded(folder, name)) for name, mechanism in given.items()}
+    assert {name: symbols for name, symbols in leaps.items() if symbols} == {}
 
 
 def test_other_dimensions(ran):

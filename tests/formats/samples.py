@@ -27,7 +27,6 @@ from mechsheet.sheet.workbook import (
     Conditional,
     Control,
     Fill,
-    Link,
     Merge,
     Name,
     PrintSetup,
@@ -98,9 +97,7 @@ def front() -> Sheet:
             Fill(12, 1, Text(""), values=("",)),
             Fill(13, 1, Unary("-", Binary("^", Number(2), Number(2))), values=(-4.0,)),
             Fill(14, 1, Call("IF", (Boolean(False), Number(1), Text("no"))), values=("no",)),
-            Fill(15, 3, Call("MAX", (RangeRef(cell(FIRST, 1, TABLE), cell(FIRST + STEPS, 1, TABLE)),)), values=(
-                max(x for x, _ in points() if x is not None),
-            )) if False else Fill(15, 3, NameRef("ÇıkışUzvu"), RESULT, values=(RADIUS,)),
+            Fill(15, 3, NameRef("ÇıkışUzvu"), RESULT, values=(RADIUS,)),
             Fill(16, 1, Call("INDEX", (RangeRef(cell(FIRST, 0, TABLE), cell(FIRST + STEPS, 0, TABLE)),
                                        Binary("+", cell(6, 1), Number(1)))), DEGREES, values=(60.0,)),
             Fill(19, 0, Binary("&", Call("TEXT", (NameRef("ÇıkışUzvu"), Text("0"))), Text(" mm")), values=("40 mm",)),
@@ -130,10 +127,8 @@ def front() -> Sheet:
                         Style(color="9C0006", fill="FFC7CE", bold=True)),
         ),
         comments=(Comment(3, 1, "The radius.\nChange it & look."), Comment(8, 1, "not available")),
-        links=(Link(17, 0, f"{TABLE}!A3"), Link(18, 0, "https://example.org/a?b=1&c=2#there")),
         freeze=(2, 0),
         selected=(3, 1),
-        zoom=90,
         gridlines=False,
         tab_color="1F3864",
         print_setup=PrintSetup(repeat_rows=(0, 1), area=Area(0, 0, 40, 20), footer="&L&A&C&P / &N&R<mechsheet> && co"),
@@ -192,7 +187,7 @@ def table() -> Sheet:
         ),
         freeze=(FIRST, 1),
         selected=(FIRST, 0),
-        print_setup=PrintSetup(landscape=False, repeat_rows=(0, 1), repeat_cols=(0, 0), header="&C&A"),
+        print_setup=PrintSetup(landscape=False, repeat_rows=(0, 1), repeat_cols=(0, 0), footer="&C&A"),
     )  # fmt: skip
 
 

@@ -42,7 +42,6 @@ ODD = [
     '<table:table-cell office:value-type="string"><office:annotation><text:p>n</text:p></office:annotation><text:p>b'
     "</text:p></table:table-cell>",
 ]
-NESTED = "<table:shapes><table:table table:name='T'>{0}</table:table></table:shapes>"
 CHANGES = {
     "odd number": (r'office:value="[^"]*"', 'office:value="1_0"'),
     "infinite": (r'office:value="[^"]*"', 'office:value="1e400"'),
@@ -62,7 +61,7 @@ CHANGES = {
     "nested": (r"^(.*)$", r"\1<table:shapes><table:table table:name='T'>\1\1\1</table:table></table:shapes>"),
     "nested before": (r"^(.*)$", r"<table:shapes><table:table table:name='T'>\1\1\1</table:table></table:shapes>\1"),
     "table": (r"^(.*)$", r"\1</table:table><table:table table:name='{n}'>\1"),
-    "cache": (r"^(.*)$", r"\1</table:table><table:table table:name=\"'file:///a'#b\">\1\1"),
+    "cache": (r"^(.*)$", r"\1</table:table><table:table table:name='&apos;file:///a&apos;#b'>\1\1"),
     "new lines": ("><", ">\n<"),
     "other digits": (r"^(.*)<table:table-cell ", "\\1<table:table-cell table:number-columns-repeated='\u0661' "),
     "digits": (r"<table:table-cell ", "<table:table-cell table:number-columns-repeated=\"\u0661\" "),

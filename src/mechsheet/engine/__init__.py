@@ -1,6 +1,6 @@
 """Recalculates any workbook: knows formulas and cells, nothing of mechanisms."""
 
-from .live import Live
+from .incremental import Live
 from .plan import Plan, compile_book, evaluate, steady_plan
 from .results import Values
 

@@ -16,7 +16,7 @@ import numpy as np
 from ..diagnostics import Fault, WorkbookError
 from ..formula.book import Block, Book
 from ..formula.references import cell_address
-from .values import Cells, Codes, Numbers, Texts
+from .values.cells import Cells, Codes, Numbers, Texts
 
 _MOST_KNOWN = 20_000
 """Areas whose place is remembered: those of lone formulas are read again at every evaluation."""

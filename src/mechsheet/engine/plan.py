@@ -10,16 +10,16 @@ import numpy as np
 
 from ..formula.book import Block, Book, BookSheet, CellStore
 from ..formula.nodes import Scalar, shifted
-from .careful import Evaluator
-from .driving import Sizes, settled, sizes_of, with_sizes
 from .fast.marks import Marks, marks_of_constants
 from .graph import dependencies, dependents
+from .interpreter.environment import Environment
+from .interpreter.evaluator import Evaluator
 from .layout import Area, make_layout
+from .ordering.dynamic_order import Sizes, settled, sizes_of, with_sizes
+from .ordering.schedule import Special, schedule
 from .resolve import Resolver
 from .results import Values
-from .schedule import Special, schedule
-from .surroundings import Surroundings
-from .values import Texts, error_code
+from .values.cells import Texts, error_code
 
 _MOST_RESIZED = 16
 """Plans with other sizes of dynamic arrays that are kept."""
@@ -120,11 +120,11 @@ class Plan:
             place, producer = places[self._cell(cell)]
             numbers[place], codes[place] = texts.encode(value)
             marks.note(producer, codes[place : place + 1])
-        return Evaluator(self.layout, numbers, codes, texts, self.surroundings()), marks
+        return Evaluator(self.layout, numbers, codes, texts, self.environment()), marks
 
-    def surroundings(self) -> Surroundings:
+    def environment(self) -> Environment:
         """What an evaluation knows of the book."""
-        return Surroundings(self.book, self.formulas, self.resolved.functions, self.resolver.reference)
+        return Environment(self.book, self.formulas, self.resolved.functions, self.resolver.reference)
 
     def values_of(self, ev: Evaluator) -> Values:
         """The values that an evaluator has computed, with what it remarked."""

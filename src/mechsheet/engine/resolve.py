@@ -41,12 +41,12 @@ from ..formula.parser import parse_formula
 from ..formula.printer import quote_sheet
 from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
-from .deep import deeply
 from .graph import reads_anywhere
-from .intersections import intersected
+from .interpreter.deep import deeply
+from .interpreter.intersections import intersected
+from .interpreter.local_names import is_function, with_locals
+from .interpreter.regions import gives_region
 from .kernels.table import KERNELS
-from .regions import gives_region
-from .scopes import is_function, with_locals
 
 _MOST_SHEETS = 1024
 _ZEROS = re.compile(r"(?<![\w.])0+(?=[1-9])|(?<=[A-Za-z$])(?<![A-Za-z]{4})0+(?=[1-9][0-9]*(?![\w.]))")

@@ -9,7 +9,7 @@ import numpy as np
 from ..diagnostics import Fault
 from ..formula.nodes import Scalar
 from .layout import Area, Layout
-from .values import BOOLEAN, NUMBER, Cells, Codes, Numbers, Texts
+from .values.cells import BOOLEAN, NUMBER, Cells, Codes, Numbers, Texts
 
 
 class Values:

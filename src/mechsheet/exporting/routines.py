@@ -145,18 +145,6 @@ def with_names(routine: Routine, renamed: Mapping[str, str]) -> Routine:
     )
 
 
-def inlined(routine: Routine, arguments: Sequence[Node]) -> Node:
-    """The routine's value as one expression over its arguments: what a call of it stands for."""
-    forms: dict[str, Node] = dict(zip((parameter.symbol for parameter in routine.parameters), arguments, strict=True))
-
-    def change(part: Node) -> Node:
-        return forms[part.name] if isinstance(part, Symbol) else part
-
-    for step in routine.steps:
-        forms[step.symbol] = transform(step.expression, change)
-    return guarded(routine, transform(routine.result, change), forms)
-
-
 def guarded(routine: Routine, result: Node, forms: Mapping[str, Node]) -> Node:
     """The result, or #N/A where one of the guards is no number."""
     if not routine.guards:

@@ -24,17 +24,16 @@ _END = "</table:table-cell>"
 class Extras:
     """What stands in cells beside their content, by place.
 
-    notes   <office:annotation> elements;  shapes  frames and controls;  links  targets
+    notes   <office:annotation> elements;  shapes  frames and controls
     """
 
     notes: dict[Place, str] = field(default_factory=dict)
     shapes: dict[Place, str] = field(default_factory=dict)
-    links: dict[Place, str] = field(default_factory=dict)
 
     @property
     def places(self) -> set[Place]:
         """All cells that have something."""
-        return {*self.notes, *self.shapes, *self.links}
+        return {*self.notes, *self.shapes}
 
 
 class TableRows:
@@ -139,8 +138,7 @@ class TableRows:
         if place in self.covered:
             return f"<table:covered-table-cell{self._look(cell.style, *place)}/>"
         content = cell.content
-        link = self.extras.links.get(place, "")
-        text = paragraphs(content, link) if isinstance(content, (str, Rich)) else ""
+        text = paragraphs(content) if isinstance(content, (str, Rich)) else ""
         value = "" if content is None else value_attributes(content)
         return f"{self._head(cell.style, *place)}{value}>{self._inside(place, text)}{_END}"
 

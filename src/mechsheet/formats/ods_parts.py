@@ -102,7 +102,7 @@ def _table_settings(sheet: Sheet) -> str:
         ("PositionTop", "int", 0),
         ("PositionBottom", "int", row),
         ("ZoomType", "short", 0),
-        ("ZoomValue", "int", sheet.zoom),
+        ("ZoomValue", "int", 100),
         ("PageViewZoomValue", "int", 60),
         ("ShowGrid", "boolean", str(sheet.gridlines).lower()),
     )
@@ -132,7 +132,7 @@ def _layout(number: int, setup: PrintSetup) -> str:
     )
     margins = f' fo:margin-left="{MARGIN_SIDE}in" fo:margin-right="{MARGIN_SIDE}in"'
     bands = ""
-    for side, kind, text in (("top", "header", setup.header), ("bottom", "footer", setup.footer)):
+    for side, kind, text in (("top", "header", ""), ("bottom", "footer", setup.footer)):
         # A page's margin ends at its header where it has one.
         margins += f' fo:margin-{side}="{MARGIN_HEADER if text else MARGIN_END}in"'
         inner = "bottom" if side == "top" else "top"
@@ -150,14 +150,14 @@ def _layout(number: int, setup: PrintSetup) -> str:
 def _master(number: int, setup: PrintSetup) -> str:
     return (
         f'<style:master-page style:name="Page{number}" style:page-layout-name="pm{number}">'
-        f"{_header('header', setup.header)}{_header('footer', setup.footer)}</style:master-page>"
+        f'<style:header style:display="false"/>{_footer(setup.footer)}</style:master-page>'
     )
 
 
-def _header(kind: str, text: str) -> str:
-    """A header or footer from Excel's codes: &L &C &R begin the parts, &P &N &A &F &D are fields."""
+def _footer(text: str) -> str:
+    """A footer from Excel's codes: &L &C &R begin the parts, &P &N &A &F &D are fields."""
     if not text:
-        return f'<style:{kind} style:display="false"/>'
+        return '<style:footer style:display="false"/>'
     parts = {"left": "", "center": "", "right": ""}
     side = "center"
     for code, plain in re.findall(r"&(.)|([^&]+)", text):
@@ -168,4 +168,4 @@ def _header(kind: str, text: str) -> str:
     regions = "".join(
         f"<style:region-{side}><text:p>{body}</text:p></style:region-{side}>" for side, body in parts.items() if body
     )
-    return f"<style:{kind}>{regions}</style:{kind}>"
+    return f"<style:footer>{regions}</style:footer>"

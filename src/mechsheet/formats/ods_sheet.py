@@ -12,7 +12,7 @@ from .looks import COLUMN_PIXELS, DIGIT_PIXELS, NOTE_PIXELS, PADDING_PIXELS, not
 from .ods_cells import Extras, TableRows
 from .ods_charts import chart_ranges
 from .ods_styles import OdsStyles
-from .ods_text import address, area_address, paragraphs, points, sheet_name
+from .ods_text import address, area_address, paragraphs, points
 from .xml_text import attribute, escaped
 
 _ALL_COLUMNS = 1024
@@ -21,7 +21,7 @@ _COMPONENTS = {"scroll": "ScrollBar", "spin": "SpinButton"}
 
 
 def cell_extras(sheet: Sheet, author: str, objects: dict[int, str], first_control: int) -> Extras:
-    """The notes, charts, controls and links of a sheet.
+    """The notes, charts and controls of a sheet.
 
     objects        the folder of each chart's document, by its place in `sheet.charts`
     first_control  number of the sheet's first control in the document
@@ -29,8 +29,6 @@ def cell_extras(sheet: Sheet, author: str, objects: dict[int, str], first_contro
     extras = Extras()
     for comment in sheet.comments:
         extras.notes[comment.row, comment.col] = _note(comment, author)
-    for link in sheet.links:
-        extras.links[link.row, link.col] = _target(link.target)
     depth = 0
     for i, chart in enumerate(sheet.charts):
         place = (chart.anchor.row, chart.anchor.col)
@@ -104,14 +102,6 @@ def _note(comment: Comment, author: str) -> str:
         f' svg:height="{points(note_height(comment.text))}"><dc:creator>{escaped(author)}</dc:creator>'
         f"<dc:date>{FIXED_TIME:%Y-%m-%dT%H:%M:%S}</dc:date>{paragraphs(comment.text)}</office:annotation>"
     )
-
-
-def _target(target: str) -> str:
-    if "://" in target or target.startswith("mailto:"):
-        return target
-    title, _, cell = target.rpartition("!")
-    title = title[1:-1].replace("''", "'") if title.startswith("'") else title
-    return f"#{sheet_name(title)}.{cell}" if title else f"#{cell}"
 
 
 def _frame(chart: Chart, folder: str, depth: int) -> str:

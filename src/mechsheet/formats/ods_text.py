@@ -96,22 +96,15 @@ def result_attributes(value: float | str | bool | ErrorValue) -> str:
     return f'{attributes} office:string-value="{attribute(value)}" calcext:value-type="string"'
 
 
-def paragraphs(content: str | Rich, link: str = "") -> str:
-    """A text as <text:p> elements, a line each; runs of rich text as spans in the styles sub, super and italic.
-
-    link  what the text leads to
-    """
+def paragraphs(content: str | Rich) -> str:
+    """A text as <text:p> elements, a line each; runs of rich text as spans in the styles sub, super and italic."""
     if isinstance(content, str):
-        return "".join(f"<text:p>{_linked(_line(line), link)}</text:p>" for line in content.split("\n"))
+        return "".join(f"<text:p>{_line(line)}</text:p>" for line in content.split("\n"))
     spans = []
     for text, kind in content.parts:
         line = _line(text.replace("\n", " "))
         spans.append(f'<text:span text:style-name="{kind}">{line}</text:span>' if kind else line)
-    return f"<text:p>{_linked(''.join(spans), link)}</text:p>"
-
-
-def _linked(text: str, link: str) -> str:
-    return f'<text:a xlink:type="simple" xlink:href="{attribute(link)}">{text}</text:a>' if link else text
+    return f"<text:p>{''.join(spans)}</text:p>"
 
 
 def _line(text: str) -> str:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from xlsxwriter.url import Url
 from xlsxwriter.worksheet import Worksheet
 
 from mechsheet.formula.nodes import Node
-from mechsheet.formula.printer import print_formula, quote_sheet
+from mechsheet.formula.printer import print_formula
 from mechsheet.sheet.workbook import Anchor, Area, Control, PrintSetup, Sheet, Validation
 
 from .looks import MARGIN_END, MARGIN_SIDE, NOTE_PIXELS, TEXT_SIZE, note_height
@@ -97,8 +96,6 @@ def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str, auth
         page.conditional_format(area.first_row, area.first_col, area.last_row, area.last_col, rule)
     for comment in sheet.comments:
         page.write_comment(comment.row, comment.col, comment.text, _note_look(comment.text, author))
-    for link in sheet.links:
-        page.hyperlinks[link.row][link.col] = _url(link.target)
     for chart in sheet.charts:
         made = new_chart(chart, language)
         made.id = -1
@@ -112,7 +109,6 @@ def _view(page: DataWorksheet, sheet: Sheet) -> None:
     if sheet.freeze:
         page.freeze_panes(*sheet.freeze)
     page.set_selection(*sheet.selected, *sheet.selected)
-    page.set_zoom(sheet.zoom)
     if sheet.hidden:
         page.hide()
     # 1 hides them on paper, 2 also on the screen.
@@ -135,8 +131,6 @@ def _print_setup(page: DataWorksheet, setup: PrintSetup) -> None:
     if setup.area:
         area = setup.area
         page.print_area(area.first_row, area.first_col, area.last_row, area.last_col)
-    if setup.header:
-        page.set_header(legal(setup.header))
     if setup.footer:
         page.set_footer(legal(setup.footer))
 
@@ -184,15 +178,6 @@ def _short(text: str, length: int) -> str:
 
 def _note_look(text: str, author: str) -> dict[str, Any]:
     return {"author": author, "width": NOTE_PIXELS, "height": note_height(text), "font_size": TEXT_SIZE}
-
-
-def _url(target: str) -> Url:
-    if "://" in target or target.startswith("mailto:"):
-        return Url(legal(target))
-    sheet, _, cell = target.rpartition("!")
-    if sheet and not sheet.startswith("'"):
-        sheet = quote_sheet(sheet)
-    return Url(legal(f"internal:{sheet}!{cell}" if sheet else f"internal:{cell}"))
 
 
 def place_control(page: DataWorksheet, control: Control, value: int, number: int) -> PlacedControl:

@@ -328,12 +328,3 @@ class BookBuilder:
     def build(self) -> Book:
         """The book as filled so far."""
         return self._book
-
-
-def cells_of(book: Book) -> Iterable[tuple[str, int, int]]:
-    """(sheet, row, col) of every formula's cell, block by block."""
-    for sheet in book.sheets:
-        for block in sheet.blocks:
-            for row in range(block.row, block.row + block.rows):
-                for col in range(block.col, block.col + block.cols):
-                    yield sheet.title, row, col

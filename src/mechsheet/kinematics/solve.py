@@ -141,12 +141,12 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> tuple[Equat
         poses.settle_turns()
         groups.append(_group(index, dyad, solved, value, is_open))
     _outputs(mechanism, ledger)
-    given = [dim.symbol for dim in mechanism.dimensions]
+    inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
         tuple(groups),
-        tuple(symbol for symbol in (*given, mechanism.driver.symbol) if symbol in ledger.positive),
+        tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in ledger.positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
     )
     validate(result, (*dimensions, mechanism.driver.symbol))

@@ -93,15 +93,6 @@ class Area:
 
 
 @dataclass(frozen=True, slots=True)
-class Link:
-    """A link from a cell to another place in the workbook ("Positions!A1") or to an address on the web."""
-
-    row: int
-    col: int
-    target: str
-
-
-@dataclass(frozen=True, slots=True)
 class Comment:
     """A note that appears over a cell."""
 
@@ -259,7 +250,7 @@ class PrintSetup:
     """Paper and print range; A4. `fit_width` pages across (0: no fit), `fit_height` pages down (0: as many as needed).
 
     `repeat_rows`, `repeat_cols` (first, last) stand on every page; the columns are ones that `Sheet.columns` names.
-    `header`, `footer`: &L, &C, &R begin their parts, &P is the page, &N their count, &A the sheet, && an ampersand.
+    `footer`: &L, &C, &R begin its parts, &P is the page, &N their count, &A the sheet, && an ampersand.
     """
 
     landscape: bool = True
@@ -268,7 +259,6 @@ class PrintSetup:
     repeat_rows: tuple[int, int] | None = None
     repeat_cols: tuple[int, int] | None = None
     area: Area | None = None
-    header: str = ""
     footer: str = ""
 
 
@@ -287,10 +277,8 @@ class Sheet:
     validations: tuple[Validation, ...] = ()
     conditionals: tuple[Conditional, ...] = ()
     comments: tuple[Comment, ...] = ()
-    links: tuple[Link, ...] = ()
     freeze: tuple[int, int] | None = None
     selected: tuple[int, int] = (0, 0)
-    zoom: int = 100
     hidden: bool = False
     gridlines: bool = True
     tab_color: str = ""

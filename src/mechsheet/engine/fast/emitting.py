@@ -1,7 +1,7 @@
 """From lowered values to a Python function of numpy calls: no temporaries beyond a few reused buffers, no call twice.
 
 The function computes rows [i, j) of all blocks of a segment. It stops with `TroubleError`, or an error of arithmetic that
-numpy raises from the processor's flags, as soon as something is not plain numbers; then the careful evaluator does those
+numpy raises from the processor's flags, as soon as something is not plain numbers; then the interpreter does those
 rows.
 """
 
@@ -13,9 +13,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ..kernels.math import NEAR
 from ..layout import Layout
-from ..values import TEXT
+from ..values.cells import NEAR, TEXT
 from .helpers import HELPERS, TroubleError
 from .lowering import COLS, ROWS, Effect, Lowering, Value
 from .usage import Usage, roots
@@ -330,7 +329,7 @@ class _Emitter:
         self.namespace["item_of"] = HELPERS["item_of"]
         self.namespace["accumulate"] = np.add.accumulate
         self.line(f"accumulate({steps}, 0, None, {target})")
-        # A sum that cancels to almost nothing is snapped, and what follows starts from 0: the careful way does that.
+        # A sum that cancels to almost nothing is snapped, and what follows starts from 0: the interpreter does that.
         self.line(f"{self._function('absolute')}({target}, {steps})")
         limit = values.take()
         self.line(f"absolute({args[0]}, {limit})")

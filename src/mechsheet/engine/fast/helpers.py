@@ -1,4 +1,4 @@
-"""What the generated code calls beside numpy; `TroubleError` hands the rows to the careful evaluator."""
+"""What the generated code calls beside numpy; `TroubleError` hands the rows to the interpreter."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from ..coerce import compare_numbers
 from ..kernels.math import rounded
+from ..values.coerce import compare_numbers
 
 
 class TroubleError(Exception):
-    """Something is not a plain number: the careful evaluator must do these rows."""
+    """Something is not a plain number: the interpreter must do these rows."""
 
 
 def _pick(line: Any, place: Any) -> Any:

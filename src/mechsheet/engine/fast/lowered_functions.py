@@ -1,7 +1,7 @@
 """How the fast path says each function it knows: from (lowering, argument trees) to the number of a value.
 
 Everything here relies on what lowering relies on: that the cells read hold numbers. A function that is not in FUNCTIONS, or
-is used in a way that its entry refuses, is the careful evaluator's.
+is used in a way that its entry refuses, is the interpreter's.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 A *segment* is a set of blocks of the same height that can be computed row range by row range. Lowering assumes that every
 cell read holds a number and that nothing goes wrong; what could go wrong is either reported by the processor's flags or
-guarded by an effect. `UnsuitableError` sends a block to the careful evaluator for good.
+guarded by an effect. `UnsuitableError` sends a block to the interpreter for good.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from ...formula.nodes import (
     Text,
     Unary,
 )
-from ..coerce import compare_numbers
 from ..graph import area_read
-from ..kernels.math import NEAR
 from ..layout import Area, Band, Layout
-from ..recurrence import Held, RunningSum
+from ..values.cells import NEAR
+from ..values.coerce import compare_numbers
+from .recurrence import Held, RunningSum
 
 ROWS, COLS = 1, 2
 """Bits of a value's extent: it varies along the rows, along the columns, along both, or (0) not at all."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..layout import Layout
-from ..values import TEXT
+from ..values.cells import TEXT
 
 
 @dataclass(slots=True)

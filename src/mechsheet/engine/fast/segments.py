@@ -1,4 +1,4 @@
-"""Segments: blocks that are computed together, fast where everything is plain numbers, carefully where it is not."""
+"""Segments: blocks that are computed together, fast where everything is plain numbers, interpreted where it is not."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ...formula.nodes import Node
-from ..careful import Evaluator
-from ..frames import Frame
+from ..interpreter.evaluator import Evaluator
 from ..layout import Layout
-from ..recurrence import Held, RunningSum, compute
-from ..values import Cells, Codes
+from ..values.cells import Cells, Codes
+from ..values.frames import Frame
 from .emitting import CHUNK, Code, emit
 from .helpers import TroubleError
 from .lowering import Lowering, Reads, UnsuitableError
 from .marks import Marks
+from .recurrence import Held, RunningSum, compute
 
 Buffers: TypeAlias = dict[str, Any]
 
@@ -49,7 +49,7 @@ class Member:
         self.block = layout.blocks[number]
 
     def run(self, ev: Evaluator, start: int, stop: int) -> Codes:
-        """Compute rows [start, stop) carefully; their codes."""
+        """Compute rows [start, stop) by the interpreter; their codes."""
         block = self.block
         sheet = self.layout.block_sheets[self.number]
         frame = Frame(sheet, block.row + start, block.col, stop - start, block.cols, start)
@@ -117,12 +117,12 @@ class Segment:
         self._runs += 1
         # Making the code costs some milliseconds: worth it for long columns, or when the plan is used again.
         worth = (self._runs > 1 or worth_at_once(self.rows, self.cols)) and _flags_work()
-        marks.texts |= self.texts  # what a careful chunk finds may take them out again
+        marks.texts |= self.texts  # what an interpreted chunk finds may take them out again
         marks.dirty |= self.texts
         if self.lowering is not None and self.lowering.reads.top + self.lowering.reads.bottom > 0:
             worth &= self.rows > _PIECE  # the rows at the ends cost as much as all of them
         if not worth or self.lowering is None or not self._as_expected(self.lowering.reads, marks):
-            self._carefully(ev, marks, 0, self.rows)
+            self._interpreted(ev, marks, 0, self.rows)
             return
         if self._code is None:
             self._code, _, self._counts = emit(self.lowering, self.layout)
@@ -130,21 +130,21 @@ class Segment:
         reads = self.lowering.reads
         first, last = min(reads.top, self.rows), max(reads.top, self.rows - reads.bottom)
         if first:
-            self._carefully(ev, marks, 0, first)
+            self._interpreted(ev, marks, 0, first)
         for start in range(first, last, self.chunk):
             stop = min(start + self.chunk, last)
             if self._suspect(marks) or not self._fast(ev, buffers, start, stop):
                 for part in range(start, stop, self.part):
                     self._chunk(ev, marks, buffers, part, min(part + self.part, stop))
         if last < self.rows:
-            self._carefully(ev, marks, last, self.rows)
+            self._interpreted(ev, marks, last, self.rows)
         self._buffers.append(buffers)
 
     def _chunk(self, ev: Evaluator, marks: Marks, buffers: Buffers, start: int, stop: int) -> None:
-        """Rows [start, stop): fast as far as everything is plain, carefully where it is not, in order from the top.
+        """Rows [start, stop): fast as far as everything is plain, interpreted where it is not, in order from the top.
 
         Where the code stops, the rows are tried again in smaller pieces, so that a few bad ones cost little; after
-        three failures the rest is done carefully, so that many cost little more than that.
+        three failures the rest is interpreted, so that many cost little more than that.
         """
         step, failures = stop - start, 0
         while start < stop:
@@ -159,7 +159,7 @@ class Segment:
                     continue
                 plain = False
             if not plain:
-                self._carefully(ev, marks, start, end)
+                self._interpreted(ev, marks, start, end)
             start = end
 
     def _fast(self, ev: Evaluator, buffers: Buffers, start: int, stop: int) -> bool:
@@ -200,7 +200,7 @@ class Segment:
         columns = self.lowering.reads.columns if self.lowering is not None else {}
         return [place for place, producers in columns.items() if not producers.isdisjoint(marks.dirty)]
 
-    def _carefully(self, ev: Evaluator, marks: Marks, start: int, stop: int) -> None:
+    def _interpreted(self, ev: Evaluator, marks: Marks, start: int, stop: int) -> None:
         for member in self.members:
             marks.note(member.number, member.run(ev, start, stop))
 

@@ -8,8 +8,8 @@ from functools import cmp_to_key
 from typing import Any
 
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
-from ..calling import Problem, to_number, to_truth
-from ..values import error_code
+from ..values.calling import Problem, to_number, to_truth
+from ..values.cells import error_code
 
 Grid = list[list[Scalar]]
 NA = ErrorValue("#N/A")

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, Missing, Node, RangeRef
-from ..calling import table_of
-from ..criteria import Test, criterion
-from ..frames import ArrayArgumentError, Frame
-from ..values import BLANK, DIV0, ERROR, NUM, NUMBER, VALUE, Cells, codes_of, error
+from ..texts.criteria import Test, criterion
+from ..values.calling import table_of
+from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, VALUE, Cells, codes_of, error
+from ..values.frames import ArrayArgumentError, Frame
 from .fold import greatest, least, total
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 _BLANK_CELL = Cells(np.zeros((1, 1)), np.full((1, 1), BLANK, np.uint8))

@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Missing, Node, Scalar
-from ..calling import Problem, table_of, to_number
-from ..coerce import to_text
-from ..criteria import criterion
-from ..frames import Frame, VaryingSizeError
-from ..values import BLANK, ERROR, NUMBER, VALUE, Cells, Texts, error, error_code
+from ..texts.criteria import criterion
+from ..values.calling import Problem, table_of, to_number
+from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, Texts, error, error_code
+from ..values.coerce import to_text
+from ..values.frames import Frame, VaryingSizeError
 from .fold import count, folded, greatest, least, mean, product, total
 from .statistics import SPREADS
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 

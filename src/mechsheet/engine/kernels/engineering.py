@@ -8,9 +8,9 @@ from collections.abc import Callable
 from typing import Any
 
 from ...formula.nodes import Scalar
-from ..calling import Problem, to_number
-from ..coerce import to_text
-from ..units import PREFIXES, TEMPERATURES, power_of_ten, unit
+from ..values.calling import Problem, to_number
+from ..values.coerce import to_text
+from .units import PREFIXES, TEMPERATURES, power_of_ten, unit
 
 _MOST_BITS = 2**48
 

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ...formula.nodes import ArrayLiteral, Binary, CellRef, Node, RangeRef
-from ..coerce import numbers_of
-from ..frames import Frame
-from ..values import (
+from ...formula.nodes import Binary, Node, RangeRef
+from ..values.calling import is_reference
+from ..values.cells import (
     BLANK,
     DIV0,
     ERROR,
@@ -27,10 +26,12 @@ from ..values import (
     finished,
     first_error,
 )
+from ..values.coerce import numbers_of
+from ..values.frames import Frame
 from .logic import _first_of, _flat
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 
@@ -44,11 +45,6 @@ class Gathered(NamedTuple):
     numbers: Any
     counts: Any
     errors: Any
-
-
-def is_reference(node: Node) -> bool:
-    """Whether values come out of cells (or an array), where texts and truth values do not count."""
-    return isinstance(node, CellRef | RangeRef | ArrayLiteral)
 
 
 def united(args: Args) -> list[Node]:

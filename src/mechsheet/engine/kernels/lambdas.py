@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import CellRef, Local, Missing, Node, RangeRef
-from ..closures import Bound, Closure
-from ..coerce import numbers_of
-from ..frames import Frame, Span, VaryingSizeError
+from ..interpreter.closures import Bound, Closure
+from ..interpreter.regions import gives_region, regions
 from ..layout import Area
-from ..regions import gives_region, regions
-from ..values import CALC, NA, VALUE, Cells, boolean, codes_of, error
+from ..values.cells import CALC, NA, VALUE, Cells, boolean, codes_of, error
+from ..values.coerce import numbers_of
+from ..values.frames import Frame, Span, VaryingSizeError
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 _MOST = 1 << 22

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..calling import Problem
-from ..values import Cells, Numbers
+from ..values.calling import Problem
+from ..values.cells import Cells, Numbers
 
 
 def _square(matrix: Numbers) -> None:

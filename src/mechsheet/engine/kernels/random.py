@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Missing, Node
-from ..coerce import numbers_of, truths_of
-from ..frames import Frame, VaryingSizeError
-from ..values import NUM, VALUE, Cells, error, finished, first_error
+from ..values.cells import NUM, VALUE, Cells, error, finished, first_error
+from ..values.coerce import numbers_of, truths_of
+from ..values.frames import Frame, VaryingSizeError
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 _GENERATOR = np.random.default_rng(1900)

@@ -11,14 +11,14 @@ from ...diagnostics import FormulaError
 from ...formula.nodes import Call, CellRef, Node, RangeRef, shifted
 from ...formula.printer import print_formula, quote_sheet
 from ...formula.references import column_letters
-from ..coerce import text_of
-from ..frames import Frame, Span, UnsupportedError, VaryingSizeError
+from ..interpreter.regions import gives_region, regions
 from ..layout import Area
-from ..regions import gives_region, regions
-from ..values import BLANK, NA, REF, TEXT, VALUE, Cells, boolean, codes_of, error
+from ..values.cells import BLANK, NA, REF, TEXT, VALUE, Cells, boolean, codes_of, error
+from ..values.coerce import text_of
+from ..values.frames import Frame, Span, UnsupportedError, VaryingSizeError
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 

@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..calling import Problem, to_truth
-from ..values import NA, NUM, Cells, Numbers
-from .numbers import paired
+from ..values.calling import Problem, to_truth
+from ..values.cells import NA, NUM, Cells, Numbers
+from .math import paired
 
 _DEPENDENT = 1e-11
 """A column whose part that the columns before it cannot explain is smaller than this share of it depends on them."""
@@ -145,26 +145,16 @@ def fitted(y: Numbers, x: Numbers, with_constant: bool) -> Fit:
 
 
 def _orthogonal(columns: Numbers, original: Numbers) -> tuple[list[int], Numbers, Numbers]:
-    """(the columns kept, an orthonormal basis of them, the triangle that makes them from it), twice orthogonalised."""
-    kept: list[int] = []
-    basis = np.zeros((len(columns), 0))
-    rows: list[Numbers] = []
-    for place in range(columns.shape[1]):
-        column = columns[:, place]
-        first = basis.T @ column
-        rest = column - basis @ first
-        second = basis.T @ rest
-        rest = rest - basis @ second
-        size = float(np.linalg.norm(rest))
-        if size <= _DEPENDENT * float(np.linalg.norm(original[:, place])):
-            continue
-        kept.append(place)
-        rows.append(np.append(first + second, size))
-        basis = np.column_stack([basis, rest / size])
-    triangle = np.zeros((len(kept), len(kept)))
-    for place, row in enumerate(rows):
-        triangle[: len(row), place] = row
-    return kept, basis, triangle
+    """(the columns kept, an orthonormal basis of them, the triangle that makes them from it)."""
+    kept = list(range(columns.shape[1]))
+    while True:
+        basis, triangle = np.linalg.qr(columns[:, kept])
+        size = np.zeros(len(kept))
+        size[: len(triangle)] = np.abs(np.diagonal(triangle))
+        dependent = np.flatnonzero(size <= _DEPENDENT * np.linalg.norm(original[:, kept], axis=0))
+        if not len(dependent):
+            return kept, basis, triangle
+        del kept[dependent[0]]  # those after it are measured anew, without it
 
 
 def _checked(known_y: Numbers, known_x: Numbers | None, logarithmic: bool) -> tuple[Numbers, Numbers, bool]:

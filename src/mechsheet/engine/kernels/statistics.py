@@ -9,16 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Node
-from ..calling import Problem, raise_first
-from ..coerce import numbers_of
-from ..frames import Frame
-from ..values import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Numbers, codes_of
-from .distributions import need
-from .fold import count, fold, folded, is_reference, total, united
+from ..values.calling import Problem, is_reference, need, raise_first
+from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Numbers, codes_of
+from ..values.coerce import numbers_of
+from ..values.frames import Frame
+from .fold import count, fold, folded, total, united
 from .logic import _first_of, _flat
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 

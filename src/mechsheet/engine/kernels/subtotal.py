@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Call, Node, walk
-from ..calling import Problem, table_of
-from ..coerce import numbers_of
-from ..frames import ArrayArgumentError, Frame, VaryingSizeError
 from ..layout import Area
-from ..values import BLANK, ERROR, NUMBER, VALUE, Cells, error, error_code, finished
+from ..values.calling import Problem, table_of
+from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, error, error_code, finished
+from ..values.coerce import numbers_of
+from ..values.frames import ArrayArgumentError, Frame, VaryingSizeError
 from .fold import folded, greatest, least, mean, median, product, ranked, total, united
 from .statistics import MODES, SPREADS, percentile, quartile
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 

@@ -1,7 +1,8 @@
 """The array code of every function in `formula/functions.txt`; each module of kernels is loaded when a formula needs it.
 
-A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `careful.py` for the words. A module may
-hold three tables: KERNELS; MAPS, functions of numbers over arrays; PLAIN, functions of Python values (`calling.py`).
+A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `interpreter/evaluator.py` for the words. A
+module may hold three tables: KERNELS; MAPS, functions of numbers and truth values over arrays; PLAIN, functions of Python
+values (`values/calling.py`).
 """
 
 from __future__ import annotations
@@ -14,12 +15,13 @@ import numpy as np
 
 from ...formula.functions import FUNCTIONS, Function
 from ...formula.nodes import Missing, Node
-from ..calling import called
-from ..frames import Frame
-from ..values import BOOLEAN, VALUE, Cells
+from ..values.calling import called
+from ..values.cells import BOOLEAN, VALUE, Cells
+from ..values.coerce import truths_of
+from ..values.frames import Frame
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Kernel: TypeAlias = Callable[["Evaluator", tuple[Node, ...], "Frame", bool], Cells]
 
@@ -32,14 +34,17 @@ def _without_flags(cells: Cells) -> Cells:
 
 
 def _mapped(row: Function, function: Callable[..., Any]) -> Kernel:
-    """A function of numbers, cell by cell; an argument left empty is 0."""
-    strict = "p" in row.kinds
+    """A function of numbers and truth values (1 and 0), cell by cell; an argument left empty is 0."""
 
     def kernel(ev: Evaluator, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
-        cells = tuple(
-            Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread) for arg in args
-        )
-        return ev.mapped(function, tuple(map(_without_flags, cells)) if strict else cells)
+        cells = [Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread) for arg in args]
+        for place, kind in enumerate(row.kinds_of(len(args))):
+            if kind == "p":
+                cells[place] = _without_flags(cells[place])
+            elif kind == "b":
+                mask, errors = truths_of(cells[place], ev.texts)
+                cells[place] = Cells(np.asarray(mask, np.float64), errors)
+        return ev.mapped(function, tuple(cells))
 
     return kernel
 

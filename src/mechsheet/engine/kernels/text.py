@@ -1,23 +1,29 @@
-"""Functions of texts, scalar by scalar."""
+"""Functions of texts: characters, searching and replacing, joining and splitting, texts that show numbers."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from decimal import ROUND_HALF_UP, Decimal
 from typing import TYPE_CHECKING, Any
+from urllib.parse import quote
 
 import numpy as np
 
-from ...formula.nodes import ErrorValue, Missing, Node, Scalar
-from ..calling import EPOCHS
-from ..coerce import each, text_to_number, to_text
-from ..frames import Frame
-from ..number_formats import WIDE, formatted
-from ..values import BLANK, Cells, codes_of
+from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Missing, Node, Scalar
+from ...formula.printer import quote_sheet
+from ...formula.references import column_letters
+from ..texts.expressions import expression
+from ..texts.number_formats import WIDE, formatted
+from ..texts.wildcards import pattern_of
+from ..values.calling import EPOCHS, Problem, to_number
+from ..values.cells import BLANK, Cells, codes_of
+from ..values.coerce import each, text_to_number, to_text
+from ..values.frames import Frame
 
 if TYPE_CHECKING:
-    from ..careful import Evaluator
+    from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
 VALUE = ErrorValue("#VALUE!")
@@ -129,6 +135,309 @@ def concat(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return each(lambda *values: "".join(map(to_text, values)), tuple(parts), ev.texts)
 
 
+# --- characters, searching, replacing, joining, splitting ------------------------------------------------------------
+
+
+MOST_CHARACTERS = 32767
+"""As many characters as a cell can hold."""
+
+
+def character(number: float) -> str:
+    """CHAR: of the code page 1252, as Excel for Windows has it."""
+    code = math.trunc(number)
+    if not 1 <= code <= 255:
+        raise Problem("#VALUE!")
+    return bytes([code]).decode("cp1252", errors="replace").replace("\ufffd", chr(code))
+
+
+def code(text: str) -> float:
+    """CODE of the first character; 63 (?) for those outside the code page."""
+    if not text:
+        raise Problem("#VALUE!")
+    if 0x80 <= ord(text[0]) < 0xA0:
+        return float(ord(text[0]))
+    return float(text[0].encode("cp1252", errors="replace")[0])
+
+
+def unicode_character(number: float) -> str:
+    """UNICHAR."""
+    point = math.trunc(number)
+    if not 1 <= point <= 0x10FFFF:
+        raise Problem("#VALUE!")
+    if 0xD800 <= point <= 0xDFFF or point in (0xFFFE, 0xFFFF):
+        raise Problem("#N/A")
+    return chr(point)
+
+
+def code_point(text: str) -> float:
+    """UNICODE."""
+    if not text:
+        raise Problem("#VALUE!")
+    return float(ord(text[0]))
+
+
+def proper(text: str) -> str:
+    """PROPER: capitals after everything that is no letter."""
+    out, after_letter = "", False
+    for letter in text:
+        out += letter.lower() if after_letter else letter.upper()
+        after_letter = letter.isalpha()
+    return out
+
+
+# --- searching -------------------------------------------------------------------------------------------------------
+
+
+def _start(within: str, start: float) -> int:
+    place = math.trunc(start) - 1
+    if not 0 <= place < max(len(within), 1):
+        raise Problem("#VALUE!")
+    return place
+
+
+def find(wanted: str, within: str, start: float = 1.0) -> float:
+    """FIND: case counts."""
+    place = within.find(wanted, _start(within, start))
+    if place < 0:
+        raise Problem("#VALUE!")
+    return place + 1.0
+
+
+def search(wanted: str, within: str, start: float = 1.0) -> float:
+    """SEARCH: without regard to case, with wildcards."""
+    place = pattern_of(wanted).search(within, _start(within, start))
+    if place < 0:
+        raise Problem("#VALUE!")
+    return place + 1.0
+
+
+def substitute(text: str, old: str, new: str, instance: float | None = None) -> str:
+    """SUBSTITUTE: every occurrence, or one of them."""
+    which = 1 if instance is None else math.trunc(instance)
+    if which < 1:
+        raise Problem("#VALUE!")
+    if not old:
+        return text
+    if instance is None:
+        return _fits(text.replace(old, new))
+    place = -1
+    begin = 0
+    for _ in range(which):
+        place = text.find(old, begin)
+        if place < 0:
+            return text
+        begin = place + len(old)
+    return _fits(text[:place] + new + text[place + len(old) :])
+
+
+def replace(text: str, start: float, many: float, new: str) -> str:
+    """REPLACE: so many characters from a place on."""
+    first, count = math.trunc(start), math.trunc(many)
+    if first < 1 or count < 0:
+        raise Problem("#VALUE!")
+    return _fits(text[: first - 1] + new + text[first - 1 + count :])
+
+
+def _fits(text: str) -> str:
+    if len(text) > MOST_CHARACTERS:
+        raise Problem("#VALUE!")
+    return text
+
+
+# --- regular expressions ---------------------------------------------------------------------------------------------
+
+
+def regex_extract(text: str, pattern: str, mode: float = 0.0, ignore_case: float = 0.0) -> Any:
+    """REGEXEXTRACT: the first match (0), all matches in a row (1), the groups of the first one in a row (2)."""
+    matches = list(expression(pattern, text, ignore_case).finditer(text))
+    if not matches:
+        raise Problem("#N/A")
+    if mode == 0:
+        return matches[0].group()
+    if mode == 1:
+        return [[match.group() for match in matches]]
+    if mode != 2 or not matches[0].groups():
+        raise Problem("#VALUE!" if mode != 2 else "#N/A")
+    return [[group or "" for group in matches[0].groups()]]
+
+
+def regex_replace(text: str, pattern: str, new: str, which: float = 0.0, ignore_case: float = 0.0) -> str:
+    """REGEXREPLACE: all matches (0), one of them from the front, or from the end; $1 stands for a group."""
+    matches = list(expression(pattern, text, ignore_case).finditer(text))
+    place = math.trunc(which)
+    chosen = matches if place == 0 else matches[place - 1 : place] if place > 0 else matches[place : place + 1 or None]
+    out, end = "", 0
+    for match in chosen:
+        shown = re.sub(r"\$(\d+)", lambda found, match=match: match.group(int(found[1])) or "", new)  # type: ignore[misc]
+        out, end = out + text[end : match.start()] + shown, match.end()
+    return _fits(out + text[end:])
+
+
+# --- joining and splitting -------------------------------------------------------------------------------------------
+
+
+def _texts(values: list[Scalar] | None) -> list[str]:
+    found = []
+    for value in values or [None]:
+        if isinstance(value, ErrorValue):
+            raise Problem(value.code)
+        found.append(to_text(value))
+    return found
+
+
+def text_join(delimiters: list[Scalar] | None, skip_empty: Any, *lists: list[Scalar]) -> str:
+    """TEXTJOIN: with one delimiter, or several in turn."""
+    between = _texts(delimiters)
+    parts = [part for values in lists for part in _texts(values) if part or not skip_empty]
+    out = ""
+    for place, part in enumerate(parts):
+        out += (between[(place - 1) % len(between)] if place else "") + part
+    if len(out) > MOST_CHARACTERS:
+        raise Problem("#CALC!")
+    return out
+
+
+def _any_of(delimiters: list[Scalar] | None, ignore_case: Any) -> re.Pattern[str]:
+    words = sorted(_texts(delimiters), key=len, reverse=True)
+    return re.compile("|".join(map(re.escape, words)), re.IGNORECASE if ignore_case else 0)
+
+
+def _divided(before: bool) -> Callable[..., Scalar]:
+    """TEXTBEFORE and TEXTAFTER."""
+
+    def of(
+        text: str,
+        delimiters: list[Scalar] | None,
+        instance: float = 1.0,
+        mode: float = 0.0,
+        end: float = 0.0,
+        otherwise: Scalar = ErrorValue("#N/A"),  # noqa: B008 - an immutable value
+    ) -> Scalar:
+        which = math.floor(instance)
+        if mode not in (0, 1) or end not in (0, 1):
+            raise Problem("#VALUE!")
+        if which == 0 or abs(which) > len(text) > 0:
+            raise Problem("#VALUE!")
+        if all(len(word) > len(text) for word in _texts(delimiters)):
+            raise Problem("#VALUE!")
+        pattern = _any_of(delimiters, mode)
+        if pattern.fullmatch("") and "" in _texts(delimiters):
+            return "" if before == (which > 0) else text
+        places = [match.span() for match in pattern.finditer(text)]
+        if end:
+            places = [*places, (len(text), len(text))] if which > 0 else [(0, 0), *places]
+        index = which - 1 if which > 0 else len(places) + which
+        if not 0 <= index < len(places):
+            return otherwise
+        return text[: places[index][0]] if before else text[places[index][1] :]
+
+    return of
+
+
+def text_split(
+    text: str,
+    columns: list[Scalar] | None = None,
+    rows: list[Scalar] | None = None,
+    skip_empty: bool = False,
+    mode: float = 0.0,
+    pad: Scalar = ErrorValue("#N/A"),  # noqa: B008 - an immutable value
+) -> list[list[Scalar]]:
+    """TEXTSPLIT: into columns, and into rows; rows that are too short are padded."""
+    if (columns is None and rows is None) or any("" in _texts(part) for part in (columns, rows) if part is not None):
+        raise Problem("#VALUE!")
+    lines = [text] if rows is None else _any_of(rows, mode).split(text)
+    table: list[list[Scalar]] = []
+    for line in lines:
+        if skip_empty and not line:
+            continue
+        parts = [line] if columns is None else _any_of(columns, mode).split(line)
+        table.append([part for part in parts if part or not skip_empty])
+    width = max((len(row) for row in table), default=0)
+    if not width:
+        raise Problem("#CALC!")
+    return [row + [pad] * (width - len(row)) for row in table]
+
+
+def _shown(value: Scalar, strict: bool) -> str:
+    if isinstance(value, str) and strict:
+        return '"' + value.replace('"', '""') + '"'
+    return value.code if isinstance(value, ErrorValue) else to_text(value)
+
+
+def _style(style: float) -> bool:
+    if math.trunc(style) not in (0, 1):
+        raise Problem("#VALUE!")
+    return math.trunc(style) == 1
+
+
+def array_to_text(rows: list[list[Scalar]], style: float = 0.0) -> str:
+    """ARRAYTOTEXT: concise (0) or as an array is written (1)."""
+    strict = _style(style)
+    if not strict:
+        return ", ".join(_shown(value, False) for row in rows for value in row)
+    return "{" + ";".join(",".join(_shown(value, True) for value in row) for row in rows) + "}"
+
+
+def address(row: float, col: float, kind: float = 1.0, a1: bool = True, sheet: Scalar = None) -> str:
+    """ADDRESS: 1 $A$1, 2 A$1, 3 $A1, 4 A1; or in R1C1 form."""
+    down, right, which = math.trunc(row), math.trunc(col), math.trunc(kind)
+    if not (1 <= down <= MAX_ROWS and 1 <= right <= MAX_COLUMNS and which in (1, 2, 3, 4)):
+        raise Problem("#VALUE!")
+    row_fixed, col_fixed = which in (1, 2), which in (1, 3)
+    if a1:
+        cell = f"{'$' * col_fixed}{column_letters(right - 1)}{'$' * row_fixed}{down}"
+    else:
+        cell = f"R{down if row_fixed else f'[{down}]'}C{right if col_fixed else f'[{right}]'}"
+    return cell if sheet is None else f"{quote_sheet(to_text(sheet)) if sheet != '' else ''}!{cell}"
+
+
+def _left(text: str, many: float = 1.0) -> str:
+    return _mid(text, 1.0, many)
+
+
+def _right(text: str, many: float = 1.0) -> str:
+    return text[max(0, len(text) - math.trunc(many)) :] if many >= 0 else _mid(text, 1.0, many)
+
+
+def _mid(text: str, first: float, many: float) -> str:
+    """MIDB: as MID, where every character is one byte."""
+    if first < 1 or many < 0:
+        raise Problem("#VALUE!")
+    return text[math.trunc(first) - 1 : math.trunc(first) - 1 + math.trunc(many)]
+
+
+# --- texts that show numbers -----------------------------------------------------------------------------------------
+
+
+def number_value(text: str, decimal: str = ".", group: str = ",") -> float:
+    """NUMBERVALUE: with the signs for decimals and groups given."""
+    if not decimal or not group:
+        raise Problem("#VALUE!")
+    point, comma = decimal[0], group[0]
+    body = re.sub(r"\s", "", text)
+    percents = len(body) - len(body.rstrip("%"))
+    body = body.rstrip("%")
+    whole, sign, rest = body.partition(point)
+    if point in rest or comma in rest:
+        raise Problem("#VALUE!")
+    plain = whole.replace(comma, "") + ("." + rest if sign else "")
+    if not plain:
+        return 0.0
+    return to_number(plain) / 100.0**percents
+
+
+def dollar(number: float, decimals: float = 2.0) -> str:
+    """DOLLAR."""
+    places = math.trunc(decimals)
+    if places > 127:
+        raise Problem("#VALUE!")
+    if places < 0:
+        scale = Decimal(10) ** -places
+        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
+    body = "$#,##0" + ("." + "0" * places if places > 0 else "")
+    return formatted(number, f"{body};({body})") or ""
+
+
 KERNELS: dict[str, Any] = {
     "TEXT": _text, "FIXED": _each(fixed), "VALUE": _each(value_), "CONCAT": concat,
     "CONCATENATE": _each(lambda *values: "".join(map(to_text, values))),
@@ -138,3 +447,37 @@ KERNELS: dict[str, Any] = {
     "TRIM": _each(lambda value: re.sub(" +", " ", to_text(value)).strip(" ")),
     "EXACT": _each(lambda a, b: to_text(a) == to_text(b)),
 }  # fmt: skip
+
+PLAIN: dict[str, Callable[..., Any]] = {
+    "LENB": lambda text: float(len(text)),
+    "LEFTB": _left,
+    "RIGHTB": _right,
+    "MIDB": _mid,
+    "FINDB": find,
+    "SEARCHB": search,
+    "REPLACEB": replace,
+    "CHAR": character,
+    "CODE": code,
+    "UNICHAR": unicode_character,
+    "UNICODE": code_point,
+    "CLEAN": lambda text: "".join(letter for letter in text if ord(letter) > 31),
+    "PROPER": proper,
+    "FIND": find,
+    "SEARCH": search,
+    "SUBSTITUTE": substitute,
+    "REPLACE": replace,
+    "REGEXTEST": lambda text, pattern, ignore_case=0.0: expression(pattern, text, ignore_case).search(text) is not None,
+    "REGEXEXTRACT": regex_extract,
+    "REGEXREPLACE": regex_replace,
+    "TEXTJOIN": text_join,
+    "TEXTBEFORE": _divided(True),
+    "TEXTAFTER": _divided(False),
+    "TEXTSPLIT": text_split,
+    "VALUETOTEXT": lambda value, style=0.0: _shown(value, _style(style)),
+    "ARRAYTOTEXT": array_to_text,
+    "ADDRESS": address,
+    "HYPERLINK": lambda link, *shown: (0.0 if shown[0] is None else shown[0]) if shown else link,
+    "NUMBERVALUE": number_value,
+    "DOLLAR": dollar,
+    "ENCODEURL": lambda text: quote(text, safe="-_.~"),
+}

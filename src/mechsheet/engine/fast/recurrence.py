@@ -1,0 +1,161 @@
+"""Columns that read their own previous row. Two kinds are computed as arrays: running sums and held values.
+
+    prev + f(row), f(row) + prev, prev - f(row)      -> a running sum
+    IF(condition(row), value(row), prev)             -> the last value that was taken, held (also with the branches swapped)
+
+where `prev` is the cell above, and f, condition and value read nothing of the column itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from ...formula.book import Block
+from ...formula.nodes import Binary, Call, CellRef, FunctionRef, Node, walk
+from ..graph import area_read, reads_anywhere, references
+from ..interpreter.evaluator import Evaluator
+from ..layout import Layout
+from ..values.cells import BLANK, NEAR, NUM, Cells, choose, codes_of
+from ..values.coerce import numbers_of, truths_of
+from ..values.frames import Frame, NotReadyError
+
+
+@dataclass(frozen=True, slots=True)
+class RunningSum:
+    """`prev` and `step`, joined by `op`; `step_first` when the formula says f + prev."""
+
+    op: Literal["+", "-"]
+    prev: CellRef
+    step: Node
+    step_first: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """`value` where `condition` is `taken`, else `prev`."""
+
+    condition: Node
+    value: Node
+    prev: CellRef
+    taken: bool
+
+
+def recognise(layout: Layout, number: int, formula: Node) -> RunningSum | Held | None:
+    """What kind of recurrence a block is, None when it must be computed row by row."""
+    block = layout.blocks[number]
+    if block.cols > 1 or block.kind != "fill" or reads_anywhere(formula):
+        return None
+    if any(isinstance(part, FunctionRef) for part in walk(formula)):
+        return None
+    title = layout.titles[layout.block_sheets[number]]
+
+    def apart(node: Node) -> bool:
+        sheets = {name: index for index, name in enumerate(layout.titles)}
+        areas = (area_read(ref, block, sheets) for ref in references(node))
+        return all(area is None or number not in layout.producers(area) for area in areas)
+
+    match formula:
+        case Binary("+" | "-" as op, CellRef() as prev, step) if _is_above(prev, block, title) and apart(step):
+            return RunningSum("+" if op == "+" else "-", prev, step, False)
+        case Binary("+", step, CellRef() as prev) if _is_above(prev, block, title) and apart(step):
+            return RunningSum("+", prev, step, True)
+        case Call("IF", (condition, value, CellRef() as prev)) if _is_above(prev, block, title):
+            if apart(condition) and apart(value):
+                return Held(condition, value, prev, True)
+        case Call("IF", (condition, CellRef() as prev, value)) if _is_above(prev, block, title):
+            if apart(condition) and apart(value):
+                return Held(condition, value, prev, False)
+    return None
+
+
+def _is_above(ref: CellRef, block: Block, title: str) -> bool:
+    return ref.sheet == title and not ref.row_abs and ref.row == block.row - 1 and ref.col == block.col
+
+
+def compute(kind: RunningSum | Held, ev: Evaluator, frame: Frame) -> Cells:
+    """The cells of a frame of the column; the row above the frame has been computed."""
+    above = ev.value(kind.prev, frame.cell(0, 0))
+    with np.errstate(all="ignore"):
+        if isinstance(kind, RunningSum):
+            return _running_sum(kind, above, ev, frame)
+        return _held(kind, above, ev, frame)
+
+
+def _value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
+    """The value of a part of the formula; cell by cell where that is asked for, or where some cells cannot be computed."""
+    try:
+        return ev.value(node, frame)
+    except NotReadyError:
+        raise
+    except Exception:  # said of each cell that cannot be computed
+        return ev.cell_by_cell(lambda cell: ev.result(node, cell), frame)
+
+
+def _held(kind: Held, above: Cells, ev: Evaluator, frame: Frame) -> Cells:
+    mask, errors = truths_of(_value(ev, kind.condition, frame), ev.texts)
+    value = _value(ev, kind.value, frame)
+    if not kind.taken:
+        mask = ~mask
+    if errors is not None:
+        # An error is a value like any other here: the rows below hold it until the condition takes a new one.
+        mask = mask | (errors != 0)
+        value = choose(errors != 0, Cells(np.nan, errors), value)
+    rows = (frame.rows,)
+    numbers = np.concatenate(([float(above.numbers)], np.broadcast_to(value.numbers, rows)))
+    code = 0 if above.codes is None else int(above.codes)
+    codes = np.concatenate((np.array([code], np.uint8), np.broadcast_to(codes_of(value), rows)))
+    codes = np.where(codes == BLANK, np.uint8(0), codes)
+    last = np.maximum.accumulate(np.where(np.broadcast_to(mask, rows), np.arange(1, frame.rows + 1), 0))
+    found = codes[last]
+    return Cells(numbers[last], found if found.any() else None)
+
+
+def _running_sum(kind: RunningSum, above: Cells, ev: Evaluator, frame: Frame) -> Cells:
+    rows = (frame.rows,)
+    steps, step_errors = numbers_of(_value(ev, kind.step, frame), ev.texts)
+    start, start_error = numbers_of(above, ev.texts)
+    steps = np.broadcast_to(-steps if kind.op == "-" else steps, rows)
+    errors = np.zeros(rows, np.uint8) if step_errors is None else np.array(np.broadcast_to(step_errors, rows))
+    carried = 0 if start_error is None else int(start_error)
+    first = 0 if carried else _first_or_end(errors != 0)
+    numbers = np.full(rows, np.nan)
+    numbers[:first] = good = running(float(start), steps[:first], kind.step_first)
+    overflow = _first_or_end(~np.isfinite(good))
+    if overflow < first:
+        first = overflow
+        errors[first] = NUM
+    if first == frame.rows:
+        return Cells(numbers)
+    numbers[first:] = np.nan
+    if kind.step_first:  # each row's own error comes before the one it inherits
+        last = np.maximum.accumulate(np.where(errors != 0, np.arange(frame.rows), -1))
+        codes = np.where(last >= 0, errors[np.maximum(last, 0)], np.uint8(carried))
+    else:
+        codes = np.full(rows, carried or errors[first], np.uint8)
+    return Cells(numbers, np.where(np.arange(frame.rows) < first, np.uint8(0), codes).astype(np.uint8))
+
+
+def _first_or_end(mask: Any) -> int:
+    """Where a mask holds first, its length when it does not."""
+    return int(np.argmax(mask)) if mask.any() else len(mask)
+
+
+def running(start: float, steps: Any, step_first: bool) -> Any:
+    """start + steps[0], that + steps[1], …: added one after the other, each sum snapped as a cell's would be."""
+    result = np.empty(len(steps))
+    place = 0
+    while place < len(steps):
+        sums = np.add.accumulate(np.concatenate(([start], steps[place:])))
+        found = sums[1:]
+        left = steps[place:] if step_first else sums[:-1]
+        snaps = np.flatnonzero((np.abs(found) < np.minimum(NEAR * np.abs(left), 1)) & (found != 0))
+        end = int(snaps[0]) if len(snaps) else len(found)
+        result[place : place + end] = found[:end]
+        place += end
+        if place < len(steps):
+            result[place] = start = 0.0
+            place += 1
+    return result

@@ -1,0 +1,219 @@
+"""The values of a plan kept while inputs change: a change is noted at once, and computed when a value is asked for, no
+further than that value needs."""
+
+from __future__ import annotations
+
+from math import copysign
+
+import numpy as np
+
+from ..diagnostics import Fault
+from ..formula.nodes import Scalar
+from .interpreter.evaluator import Evaluator
+from .layout import Area
+from .plan import Plan
+from .results import Values
+from .values.cells import NUMBER, TEXT, Cells, Texts
+
+MOST_TEXTS = 1 << 20
+"""Texts that computed cells may leave behind before everything is computed anew without them."""
+
+_MOST_KNOWN = 4096
+"""Sets of steps whose order is remembered: a loop over a few inputs and outputs has a handful."""
+
+Cell = tuple[int, int, int]
+"""(sheet's index, row, column)"""
+
+
+class Live:
+    """One set of values of a plan.
+
+    After any number of `set` and `reset`, the values are those of `Plan.evaluate` with the same cells replaced, to the last
+    bit: the same steps have run in the same order, over the same kinds of values.
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.inputs: dict[Cell, Scalar] = {}
+        steps = plan.steps
+        self._step_of = {number: index for index, step in enumerate(steps) for number in step.producers}
+        self._reads = [set[int]().union(*(plan.reads[number] for number in step.producers)) for step in steps]
+        self._readers: dict[int, list[int]] = {}
+        for index, reads in enumerate(self._reads):
+            for producer in reads:
+                self._readers.setdefault(producer, []).append(index)
+        # Sets of steps are the bits of one number each.
+        self._depending: dict[int, int] = {}
+        self._needed: dict[Area, int] = {}
+        self._orders: dict[int, tuple[int, ...]] = {}
+        self._start()
+
+    def _start(self) -> None:
+        """New arrays with the inputs as they are, and nothing computed yet."""
+        layout = self.plan.layout
+        self.numbers, self.codes = layout.filled()
+        self.texts = Texts(layout.texts)
+        self._marks = self.plan.marks.copy()
+        self._set_codes: dict[int, dict[Cell, int]] = {}
+        self._evaluator = Evaluator(layout, self.numbers, self.codes, self.texts, self.plan.environment())
+        self._settled: Values | None = None
+        self._most_texts = len(self.texts) + MOST_TEXTS
+        self._stale = (1 << len(self.plan.steps)) - 1
+        self._remarks: dict[int, tuple[Fault, ...]] = {}
+        for cell, value in self.inputs.items():
+            self._enter(cell, value)
+
+    # inputs
+
+    def holds_constant(self, cell: Cell) -> bool:
+        """Whether a cell can be set: it holds a constant, neither a formula nor nothing."""
+        return self._constant(cell) >= len(self.plan.layout.blocks)
+
+    def set(self, cell: Cell, value: Scalar) -> None:
+        """Put a value into a cell that holds a constant; None empties it."""
+        self.inputs[cell] = value
+        self._enter(cell, value)
+
+    def _enter(self, cell: Cell, value: Scalar) -> None:
+        producer = self._constant(cell)
+        number, code = self.texts.encode(value)
+        self._set_codes.setdefault(producer, {})[cell] = code
+        self._put(cell, producer, number, code)
+
+    def reset(self, cell: Cell) -> None:
+        """Give a cell the value back that it has in the book."""
+        if cell not in self.inputs:
+            return
+        del self.inputs[cell]
+        producer = self._constant(cell)
+        del self._set_codes[producer][cell]
+        run = self.plan.layout.constants[producer - len(self.plan.layout.blocks)]
+        down = cell[1] - run.row
+        self._put(cell, producer, float(run.numbers[down]), NUMBER if run.codes is None else int(run.codes[down]))
+
+    def _constant(self, cell: Cell) -> int:
+        """The number of the producer that fills a cell, -1 for an empty cell."""
+        if self.plan.layout.place(*cell) < 0:
+            return -1
+        return next(iter(self.plan.layout.producers(Area(*cell, 1, 1))))
+
+    def _put(self, cell: Cell, producer: int, number: float, code: int) -> None:
+        """Write a constant, note what kinds its producer now holds, and what must be computed again."""
+        place = self.plan.layout.place(*cell)
+        before = float(self.numbers[place])
+        changed = code != self.codes[place] or number != before or copysign(1, number) != copysign(1, before)
+        self.numbers[place], self.codes[place] = number, code
+        # The marks are those that `Plan.evaluate` would start from.
+        codes = self._set_codes.get(producer, {}).values()
+        marks, book = self._marks, self.plan.marks
+        _mark(marks.dirty, producer, producer in book.dirty or any(codes))
+        _mark(marks.texts, producer, producer in book.texts and all(kind == TEXT for kind in codes))
+        if changed and self.plan.settles:
+            self._stale, self._settled = 1, None
+        elif changed:
+            self._stale |= self._steps_after(producer)
+
+    def _steps_after(self, producer: int) -> int:
+        """The steps that depend on a producer, at any remove."""
+        found = self._depending.get(producer)
+        if found is None:
+            seen: set[int] = set()
+            waiting = list(self._readers.get(producer, ()))
+            while waiting:
+                step = waiting.pop()
+                if step not in seen:
+                    seen.add(step)
+                    for number in self.plan.steps[step].producers:
+                        waiting += self._readers.get(number, ())
+            found = self._depending[producer] = _bits(seen, len(self.plan.steps))
+        return found
+
+    # values
+
+    def values(self) -> Values:
+        """All values, brought up to date. They are these arrays, not a copy: they change with the next change."""
+        if self.plan.settles:
+            return self._settle()
+        self._run(self._stale)
+        remarks = [*self.plan.remarks]
+        for _, found in sorted(self._remarks.items()):
+            remarks += found
+        return Values(self.plan.layout, self.numbers, self.codes, self.texts, tuple(dict.fromkeys(remarks)))
+
+    def _settle(self) -> Values:
+        """All values of a book in which order or sizes depend on values: computed as a whole."""
+        if self._settled is None:
+            titles = self.plan.layout.titles
+            inputs = {(titles[sheet], row, col): value for (sheet, row, col), value in self.inputs.items()}
+            self._settled = self.plan.evaluate(inputs)
+            self.texts = self._settled.texts
+        return self._settled
+
+    def read(self, area: Area) -> Cells:
+        """The cells of an area, shape (cols, rows), after computing what they need; a view where they lie side by side."""
+        if self.plan.settles:
+            return self._settle().read(area)
+        if self._stale:
+            needed = self._needed.get(area)
+            if needed is None:
+                needed = self._steps_before(area)
+                if len(self._needed) < _MOST_KNOWN:
+                    self._needed[area] = needed
+            self._run(self._stale & needed)
+        return self.plan.layout.read(area, self.numbers, self.codes)
+
+    def _steps_before(self, area: Area) -> int:
+        """The steps that an area's values need, at any remove."""
+        seen: set[int] = set()
+        waiting = [self._step_of[n] for n in self.plan.layout.producers(area) if n in self._step_of]
+        while waiting:
+            step = waiting.pop()
+            if step not in seen:
+                seen.add(step)
+                waiting += [self._step_of[n] for n in self._reads[step] if n in self._step_of]
+        return _bits(seen, len(self.plan.steps))
+
+    def _run(self, todo: int) -> None:
+        """Compute steps in their order. When one fails, all of them stay to be done."""
+        if not todo:
+            return
+        if len(self.texts) > self._most_texts:
+            self._start()
+            todo = self._stale
+        order = self._orders.get(todo)
+        if order is None:
+            order = tuple(index for index, bit in enumerate(reversed(f"{todo:b}")) if bit == "1")
+            if len(self._orders) < _MOST_KNOWN:
+                self._orders[todo] = order
+        marks, layout, around = self._marks, self.plan.layout, self._evaluator.around
+        with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+            for index in order:
+                step = self.plan.steps[index]
+                for number in step.producers:
+                    if number in marks.dirty:
+                        block, start = layout.blocks[number], layout.block_offsets[number]
+                        self.codes[start : start + block.rows * block.cols] = NUMBER
+                        marks.dirty.discard(number)
+                        marks.texts.discard(number)
+                around.remarks.clear()
+                step.run(self._evaluator, marks)
+                if around.remarks:
+                    self._remarks[index] = tuple(around.remarks)
+                elif index in self._remarks:
+                    del self._remarks[index]
+        self._stale &= ~todo
+
+
+def _mark(marks: set[int], producer: int, marked: bool) -> None:
+    if marked:
+        marks.add(producer)
+    else:
+        marks.discard(producer)
+
+
+def _bits(steps: set[int], count: int) -> int:
+    """A set of step numbers below `count` as the bits of one number."""
+    bits = bytearray(count // 8 + 1)
+    for step in steps:
+        bits[step >> 3] |= 1 << (step & 7)
+    return int.from_bytes(bits, "little")

@@ -1,0 +1,59 @@
+"""What an evaluation knows of the book beyond the values of its cells: functions, formulas, and what has been computed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from ...diagnostics import Fault
+from ...formula.book import Book
+from ...formula.nodes import FunctionRef, Node
+from ...formula.references import cell_address
+from ..layout import Area
+
+_MOST = 100
+"""Cells of which the same is remarked."""
+
+
+def _no_reference(text: str, in_a1: bool, sheet: str, row: int, col: int) -> Node | None:
+    del text, in_a1, sheet, row, col
+    return None
+
+
+def _all_there(area: Area, but: Collection[int]) -> None:
+    del area, but
+
+
+@dataclass(slots=True)
+class Environment:
+    """`reference` reads a text as a reference; `check` raises NotReadyError for cells of an area that are not computed yet
+    and not of some producers.
+
+    closely  whether every cell that is read is checked, not only those that no formula names
+    sizes    the size that each dynamic array has, by its block
+    remarks  what could not be computed as it is meant, with its cell
+    """
+
+    book: Book = field(default_factory=lambda: Book([]))
+    formulas: Sequence[Node] = ()
+    functions: Mapping[FunctionRef, Node] = field(default_factory=dict)
+    reference: Callable[[str, bool, str, int, int], Node | None] = _no_reference
+    check: Callable[[Area, Collection[int]], None] = _all_there
+    closely: bool = False
+    sizes: dict[int, tuple[int, int]] = field(default_factory=dict)
+    remarks: list[Fault] = field(default_factory=list)
+    _said: dict[str, int] = field(default_factory=dict)
+
+    def need(self, area: Area) -> None:
+        """Raise NotReadyError when not all cells of an area have been computed."""
+        self.check(area, ())
+
+    def remark(self, message: str, sheet: int, row: int, col: int) -> None:
+        """Note what could not be computed in a cell."""
+        place = cell_address(self.book.sheets[sheet].title, row, col) if sheet < len(self.book.sheets) else ""
+        said = self._said[message] = self._said.get(message, 0) + 1
+        if said <= _MOST:
+            more = " (and more cells)" if said == _MOST else ""
+            fault = Fault(f"{message}{more}", file=self.book.source, key=place)
+            if fault not in self.remarks:
+                self.remarks.append(fault)

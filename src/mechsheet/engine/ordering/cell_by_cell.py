@@ -1,0 +1,199 @@
+"""Blocks that read one another's cells, computed cell by cell, each after the cells that it reads."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+import numpy as np
+
+from ...formula.nodes import CellRef, Node, RangeRef
+from ...formula.references import cell_address
+from ..fast.marks import Marks
+from ..graph import Functions, references
+from ..interpreter.evaluator import Evaluator
+from ..layout import Area, Layout
+from ..values.cells import REF
+from ..values.frames import Frame, NotReadyError
+from .array_steps import fill_array
+
+Cell = tuple[int, int, int]
+"""(block, rows down, columns right of its first cell)"""
+
+_SHOWN = 12
+_MOST_CIRCLES = 20
+"""Cells that are shown of a circle, and circles that are remarked: a column may have thousands."""
+
+
+class _PendingError(NotReadyError):
+    """A cell of the set is needed that has not been computed yet."""
+
+    def __init__(self, cell: Cell) -> None:
+        super().__init__(-1)
+        self.cell = cell
+
+
+class Together:
+    """A set of blocks that read each other, and how to compute them."""
+
+    def __init__(
+        self,
+        layout: Layout,
+        formulas: Sequence[Node],
+        members: Sequence[int],
+        functions: Functions | None = None,
+        blocked: Collection[int] = (),
+    ) -> None:
+        self.layout = layout
+        self.formulas = formulas
+        self.functions = functions or {}
+        self.blocked = blocked
+        self.producers = members
+        self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self.reads = {number: self._inner(number) for number in members}
+        self._circles = 0
+        self._closely: set[Cell] = set()
+
+    def _inner(self, number: int) -> list[tuple[CellRef, CellRef]]:
+        """The references of a block that can mean cells of the set, as corners."""
+        inner = []
+        for ref in references(self.formulas[number], self.functions):
+            start, end = (ref.start, ref.end) if isinstance(ref, RangeRef) else (ref, ref)
+            if isinstance(start, CellRef) and isinstance(end, CellRef) and start.sheet is not None:
+                sheet = self.sheets[start.sheet]
+                if any(self.layout.block_sheets[member] == sheet for member in self.producers):
+                    inner.append((start, end))
+        return inner
+
+    def precedents(self, cell: Cell) -> Iterator[Cell]:
+        """The cells of the set that a cell reads."""
+        number, down, right = cell
+        for start, end in self.reads[number]:
+            sheet = self.sheets[start.sheet or ""]
+            rows = sorted(ref.row if ref.row_abs else ref.row + down for ref in (start, end))
+            cols = sorted(ref.col if ref.col_abs else ref.col + right for ref in (start, end))
+            for member in self.producers:
+                if self.layout.block_sheets[member] == sheet:
+                    area = Area(sheet, rows[0], cols[0], rows[1] - rows[0] + 1, cols[1] - cols[0] + 1)
+                    yield from self._cells(member, area)
+
+    def _cells(self, member: int, area: Area) -> Iterator[Cell]:
+        """The cells of a block that lie in an area; an array is one."""
+        block = self.layout.blocks[member]
+        top, bottom = max(area.row, block.row), min(area.row + area.rows, block.row + block.rows)
+        left, last = max(area.col, block.col), min(area.col + area.cols, block.col + block.cols)
+        if block.kind != "fill":
+            if top < bottom and left < last:
+                yield member, 0, 0
+            return
+        for row in range(top, bottom):
+            for col in range(left, last):
+                yield member, row - block.row, col - block.col
+
+    def run(self, ev: Evaluator, marks: Marks) -> None:
+        """Compute all cells. Those of a circle are #REF! and remarked."""
+        self._circles = 0
+        self._closely = set()
+        done: set[Cell] = set()
+        outside = ev.around.check
+
+        def check(area: Area, but: Collection[int]) -> None:
+            """Cells of the set count one by one, all others as `outside` says."""
+            for member in self.producers:
+                if self.layout.block_sheets[member] == area.sheet and member not in but:
+                    for cell in self._cells(member, area):
+                        if cell not in done:
+                            raise _PendingError(cell)
+            outside(area, {*but, *self.producers})
+
+        ev.around.check = check
+        try:
+            self._run_all(done, ev)
+        finally:
+            ev.around.check = outside
+            ev.around.closely = False
+        for member in self.producers:
+            block, start = self.layout.blocks[member], self.layout.block_offsets[member]
+            marks.note(member, ev.codes[start : start + block.rows * block.cols])
+
+    def _run_all(self, done: set[Cell], ev: Evaluator) -> None:
+        longest = max(self.layout.blocks[member].rows for member in self.producers)
+        for down in range(longest):
+            for member in self.producers:
+                block = self.layout.blocks[member]
+                if block.kind != "fill":
+                    self._compute((member, 0, 0), done, ev)
+                elif down < block.rows:
+                    for right in range(block.cols):
+                        self._compute((member, down, right), done, ev)
+
+    def _compute(self, root: Cell, done: set[Cell], ev: Evaluator) -> None:
+        if root in done:
+            return
+        path = [root]
+        waiting = {root}
+        work = [self.precedents(root)]
+        while path:
+            below = next((cell for cell in work[-1] if cell not in done), None)
+            if below is None:
+                cell = path[-1]
+                try:
+                    ev.around.closely = cell in self._closely
+                    self._evaluate(cell, ev)
+                except _PendingError as pending:
+                    below = pending.cell
+                else:
+                    path.pop()
+                    work.pop()
+                    waiting.discard(cell)
+                    done.add(cell)
+                    continue
+            if below in waiting:
+                place = path.index(below)
+                circle = path[place:]
+                waiting.difference_update(circle)
+                del path[place:], work[place:]
+                if self._closely.issuperset(circle):
+                    self._note_circle(circle, done, ev)
+                    continue
+                # A branch of IF that is not taken closes no circle: look at what they really read.
+                self._closely.update(circle)
+            path.append(below)
+            waiting.add(below)
+            work.append(iter(()) if below in self._closely else self.precedents(below))
+
+    def _evaluate(self, cell: Cell, ev: Evaluator) -> None:
+        number, down, right = cell
+        block = self.layout.blocks[number]
+        if block.kind != "fill":
+            fill_array(self.layout, number, self.formulas[number], number in self.blocked, ev)
+            return
+        frame = Frame(self.layout.block_sheets[number], block.row, block.col, block.rows, block.cols)
+        found = ev.result(self.formulas[number], frame.cell(down, right))
+        place = self.layout.block_offsets[number] + right * block.rows + down
+        ev.numbers[place] = found.numbers
+        ev.codes[place] = 0 if found.codes is None else found.codes
+
+    def _note_circle(self, circle: list[Cell], done: set[Cell], ev: Evaluator) -> None:
+        """The cells of a circle are #REF!, and remarked: no value of theirs would mean anything."""
+        for cell in circle:
+            number, down, right = cell
+            block, first = self.layout.blocks[number], self.layout.block_offsets[number]
+            start = first + right * block.rows + down
+            stop = start + 1 if block.kind == "fill" else first + block.rows * block.cols
+            ev.numbers[start:stop], ev.codes[start:stop] = np.nan, REF
+            done.add(cell)
+        self._circles += 1
+        if self._circles > _MOST_CIRCLES:
+            return
+        names = [self._name(cell) for cell in (*circle, circle[0])]
+        shown = names if len(names) <= _SHOWN else [*names[: _SHOWN - 1], "...", names[-1]]
+        first_cell = self.layout.blocks[circle[0][0]]
+        sheet = self.layout.block_sheets[circle[0][0]]
+        more = " (and more of them)" if self._circles == _MOST_CIRCLES else ""
+        message = f"circular reference: {' -> '.join(shown)}{more}"
+        ev.around.remark(message, sheet, first_cell.row + circle[0][1], first_cell.col + circle[0][2])
+
+    def _name(self, cell: Cell) -> str:
+        number, down, right = cell
+        block = self.layout.blocks[number]
+        return cell_address(self.layout.titles[self.layout.block_sheets[number]], block.row + down, block.col + right)

@@ -1,0 +1,111 @@
+"""In which steps a book is computed: blocks that go together in segments, those that read each other by themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from ...formula.book import CellStore
+from ...formula.nodes import Node
+from ..fast.lowered_functions import FUNCTIONS
+from ..fast.lowering import Lowering, UnsuitableError
+from ..fast.marks import Marks, marks_of_constants
+from ..fast.recurrence import recognise
+from ..fast.segments import Member, Segment, worth_at_once
+from ..graph import Functions, ordered
+from ..interpreter.evaluator import Evaluator
+from ..layout import Layout
+from .array_steps import ArrayStep, Kept
+from .cell_by_cell import Together
+
+
+class Step(Protocol):
+    """Something that computes cells, and marks those of its blocks that do not consist of numbers alone."""
+
+    @property
+    def producers(self) -> Sequence[int]:
+        """The numbers of its blocks."""
+
+    def run(self, ev: Evaluator, marks: Marks) -> None:
+        """Compute all cells of the step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Special:
+    """What is not simply a formula filled down, and how the steps will be used.
+
+    functions  what names that stand for functions mean
+    kept       blocks that keep their stored values -> those values, and the code of the error where there is none
+    blocked    dynamic arrays with something in their way
+    apart      blocks that share no segment, as they may have to wait for others at any time
+    once       the book will be computed only once: no code is prepared for blocks too small to be worth it then
+    """
+
+    functions: Functions = field(default_factory=dict)
+    kept: Mapping[int, tuple[CellStore, int]] = field(default_factory=dict)
+    blocked: frozenset[int] = frozenset()
+    apart: frozenset[int] = frozenset()
+    once: bool = False
+
+
+def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]], special: Special) -> list[Step]:
+    """The steps in order; a block stands in the earliest segment of its height that comes after all it reads."""
+    steps: list[Step] = []
+    place: dict[int, int] = {}
+    alike: dict[tuple[int, int], list[int]] = {}
+    sheets = {title: index for index, title in enumerate(layout.titles)}
+    texts = marks_of_constants(layout).texts
+    for group in ordered(reads):
+        number = group[0]
+        recurrence = recognise(layout, number, formulas[number]) if number in reads[number] else None
+        if len(group) > 1 or (number in reads[number] and recurrence is None):
+            place.update(dict.fromkeys(group, len(steps)))
+            steps.append(Together(layout, formulas, group, special.functions, special.blocked))
+            continue
+        lone = _lone_step(layout, number, formulas[number], special)
+        if lone is not None:
+            place[number] = len(steps)
+            steps.append(lone)
+            continue
+        member = Member(layout, number, formulas[number], recurrence)
+        after = max((place[read] for read in reads[number] if read in place), default=0)
+        if special.once and not worth_at_once(member.block.rows, member.block.cols):
+            place[number] = len(steps)
+            steps.append(Segment(layout, member, None))
+            continue
+        # A wide block shares nothing with others but is a segment of its own.
+        key = (member.block.rows, 1) if member.block.cols == 1 else (-number, member.block.cols)
+        if number in special.apart:
+            key = -number, -1
+        for index in alike.setdefault(key, []):
+            segment = steps[index]
+            if index >= after and isinstance(segment, Segment) and segment.joined(member):
+                place[number] = index
+                if segment.is_full:
+                    alike[key].remove(index)
+                break
+        else:
+            place[number] = len(steps)
+            segment = _new_segment(layout, member, Lowering(layout, sheets, FUNCTIONS, texts))
+            if segment.lowering is not None:
+                alike[key].append(len(steps))
+            steps.append(segment)
+    return steps
+
+
+def _lone_step(layout: Layout, number: int, formula: Node, special: Special) -> Step | None:
+    """The step of a block that no segment can take."""
+    if number in special.kept:
+        return Kept(layout, number, *special.kept[number])
+    if layout.blocks[number].kind != "fill":
+        return ArrayStep(layout, number, formula, number in special.blocked)
+    return None
+
+
+def _new_segment(layout: Layout, member: Member, lowering: Lowering) -> Segment:
+    try:
+        lowering.add(member.number, member.formula, member.recurrence)
+    except UnsuitableError:
+        return Segment(layout, member, None)
+    return Segment(layout, member, lowering)

@@ -1,0 +1,1 @@
+"""What texts say and show: patterns, criteria, number formats, the calendar."""

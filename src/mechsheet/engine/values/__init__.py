@@ -1,0 +1,1 @@
+"""What the engine computes with: numbers, texts, truth values, blanks and errors, and how one becomes the other."""

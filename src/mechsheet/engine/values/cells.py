@@ -1,0 +1,226 @@
+"""What the engine computes with: float64 arrays, each with an array of codes beside it that says what a number stands for.
+
+A text is a number into a table of texts, a truth value is 0 or 1, a blank is 0, an error is NaN. So columns of any kind
+pass through the same array operations, and a column of plain numbers needs no codes at all (None).
+
+Arrays of a block have one of four shapes, which numpy broadcasts against each other: () the same in all its cells,
+(rows,) along its rows, (cols, 1) along its columns, (cols, rows) both. An array value (a range, a literal) has two axes
+more in front: (height, width, cols or 1, rows or 1).
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...formula.nodes import ErrorValue, Scalar
+from .frames import UnsupportedError
+
+Numbers: TypeAlias = NDArray[np.float64]
+Codes: TypeAlias = NDArray[np.uint8]
+Mask: TypeAlias = NDArray[np.bool_]
+
+NUMBER, BLANK, TEXT, BOOLEAN = 0, 1, 2, 3
+MOST_CELLS = 1 << 24
+"""Cells of an array that an operation makes of smaller ones: one column of a sheet sixteen times."""
+NEAR = 2.0**-48
+"""Two numbers nearer than this, relatively, are equal, and their difference is nothing: some 14 to 15 digits."""
+ERROR = 16
+"""Codes from here on are errors."""
+
+ERROR_NAMES = (
+    "#NULL!", "#DIV/0!", "#VALUE!", "#REF!", "#NAME?", "#NUM!", "#N/A", "#SPILL!", "#CALC!",
+    "#FIELD!", "#BLOCKED!", "#UNKNOWN!", "#CONNECT!", "#BUSY!", "#EXTERNAL!", "#PYTHON!", "#GETTING_DATA",
+)  # fmt: skip
+NULL, DIV0, VALUE, REF, NAME, NUM, NA, SPILL, CALC = range(ERROR, ERROR + 9)
+
+_ERROR_VALUES = tuple(ErrorValue(name) for name in ERROR_NAMES)
+_ERROR_CODES = {name: ERROR + index for index, name in enumerate(ERROR_NAMES)}
+
+
+def error_code(name: str) -> int:
+    """The code of an error's text; anything that is no error's text is #VALUE!."""
+    return _ERROR_CODES.get(name.upper(), VALUE)
+
+
+class Cells(NamedTuple):
+    """Numbers and their codes (None: all of them plain numbers), shaped as the module says."""
+
+    numbers: Any
+    codes: Any = None
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The common shape of numbers and codes."""
+        shape: tuple[int, ...] = np.shape(self.numbers)
+        return shape if self.codes is None else np.broadcast_shapes(shape, np.shape(self.codes))
+
+
+class Texts:
+    """The table of texts of one evaluation: text <-> its number. Texts differ by case here and compare without it.
+
+    A table may stand on another, which it leaves as it is: the plan's own texts serve all evaluations.
+    """
+
+    def __init__(self, base: Texts | None = None) -> None:
+        self._base = base
+        self._first = len(base) if base is not None else 0
+        self._texts: list[str] = []
+        self._numbers: dict[str, int] = {}
+
+    def __len__(self) -> int:
+        return self._first + len(self._texts)
+
+    def number(self, text: str) -> int:
+        """The number of a text, new or known."""
+        found = self._base._numbers.get(text) if self._base is not None else None
+        if found is None or found >= self._first:
+            found = self._numbers.get(text)
+        if found is None:
+            found = self._numbers[text] = len(self)
+            self._texts.append(text)
+        return found
+
+    def text(self, number: float) -> str:
+        """The text of a number."""
+        index = int(number)
+        if index < self._first and self._base is not None:
+            return self._base._texts[index]
+        return self._texts[index - self._first]
+
+    def encode(self, value: Scalar) -> tuple[float, int]:
+        """(number, code) of a scalar."""
+        match value:
+            case None:
+                return 0.0, BLANK
+            case bool():
+                return float(value), BOOLEAN
+            case str():
+                return float(self.number(value)), TEXT
+            case ErrorValue(name):
+                return np.nan, error_code(name)
+            case _:
+                return float(value), NUMBER
+
+    def decode(self, number: float, code: int) -> Scalar:
+        """The scalar of (number, code)."""
+        if code == NUMBER:
+            return float(number)
+        if code == TEXT:
+            return self.text(number)
+        if code == BOOLEAN:
+            return bool(number)
+        return None if code == BLANK else _ERROR_VALUES[code - ERROR]
+
+    def constant(self, value: Scalar) -> Cells:
+        """A scalar as cells of shape ()."""
+        number, code = self.encode(value)
+        return Cells(np.float64(number), None if code == NUMBER else np.uint8(code))
+
+
+def error(code: int) -> Cells:
+    """One error, shape ()."""
+    return Cells(np.float64(np.nan), np.uint8(code))
+
+
+def boolean(mask: Any) -> Cells:
+    """Truth values."""
+    return Cells(np.asarray(mask, np.float64), np.uint8(BOOLEAN))
+
+
+def finished(numbers: Any, codes: Any = None) -> Cells:
+    """A numeric result: `codes` holds errors (0 elsewhere) or is None; what is not finite beside them becomes #NUM!."""
+    bad = ~np.isfinite(numbers)
+    if codes is None:
+        if not (bad if np.ndim(bad) == 0 else bad.any()):
+            return Cells(numbers)
+        return Cells(np.where(bad, np.nan, numbers), np.where(bad, np.uint8(NUM), np.uint8(NUMBER)))
+    if not np.any(codes) and not bad.any():
+        return Cells(numbers)
+    codes = np.where(codes != 0, codes, np.where(bad, np.uint8(NUM), np.uint8(0)))
+    return Cells(np.where(codes != 0, np.nan, numbers), codes)
+
+
+def errors_of(cells: Cells) -> Any:
+    """The error codes of cells, 0 where there is none; None when there is none at all."""
+    if cells.codes is None:
+        return None
+    found = cells.codes >= ERROR
+    return np.where(found, cells.codes, np.uint8(0)) if np.any(found) else None
+
+
+def first_error(*codes: Any) -> Any:
+    """Per cell the first error from the left among arrays of error codes (None: none), or None."""
+    result = None
+    for part in codes:
+        if part is not None:
+            result = part if result is None else np.where(result != 0, result, part)
+    return result
+
+
+def choose(mask: Any, then: Cells, otherwise: Cells) -> Cells:
+    """`then` where the mask holds, else `otherwise`; arrays of different sizes as `fitted` has them."""
+    if max(np.ndim(mask), _axes(then), _axes(otherwise)) > 2:
+        asked, then, otherwise = fitted(Cells(np.asarray(mask, np.float64)), then, otherwise)
+        mask = np.nan_to_num(asked.numbers) != 0
+        if asked.codes is not None:
+            beyond = asked.codes != 0
+            found = choose(mask, then, otherwise)
+            return Cells(np.where(beyond, np.nan, found.numbers), np.where(beyond, asked.codes, codes_of(found)))
+    numbers = np.where(mask, then.numbers, otherwise.numbers)
+    if then.codes is None and otherwise.codes is None:
+        return Cells(numbers)
+    zero = np.uint8(NUMBER)
+    return Cells(
+        numbers,
+        np.where(
+            mask,
+            zero if then.codes is None else then.codes,
+            zero if otherwise.codes is None else otherwise.codes,
+        ),
+    )
+
+
+def fitted(*cells: Cells) -> tuple[Cells, ...]:
+    """Array values made the same size where they differ: #N/A beyond the edge of the smaller one.
+
+    Raises UnsupportedError for what would be more than MOST_CELLS.
+    """
+    if all(_axes(cell) <= 2 for cell in cells):
+        return cells
+    sizes = {cell.shape[:2] for cell in cells if len(cell.shape) > 2}
+    if len(sizes) < 2:
+        return cells
+    height, width = (max(size[axis] for size in sizes) for axis in (0, 1))
+    if height * width > MOST_CELLS:
+        raise UnsupportedError(f"an array of {height} x {width} cells is not computed")
+    if all(size[0] in (1, height) and size[1] in (1, width) for size in sizes):
+        return cells
+    return tuple(_padded(cell, height, width) for cell in cells)
+
+
+def _axes(cells: Cells) -> int:
+    """How many axes cells have; np.ndim and np.shape would cost more than the rest of most operations."""
+    axes: int = getattr(cells.numbers, "ndim", 0)
+    return axes if cells.codes is None else max(axes, getattr(cells.codes, "ndim", 0))
+
+
+def _padded(cells: Cells, height: int, width: int) -> Cells:
+    shape = cells.shape
+    if len(shape) <= 2:
+        return cells
+    down = 0 if shape[0] == 1 else height - shape[0]
+    right = 0 if shape[1] == 1 else width - shape[1]
+    if not (down or right):
+        return cells
+    around = ((0, down), (0, right), *((0, 0),) * (len(shape) - 2))
+    numbers = np.pad(np.broadcast_to(cells.numbers, shape), around, constant_values=np.nan)
+    codes = np.pad(np.broadcast_to(codes_of(cells), shape), around, constant_values=NA)
+    return Cells(numbers, codes)
+
+
+def codes_of(cells: Cells) -> Any:
+    """The codes as an array, also where they are all NUMBER."""
+    return np.zeros(np.shape(cells.numbers), np.uint8) if cells.codes is None else cells.codes

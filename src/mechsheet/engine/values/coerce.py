@@ -1,0 +1,217 @@
+"""From any kind of cell to a number, a text or a truth value, the way Excel does it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ...formula.nodes import ErrorValue, Scalar
+from .cells import (
+    BLANK,
+    BOOLEAN,
+    ERROR,
+    NEAR,
+    TEXT,
+    VALUE,
+    Cells,
+    Texts,
+    boolean,
+    codes_of,
+    errors_of,
+    first_error,
+    fitted,
+)
+from .typed_numbers import shown_number
+
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+
+
+def text_to_number(text: str) -> float | None:
+    """The number that a text shows ("2.5", "1e3", "50%", "$3", "3/14/2026", "6:30 PM"), None when it shows none."""
+    body = text.strip()
+    percent = body.endswith("%")
+    if percent:
+        body = body[:-1].rstrip()
+    if "," in body and re.fullmatch(r"[+-]?[0-9]{1,3}(?:,[0-9]{3})+(?:\.[0-9]*)?", body):
+        body = body.replace(",", "")
+    if not _NUMBER.fullmatch(body):
+        return None if percent else shown_number(text)
+    value = float(body)
+    if not np.isfinite(value):
+        return None
+    return value / 100 if percent else value
+
+
+def number_to_text(value: float) -> str:
+    """A number as General shows it in a text: up to 15 digits, 1E+21 and 1E-10 in powers of ten."""
+    text = f"{value:.15g}"
+    mantissa, _, exponent = text.partition("e")
+    if exponent:
+        power = int(exponent)
+        if -10 < power < 21:
+            return f"{value:.{max(0, len(mantissa.replace('-', '').replace('.', '')) - 1 - power)}f}"
+        return f"{mantissa}E{power:+03d}"
+    return "0" if text == "-0" else text
+
+
+def to_text(value: Scalar) -> str:
+    """A scalar as & joins it. Errors never come here."""
+    if value is None:
+        return ""
+    if isinstance(value, bool):
+        return "TRUE" if value else "FALSE"
+    return number_to_text(value) if isinstance(value, float) else str(value)
+
+
+def text_of(cells: Cells, texts: Texts) -> str | Cells:
+    """The text of one value, or the error it is; of an array the first cell."""
+    value = texts.decode(float(np.ravel(cells.numbers)[0]), int(np.ravel(codes_of(cells))[0]))
+    return texts.constant(value) if isinstance(value, ErrorValue) else to_text(value)
+
+
+def numbers_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
+    """(numbers, error codes or None): blanks are 0, truth values 0 and 1, texts what they show, other texts #VALUE!."""
+    if cells.codes is None:
+        return cells.numbers, None
+    is_text = cells.codes == TEXT
+    if not np.any(is_text):
+        return cells.numbers, errors_of(cells)
+    numbers, codes = np.broadcast_arrays(cells.numbers, cells.codes)
+    numbers, errors = numbers.copy(), np.where(codes >= ERROR, codes, np.uint8(0))
+    is_text = codes == TEXT
+    for key in np.unique(numbers[is_text]):
+        value = text_to_number(texts.text(key))
+        here = is_text & (numbers == key)
+        # Marked first, written afterwards: a text's number must not be taken for another text's key.
+        if value is None:
+            errors = np.where(here, np.uint8(VALUE), errors)
+        numbers = np.where(here, np.nan if value is None else value, numbers)
+        is_text = is_text & ~here
+    return numbers, (errors if np.any(errors) else None)
+
+
+def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
+    """(mask, error codes or None): numbers are true when not 0; the texts TRUE and FALSE count, others are #VALUE!."""
+    if cells.codes is None:
+        return np.not_equal(cells.numbers, 0), None
+    is_text = cells.codes == TEXT
+    if not np.any(is_text):
+        return np.not_equal(cells.numbers, 0) & (cells.codes < ERROR), errors_of(cells)
+    numbers, codes = np.broadcast_arrays(cells.numbers, cells.codes)
+    is_text = codes == TEXT
+    mask = np.not_equal(numbers, 0) & ~is_text & (codes < ERROR)
+    errors = np.where(codes >= ERROR, codes, np.uint8(0))
+    for key in np.unique(numbers[is_text]):
+        here = is_text & (numbers == key)
+        word = texts.text(key).strip().upper()
+        if word == "TRUE":
+            mask = mask | here
+        elif word != "FALSE":
+            errors = np.where(here, np.uint8(VALUE), errors)
+    return mask, (errors if np.any(errors) else None)
+
+
+def each(function: Callable[..., Scalar], args: tuple[Cells, ...], texts: Texts) -> Cells:
+    """A function of scalars, cell by cell: the slow way, for texts. Errors in arguments come first, from the left."""
+    args = fitted(*args)
+    if all(cells.shape == () for cells in args):
+        single = tuple((float(cells.numbers), 0 if cells.codes is None else int(cells.codes)) for cells in args)
+        number, code = _one(function, single, texts)
+        return Cells(np.float64(number), np.uint8(code) if code else None)
+    parts = [np.broadcast_arrays(cells.numbers, codes_of(cells)) for cells in args]
+    shape = np.broadcast_shapes(*(part[0].shape for part in parts))
+    flat = [(np.broadcast_to(n, shape).ravel(), np.broadcast_to(c, shape).ravel()) for n, c in parts]
+    size = int(np.prod(shape))
+    numbers, codes = np.empty(size), np.zeros(size, np.uint8)
+    known: dict[tuple[tuple[float, int], ...], tuple[float, int]] = {}
+    for index in range(size):
+        key = tuple((float(n[index]), int(c[index])) for n, c in flat)
+        found = known.get(key)
+        if found is None:
+            found = known[key] = _one(function, key, texts)
+        numbers[index], codes[index] = found
+    return Cells(numbers.reshape(shape), codes.reshape(shape) if codes.any() else None)
+
+
+def _one(function: Callable[..., Scalar], key: tuple[tuple[float, int], ...], texts: Texts) -> tuple[float, int]:
+    for number, code in key:
+        if code >= ERROR:
+            return number, code
+    result = function(*(texts.decode(number, code) for number, code in key))
+    if isinstance(result, float) and not np.isfinite(result):
+        result = ErrorValue("#NUM!")
+    return texts.encode(result)
+
+
+def compared(op: str, left: Cells, right: Cells, texts: Texts) -> Cells:
+    """A comparison. Numbers come before texts (compared without regard to case), texts before truth values.
+
+    A blank is 0, "" or FALSE, as the other side asks.
+    """
+    if left.codes is None and right.codes is None:
+        return boolean(compare_numbers(op, left.numbers, right.numbers))
+    errors = first_error(errors_of(left), errors_of(right))
+    a, a_rank, b, b_rank = _ranked(left, right, texts)
+    same = a_rank == b_rank
+    if op in ("=", "<>"):
+        equal = same & compare_numbers("=", a, b)
+        mask = equal if op == "=" else ~equal
+    else:
+        mask = np.where(same, compare_numbers(op, a, b), np.less(a_rank, b_rank) if op[0] == "<" else a_rank > b_rank)
+    result = boolean(mask)
+    if errors is None:
+        return result
+    return Cells(np.where(errors != 0, np.nan, result.numbers), np.where(errors != 0, errors, np.uint8(BOOLEAN)))
+
+
+def compare_numbers(op: str, left: Any, right: Any) -> Any:
+    """A comparison of numbers in which nearly equal ones (NEAR) are equal."""
+    margin = NEAR * np.abs(right)
+    match op:
+        case "<":
+            return np.less(left, right - margin)
+        case "<=":
+            return np.less_equal(left, right + margin)
+        case ">":
+            return np.greater(left, right + margin)
+        case ">=":
+            return np.greater_equal(left, right - margin)
+        case "=":
+            return np.greater_equal(left, right - margin) & np.less_equal(left, right + margin)
+        case _:
+            return ~(np.greater_equal(left, right - margin) & np.less_equal(left, right + margin))
+
+
+def _ranked(left: Cells, right: Cells, texts: Texts) -> tuple[Any, Any, Any, Any]:
+    """Both sides' sort keys and kinds: 0 number, 1 text, 2 truth value; a blank takes the other side's kind."""
+    a, ac = np.broadcast_arrays(left.numbers, codes_of(left))
+    b, bc = np.broadcast_arrays(right.numbers, codes_of(right))
+    a_rank, b_rank = _kind(ac), _kind(bc)
+    places = _text_places(texts, (a, ac), (b, bc))
+    a_blank, b_blank = ac == BLANK, bc == BLANK
+    a_key = np.where(a_blank, np.where(b_rank == 1, places[""], 0.0), _keys(a, ac, texts, places))
+    b_key = np.where(b_blank, np.where(a_rank == 1, places[""], 0.0), _keys(b, bc, texts, places))
+    return a_key, np.where(a_blank, b_rank, a_rank), b_key, np.where(b_blank, a_rank, b_rank)
+
+
+def _kind(codes: Any) -> Any:
+    return np.where(codes == TEXT, 1, np.where(codes == BOOLEAN, 2, 0))
+
+
+def _text_places(texts: Texts, *sides: tuple[Any, Any]) -> dict[str, float]:
+    """Folded text -> its place in the order of all texts at hand; texts that differ by case only share a place."""
+    words = {""}
+    for numbers, codes in sides:
+        words.update(texts.text(key).casefold() for key in np.unique(numbers[codes == TEXT]))
+    return {word: float(place) for place, word in enumerate(sorted(words))}
+
+
+def _keys(numbers: Any, codes: Any, texts: Texts, places: dict[str, float]) -> Any:
+    is_text = codes == TEXT
+    keys = numbers
+    for key in np.unique(numbers[is_text]):
+        keys = np.where(is_text & (numbers == key), places[texts.text(key).casefold()], keys)
+    return keys
