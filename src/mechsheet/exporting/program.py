@@ -11,13 +11,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 from mechsheet.exporting.identifiers import identifiers
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, symbols, walk
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.equations import Equation, Equations
+from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order, solve
 from mechsheet.model import Dimension, Mechanism, Quantity
+from mechsheet.sheet.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.positions import shown_number
 
 WIDTH = 100
@@ -119,7 +120,8 @@ def commented(code: str, words: str, mark: str) -> list[str]:
 
 def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
     """The program of a mechanism; no name in it is one of `reserved`. Raises MechanismError."""
-    equations = solve(mechanism)
+    solved = solve(mechanism)
+    equations = lowered(mechanism, solved)
     language = mechanism.language
     dimensions = {dim.symbol: dim for dim in mechanism.dimensions}
     order = [dimensions[symbol] for symbol in dimension_order(mechanism)]
@@ -130,8 +132,8 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
     modes = tuple(
         Line(group.mode, Number(float(group.mode_value)), "", f"+1: {plus.of(language)}, -1: {minus.of(language)}")
         for group in equations.groups
-        for plus, minus in [group.mode_words]
         if group.mode
+        for plus, minus in [group.assemblies]
     )
     driver = mechanism.driver
     degrees = driver.unit == "deg"
@@ -139,11 +141,11 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
         None if driver.values else tuple(quantity(part, degrees) for part in (driver.start, driver.stop, driver.step))
     )
     columns = _columns(mechanism, equations)
-    kept = [eq.symbol for eq in equations.columns if eq.kind in ("variable", "point", "output")]
+    kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "output")]
     wanted = [driver.symbol, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
     return Program(
         mechanism,
-        equations,
+        solved,
         tuple(_dimension(mechanism, dim) for dim in order if not dim.derived),
         (*(_dimension(mechanism, dim) for dim in order if dim.derived), *constants),
         modes,
@@ -180,7 +182,7 @@ def one_line(text: str) -> str:
     return "".join(letter for letter in " ".join(text.split()) if letter.isprintable())
 
 
-def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ...]:
+def _columns(mechanism: Mechanism, equations: Assignments) -> tuple[ColumnLine, ...]:
     moving = {mechanism.driver.symbol}
     found = []
     for equation in equations.columns:
@@ -190,7 +192,7 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
     return tuple(found)
 
 
-def _column(mechanism: Mechanism, equation: Equation, moving: Collection[str]) -> ColumnLine:
+def _column(mechanism: Mechanism, equation: Assignment, moving: Collection[str]) -> ColumnLine:
     unit, words = unit_word(mechanism, equation.unit), one_line(equation.label.of(mechanism.language))
     node, first = equation.expression, equation.first
     way: Literal["still", "whole", "running", "rows"] = "whole"
@@ -206,7 +208,7 @@ def _column(mechanism: Mechanism, equation: Equation, moving: Collection[str]) -
     return ColumnLine(equation.symbol, node, way, first, unit, words, equation.group)
 
 
-def _exists(equations: Equations) -> Node:
+def _exists(equations: Assignments) -> Node:
     """True in a row that every group closes."""
     tests = tuple(Call("ISNUMBER", (Symbol(group.closes),)) for group in equations.groups if group.closes)
     return Call("AND", tests) if tests else Call("ISNUMBER", (al.ZERO,))

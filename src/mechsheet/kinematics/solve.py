@@ -8,18 +8,20 @@ from collections.abc import Mapping
 import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
+from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.dyads import Solved
-from mechsheet.kinematics.equations import Equations, Group, validate
+from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lines import solve_prp, solve_rpp
+from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility
 from mechsheet.kinematics.modes import pick_mode
 from mechsheet.kinematics.numeric import Array
@@ -91,13 +93,6 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equat
     modes  assembly modes that are given instead of picked from the sketch, by symbol (`mode_1`)
     Raises MechanismError: mobility, a group of class III, a sketch between two modes, a group that never closes.
     """
-    return solve_in_full(mechanism, modes)[0]
-
-
-def solve_in_full(
-    mechanism: Mechanism, modes: Mapping[str, int] | None = None
-) -> tuple[Equations, Poses, tuple[Dyad, ...]]:
-    """As `solve`, with what the equations were found from: poses and places of all bodies, and the dyads in order."""
     graph = graph_of(mechanism)
     check_mobility(mechanism, graph)
     order = order_of(mechanism, graph)
@@ -105,24 +100,25 @@ def solve_in_full(
     ledger = _ledger(mechanism, dimensions)
     poses = Poses(mechanism, graph, ledger)
     _drive(poses, order.drive)
-    groups: list[Group] = []
+    found: list[tuple[Dyad, Solved, int, bool]] = []
     for index, dyad in enumerate(order.dyads, 1):
         ledger.group = index
         start = len(ledger.columns)
-        solved = _solve_dyad(poses, dyad, always=not groups)
+        solved = _solve_dyad(poses, dyad)
         value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, (modes or {}).get(solved.mode))
         poses.settle_turns()
-        groups.append(_group(index, dyad, solved, value, is_open))
+        found.append((dyad, solved, value, is_open))
     _outputs(mechanism, ledger)
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
-        tuple(groups),
+        _groups(found, loops_of(poses, order.dyads)),
         tuple(dim.symbol for dim in mechanism.dimensions if dim.symbol in ledger.positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
+        {link.name: poses.link_pose(link.name) for link in mechanism.links},
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
-    return result, poses, order.dyads
+    return result
 
 
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
@@ -175,24 +171,28 @@ def _plain_lengths(mechanism: Mechanism) -> list[float]:
     return [value for value in found if not isinstance(value, str)]
 
 
-def _solve_dyad(poses: Poses, dyad: Dyad, always: bool) -> Solved:
+def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
     match dyad.kind:
         case "RRR":
-            return solve_rrr(poses, dyad, always)
+            return solve_rrr(poses, dyad)
         case "RRP":
             return solve_rrp(poses, dyad)
         case "RPR":
-            return solve_rpr(poses, dyad, always)
+            return solve_rpr(poses, dyad)
         case "PRP":
             return solve_prp(poses, dyad)
         case "RPP":
             return solve_rpp(poses, dyad)
 
 
-def _group(index: int, dyad: Dyad, solved: Solved, value: int, is_open: bool) -> Group:
-    return Group(
-        index, dyad.kind, (*dyad.first, *dyad.second), solved.pins, solved.mode, value, solved.mode_words,
-        solved.closes, solved.degenerate, is_open, solved.label, solved.transmission, solved.sides,
+def _groups(found: list[tuple[Dyad, Solved, int, bool]], loops: tuple[Loop, ...]) -> tuple[Group, ...]:
+    return tuple(
+        Group(
+            index, dyad.kind, (*dyad.first, *dyad.second), solved.pins, solved.unknowns, loop, solved.mode,
+            solved.assemblies, assembly_of(value), solved.closes, solved.apart, solved.degenerate, is_open, solved.label,
+            solved.transmission, solved.sides,
+        )
+        for index, ((dyad, solved, value, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)
     )  # fmt: skip
 
 

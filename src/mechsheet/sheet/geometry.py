@@ -6,8 +6,8 @@ so here every place is (u, v) in its link's frame, as the drawing gives it.
 
 from __future__ import annotations
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node
-from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Cartesian, Distances, Link, Polar
 

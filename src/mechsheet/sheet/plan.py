@@ -10,12 +10,13 @@ from functools import cached_property
 from typing import Literal
 
 from mechsheet.formula.names import folded, safe_name
-from mechsheet.kinematics.equations import Equation, Equations
+from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.findings import findings
 from mechsheet.sheet.language import Language, words
+from mechsheet.sheet.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Name
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
@@ -55,7 +56,7 @@ class TableColumn:
     kind: Literal["number", "driver", "status", "exists", "equation", "shown", "blank", "rounded"]
     group: int
     inner: bool
-    equation: Equation | None = None
+    equation: Assignment | None = None
 
 
 @dataclass
@@ -67,7 +68,7 @@ class Plan:
     """
 
     mechanism: Mechanism
-    equations: Equations
+    equations: Assignments
     language: Language
     at: Addresses
     rows: int
@@ -127,7 +128,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     values = driver_values(mechanism, dimension_values(mechanism))
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
-    plan = Plan(mechanism, equations, language, at, rows, [float(value) for value in values])
+    plan = Plan(mechanism, lowered(mechanism, equations), language, at, rows, [float(value) for value in values])
     _plan_names_and_blocks(plan)
     _plan_columns(plan)
     return plan
@@ -153,7 +154,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     modes = [group.mode for group in plan.equations.groups if group.mode]
     if modes:
         _block(plan, "assembly", modes)
-    variables = [eq.symbol for eq in plan.equations.columns if eq.kind in ("variable", "output")]
+    variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "output")]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
@@ -231,15 +232,15 @@ def _plan_columns(plan: Plan) -> None:
         _add_column(plan, of, "rounded", -1, inner=True, equation=None)
 
 
-def _plan_equation(plan: Plan, equation: Equation) -> None:
+def _plan_equation(plan: Plan, equation: Assignment) -> None:
     """One column, or two: what formulas read (folded away), and what people read (degrees; #N/A where nothing exists)."""
-    if equation.kind == "output":
+    if equation.role == "output":
         in_degrees = next(out for out in plan.mechanism.outputs if out.symbol == equation.symbol).unit == "deg"
         col = _add_column(plan, equation.symbol, "equation", -1, False, equation)
         spot = _table_spot(plan, col, in_degrees)
         plan.at.spots[equation.symbol] = plan.at.shown[equation.symbol] = spot
         return
-    inner = equation.kind == "intermediate"
+    inner = equation.role == "intermediate"
     degrees = plan.shown_in_degrees(equation.unit)
     if not inner and (degrees or needs_guard(plan, equation.symbol)):
         _add_column(plan, equation.symbol, "equation", equation.group, True, equation)
@@ -270,7 +271,7 @@ def _add_column(
     kind: Literal["equation", "shown", "blank", "rounded"],
     group: int,
     inner: bool,
-    equation: Equation | None,
+    equation: Assignment | None,
 ) -> int:
     col = len(plan.columns)
     plan.columns.append(TableColumn(col, symbol, kind, group, inner, equation))

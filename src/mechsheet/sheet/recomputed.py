@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, transform
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import column_letters
-from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan

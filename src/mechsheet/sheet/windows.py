@@ -7,12 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
-from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.numeric import Array, evaluate_column
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.sheet.expansion import varying
 from mechsheet.sheet.plan import Plan
 
@@ -44,7 +43,7 @@ def with_windows(plan: Plan, rules: dict[str, Node]) -> dict[str, Node]:
     angles = {
         equation.symbol
         for equation in plan.equations.columns
-        if equation.kind == "variable" and equation.unit == "angle" and equation.symbol in counted & rules.keys()
+        if equation.role == "variable" and equation.unit == "angle" and equation.symbol in counted & rules.keys()
     }
     if not angles:
         return rules
@@ -71,7 +70,7 @@ def _read_windowed(rule: Node, angles: set[str]) -> Node:
 def _windows(plan: Plan, angles: set[str]) -> dict[str, Window]:
     """Each angle's window, from the values that it has with the dimensions as described."""
     driver = np.array(plan.driver)
-    values = _nominal(plan)
+    values = sweep(plan.mechanism, plan.equations.equations, driver)  # with the dimensions as described
     turns = plan.mechanism.driver.unit in ("deg", "rad") and bool(np.ptp(driver) > 0)
     return {symbol: _window(values[symbol], driver, turns) for symbol in angles}
 
@@ -86,13 +85,3 @@ def _window(angle: Array, driver: Array, turns: bool) -> Window:
         slope = round(float((angle[-1] - angle[0]) / (driver[-1] - driver[0]))) if driver[-1] != driver[0] else 0
     rest = angle - slope * driver
     return Window(slope, float(rest.max() + rest.min()) / 2)
-
-
-def _nominal(plan: Plan) -> dict[str, Array]:
-    equations: Equations = plan.equations
-    values = {symbol: np.full(plan.rows, value) for symbol, value in dimension_values(plan.mechanism).items()}
-    values[plan.mechanism.driver.symbol] = np.array(plan.driver)
-    values |= {group.mode: np.full(plan.rows, float(group.mode_value)) for group in equations.groups if group.mode}
-    for equation in equations.all:
-        values[equation.symbol] = evaluate_column(equation, values, plan.rows)
-    return values
