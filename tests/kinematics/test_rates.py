@@ -37,8 +37,12 @@ def by_both(mechanism, rows=40):
     rates = rates_over(equations, values, {mechanism.driver.symbol: (1.0, 0.0)})
     calm = np.ones(len(driver), bool)
     for group in equations.groups:
-        # Sines of transmission and like measures; a group without assemblies has no dead centre of that kind.
-        apart = np.ones(len(grid)) if group.apart is None else np.abs(value(group.apart, values))
+        # The sine of a transmission angle or the like; of lines that cross the sine of the angle between them.
+        if group.apart is not None:
+            apart = np.abs(value(group.apart, values))
+        else:
+            crossing = equations.of(group.closes)
+            apart = np.abs(values[crossing.symbol]) if crossing.unit == "number" else np.ones(len(grid))
         apart = np.broadcast_to(apart, grid.shape).reshape(-1, 9)
         calm &= np.isfinite(values[group.closes].reshape(-1, 9)).all(axis=1)
         calm &= apart.min(axis=1) >= CALM * np.nanmax(apart, initial=1e-300)
