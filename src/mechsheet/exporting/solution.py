@@ -242,7 +242,7 @@ class _Writer:
         for equation in equations:
             label = one_line(self.say(equation.label))
             if equation.first is not None:
-                if equation.unit == "number":
+                if equation.counts_turns:
                     name = Math(symbol_math(equation.symbol))
                     value = Math(self.pen.rounded(self.position.value(equation.symbol), "mode"))
                     self.paragraph(name, f": {self.say(words.TURNS)} ", value)

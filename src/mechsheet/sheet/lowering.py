@@ -37,7 +37,8 @@ TURN = al.mul(al.TWO, al.PI)
 class Assignment:
     """One cell, or one column of cells: `symbol = expression`, where `Previous(x)` reads x of the row above.
 
-    first  what stands in the first row instead, where the expression reads the row above; fields else as in `Equation`
+    first         what stands in the first row instead, where the expression reads the row above
+    counts_turns  True for the column that counts the turns an angle has gone through; fields else as in `Equation`
     """
 
     symbol: str
@@ -47,6 +48,7 @@ class Assignment:
     label: Words
     group: int = 0
     first: Node | None = None
+    counts_turns: bool = False
 
     @property
     def reads(self) -> tuple[str, ...]:
@@ -199,6 +201,7 @@ class _Lowering:
             Words("turns gone by", "tamamlanan tur sayısı"),
             first=al.ZERO,
         )
+        self.columns[-1] = replace(self.columns[-1], counts_turns=True)
         self._add(equation, al.add(raw, al.mul(TURN, turns)))
 
 

@@ -112,7 +112,7 @@ class Trials:
 
     def _counts_turns(self, equation: Assignment) -> bool:
         """True for an angle that is a direction plus the turns gone by, which a column of its own counts."""
-        turns = {eq.symbol for eq in self.plan.equations.columns if eq.first == al.ZERO}
+        turns = {eq.symbol for eq in self.plan.equations.columns if eq.counts_turns}
         return equation.symbol in self.rules and not turns.isdisjoint(symbols(equation.expression))
 
     def _within_half_turn(self, symbol: str, raw: str) -> Node:
