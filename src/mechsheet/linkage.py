@@ -26,11 +26,8 @@ class Motion(Mapping[str, NDArray[np.float64]]):
     that do not exist. Angles are continuous from row to row. `units` maps each name to "°", "mm", ... or "".
     """
 
-    def __init__(self, columns: Mapping[str, Iterable[float | None]], units: Mapping[str, str]) -> None:
-        self._columns = {
-            name: np.array([np.nan if value is None else value for value in values], float)
-            for name, values in columns.items()
-        }
+    def __init__(self, columns: Mapping[str, NDArray[np.float64]], units: Mapping[str, str]) -> None:
+        self._columns = dict(columns)
         self.units = dict(units)
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
@@ -83,13 +80,13 @@ class Linkage(Mechanism):
     __slots__ = ()
 
     def solve(self) -> Motion:
-        """The whole sweep: driver, variables, points and outputs by name; computed from the workbook's own formulas.
+        """The whole sweep: driver, variables, points and outputs by name; the equations of the workbook, in numpy.
 
         Raises MechanismError when the linkage cannot be solved.
         """
-        from mechsheet.show import variables_and_units
+        from mechsheet.motion import motion_of
 
-        return Motion(*variables_and_units(self))
+        return Motion(*motion_of(self))
 
     def build(
         self, output: str | Path = ".", formats: str | Iterable[str] | None = None, force: bool = False

@@ -8,18 +8,16 @@ import json
 import math
 
 from mechsheet.building import compile_workbook
-from mechsheet.compute import column_of
 from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
-from mechsheet.kinematics.equations import Equation, Equations
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
-from mechsheet.sheet.blocks import shown_unit
-from mechsheet.sheet.plan import Plan
+from mechsheet.motion import motion_of
+from mechsheet.sheet.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
 
 
@@ -33,15 +31,11 @@ def overview_text(mechanism: Mechanism) -> str:
         f"mobility {mobility(graph_of(mechanism))}, driver {mechanism.driver.symbol}",
     ]
     for group in equations.groups:
-        mode = (
-            f"  {group.mode} = {group.mode_value:+d} ({group.mode_words[group.mode_value < 0].en})"
-            if group.mode
-            else ""
-        )
+        mode = f"  {group.mode} = {group.mode_value:+d} ({group.mode_words.en})" if group.mode else ""
         lines.append(f"group {group.number} {group.kind}: {group.label.en}{mode}")
         if group.open:
             lines.append("    the sketch says nothing about this group: mode +1 was taken")
-    variables = [equation.symbol for equation in equations.columns if equation.kind == "variable"]
+    variables = [equation.symbol for equation in equations.columns if equation.role == "variable"]
     lines.append(f"variables: {', '.join(variables)}")
     if mechanism.outputs:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
@@ -50,8 +44,9 @@ def overview_text(mechanism: Mechanism) -> str:
 
 def equations_text(mechanism: Mechanism) -> str:
     """All equations, one a line, by group; constants first."""
-    equations = solve(mechanism)
-    tell(mechanism, equations)
+    solved = solve(mechanism)
+    tell(mechanism, solved)
+    equations = lowered(mechanism, solved)
     lines = ["constants"]
     lines += [_line(equation) for equation in equations.constants]
     group: int | None = None
@@ -65,7 +60,7 @@ def equations_text(mechanism: Mechanism) -> str:
     return "\n".join(lines)
 
 
-def _group_heading(equations: Equations, number: int) -> str:
+def _group_heading(equations: Assignments, number: int) -> str:
     if number == 0:
         return "driver"
     if number < 0:
@@ -74,7 +69,7 @@ def _group_heading(equations: Equations, number: int) -> str:
     return f"group {number} {group.kind}: {group.label.en}"
 
 
-def _line(equation: Equation) -> str:
+def _line(equation: Assignment) -> str:
     return f"  {equation.symbol} = {print_formula(equation.expression, 'text')}"
 
 
@@ -84,12 +79,12 @@ def equations_json(mechanism: Mechanism) -> str:
         {
             "symbol": equation.symbol,
             "expression": print_formula(equation.expression, "text"),
-            "kind": equation.kind,
+            "kind": equation.role,
             "unit": equation.unit,
             "group": equation.group,
             "label": {"en": equation.label.en, "tr": equation.label.tr},
         }
-        for equation in solve(mechanism).all
+        for equation in lowered(mechanism, solve(mechanism)).all
     ]
     return json.dumps(rows, ensure_ascii=False, indent=1)
 
@@ -144,22 +139,10 @@ def json_value(value: Scalar) -> object:
 
 def variables_of(mechanism: Mechanism) -> dict[str, list[float | None]]:
     """Driver, variables, points and outputs, row by row, as people read them (degrees); None where there is no position."""
-    return variables_and_units(mechanism)[0]
-
-
-def variables_and_units(mechanism: Mechanism) -> tuple[dict[str, list[float | None]], dict[str, str]]:
-    """The columns of `variables_of`, and the unit of each: "°", "mm", "" for a plain number."""
-    workbook, plan = compile_workbook(mechanism)
-    wanted = [mechanism.driver.symbol]
-    wanted += [eq.symbol for eq in plan.equations.columns if eq.kind in ("variable", "point", "output")]
-    columns = {symbol: _shown_column(workbook, plan, symbol) for symbol in dict.fromkeys(wanted)}
-    return columns, {symbol: shown_unit(plan, symbol) for symbol in columns}
-
-
-def _shown_column(workbook: Workbook, plan: Plan, symbol: str) -> list[float | None]:
-    spot = plan.at.shown[symbol]
-    found = column_of(workbook, spot.sheet, spot.col, plan.at.first, plan.at.last)
-    return [value if isinstance(value, float) and math.isfinite(value) else None for value in found]
+    columns, _ = motion_of(mechanism)
+    return {
+        name: [value if math.isfinite(value) else None for value in column.tolist()] for name, column in columns.items()
+    }
 
 
 def variables_json(mechanism: Mechanism) -> str:

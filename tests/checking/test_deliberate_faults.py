@@ -66,7 +66,7 @@ def test_atan2_arguments_swapped(built, tmp_path):
 
 def test_mode_with_the_wrong_sign(built, tmp_path):
     workbook, plan = built
-    symbol = next(eq.symbol for eq in plan.equations.columns if eq.kind == "variable" and "mode_1" in eq.reads)
+    symbol = next(eq.symbol for eq in plan.equations.columns if eq.role == "variable" and "mode_1" in eq.reads)
     mode = plan.at.reference("mode_1", plan.table, None)
     damaged = with_formula(workbook, plan, symbol, lambda node: Unary("-", node) if node == mode else node)
     assert not judged(damaged, tmp_path)["reference"].agrees

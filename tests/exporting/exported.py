@@ -7,8 +7,8 @@ import numpy as np
 
 from mechsheet import reference
 from mechsheet.description import load, loads
-from mechsheet.kinematics.rough import rough_poses
 from mechsheet.kinematics.solve import solve
+from mechsheet.kinematics.sweep import rough_poses
 from random_mechanisms import Grower
 
 TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))

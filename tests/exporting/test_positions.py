@@ -17,8 +17,8 @@ from mechsheet.description import load
 from mechsheet.exporting import Job, dxf, latex, markdown, position, shapes, svg
 from mechsheet.exporting.mathtext import symbol_math
 from mechsheet.exporting.solution import Display, Table, solution
-from mechsheet.kinematics.rough import rough_poses
 from mechsheet.kinematics.solve import solve
+from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.plotting.sampling import sample
 
 FAST = ("fivelink", "oldham", "adjustable-pump")

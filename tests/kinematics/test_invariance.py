@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from mechsheet.description import loads
-from mechsheet.kinematics.rough import sweep
 from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Cartesian, Polar
 from random_mechanisms import Grower
 

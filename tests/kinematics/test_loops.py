@@ -9,18 +9,17 @@ import pytest
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.formula.printer import print_formula
-from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.rough import rough_poses
-from mechsheet.kinematics.solve import solve_in_full
+from mechsheet.kinematics.solve import solve
+from mechsheet.kinematics.sweep import rough_poses
 from random_mechanisms import Grower
 
 TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 
 
 def loops(mechanism):
-    equations, poses, dyads = solve_in_full(mechanism)
-    return equations, loops_of(poses, dyads)
+    equations = solve(mechanism)
+    return equations, tuple(group.closure for group in equations.groups)
 
 
 def worst_gap(mechanism):
@@ -61,7 +60,7 @@ def test_each_loop_holds_what_its_group_solves():
     for path in TEMPLATES:
         equations, found = loops(load(path))
         for number, loop in enumerate(found, 1):
-            solved = [eq.symbol for eq in equations.columns if eq.group == number and eq.kind == "variable"]
+            solved = [eq.symbol for eq in equations.columns if eq.group == number and eq.role == "variable"]
             most = 3 if equations.groups[number - 1].kind in ("PRP", "RPP") else 2
             assert 1 <= len([name for name in loop.reads if name in solved]) <= most, (path.stem, number)
 

@@ -16,9 +16,9 @@ from mechsheet.description.source import parse
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.diagnostics import DescriptionWarning, MechanismError
 from mechsheet.exporting.program import program_of
-from mechsheet.kinematics.rough import sweep
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Sketch
 from mechsheet.show import overview_text
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from mechsheet.description import load
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.rough import sweep
 from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 
 Array = NDArray[np.float64]

@@ -17,7 +17,7 @@ from mechsheet.checking.report import TOLERANCE, Comparison, Tally
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
-from mechsheet.kinematics.rough import rough_poses
+from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
 
@@ -69,7 +69,7 @@ def _nowhere(plan: Plan, values: Any, symbols: Collection[str] | None = None) ->
     """Nothing assembles: every result (or each of `symbols`) must say so."""
     tally = Tally("reference")
     for equation in plan.equations.columns:
-        if equation.kind in ("variable", "point", "output") and (symbols is None or equation.symbol in symbols):
+        if equation.role in ("variable", "point", "output") and (symbols is None or equation.symbol in symbols):
             spot = plan.at.shown[equation.symbol]
             for row, value in enumerate(_column(plan, values, equation.symbol)):
                 where = f"{cell_address(spot.sheet, plan.at.first + row, spot.col)} ({equation.symbol}, row {row})"
@@ -80,7 +80,7 @@ def _nowhere(plan: Plan, values: Any, symbols: Collection[str] | None = None) ->
 def _judged(plan: Plan) -> list[str]:
     kinds = ("variable", "point", "output")
     fixed = [f"{point}.{axis}" for point in plan.mechanism.ground.points for axis in "xy"]
-    columns = [equation.symbol for equation in plan.equations.columns if equation.kind in kinds]
+    columns = [equation.symbol for equation in plan.equations.columns if equation.role in kinds]
     return list(dict.fromkeys([plan.mechanism.driver.symbol, *fixed, *columns]))
 
 

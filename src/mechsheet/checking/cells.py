@@ -37,7 +37,7 @@ def angles_in(plan: Plan) -> Angles:
         if column.equation.unit == "angle":
             spots = plan.at.shown if column.kind == "shown" else plan.at.spots
             periods[plan.table, column.col] = 360.0 if spots[column.symbol].degrees else math.tau
-        elif column.equation.kind == "intermediate" and column.symbol.startswith("turns"):
+        elif column.equation.counts_turns:
             periods[plan.table, column.col] = 1.0
     lengths = [
         abs(dim.value)

@@ -6,9 +6,9 @@ from collections.abc import Collection, Mapping
 
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Mechanism
+from mechsheet.sheet.lowering import Assignments
 
 
 def missing_dimensions(mechanism: Mechanism, inputs: Mapping[str, float]) -> dict[str, str]:
@@ -29,7 +29,7 @@ def missing_dimensions(mechanism: Mechanism, inputs: Mapping[str, float]) -> dic
     return missing
 
 
-def readers(equations: Equations, symbols: Collection[str]) -> set[str]:
+def readers(equations: Assignments, symbols: Collection[str]) -> set[str]:
     """Symbols of all equations that read one of `symbols`, straight or through others."""
     found = set(symbols)
     for equation in equations.all:  # each is solved before it is read

@@ -14,8 +14,8 @@ from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.rough import sweep
 from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 
 APART = 1e-5
@@ -113,7 +113,7 @@ def _with_point(source: Source, name: str, pair: list[float]) -> Source:
 
 def _flipped(equations: Equations, mode: str) -> Equations:
     groups = tuple(
-        replace(group, mode_value=-group.mode_value) if group.mode == mode else group for group in equations.groups
+        replace(group, assembly=1 - group.assembly) if group.mode == mode else group for group in equations.groups
     )
     return replace(equations, groups=groups)
 
@@ -128,10 +128,10 @@ def _gaps(
         if equation.group != group.number:
             continue
         apart = np.abs(right[equation.symbol] - left[equation.symbol])
-        if equation.kind == "point":
+        if equation.role == "point":
             point = equation.symbol.rpartition(".")[0]
             found[point] = np.hypot(found.get(point, np.zeros_like(apart)), apart / size)
-        elif equation.kind == "variable":
+        elif equation.role == "variable":
             found[equation.symbol] = 2 * np.abs(np.sin(apart / 2)) if equation.unit == "angle" else apart / size
     return found
 

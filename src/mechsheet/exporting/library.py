@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 from mechsheet.exporting import small_mechanisms as small
 from mechsheet.exporting.routines import Parameter, Routine, Source, Step, with_names, with_values
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Number, Symbol
-from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.solve import CLOSING
 from mechsheet.model import Words
 from mechsheet.sheet.windows import Window

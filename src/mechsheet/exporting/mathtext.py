@@ -7,10 +7,10 @@ import re
 from collections.abc import Callable, Iterable
 
 from mechsheet.exporting.position import Position
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from mechsheet.formula.printer import number_text, print_formula
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.loops import Vector
+from mechsheet.kinematics.closures import Vector
 from mechsheet.sheet.language import Language
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.symbols import GREEK, parts

@@ -58,10 +58,11 @@ def _called(code: str) -> list[str]:
     return re.findall(r"\b([A-Za-z]\w+)\(", plain) + re.findall(r"^ *([A-Za-z]\w+)", plain, re.MULTILINE)
 
 
-def _text(program: Program, node: Node, row: str = "") -> str:
-    if row:
-        return program.print(node, "octave", lambda name: f"{name}({row} - 1)", lambda name: f"{name}({row})")
-    return program.print(node, "octave", lambda name: f"above({name})")
+_CALLS = {"CONTINUOUS": "continuous({0})", "TRIANGLE": "triangle({0}, {1}, {2})"}
+
+
+def _text(program: Program, node: Node) -> str:
+    return program.print(node, "octave", _CALLS)
 
 
 def _string(text: str) -> str:
@@ -141,19 +142,10 @@ def _columns(program: Program) -> list[str]:
 
 
 def _column(program: Program, column: ColumnLine) -> list[str]:
-    name = program.names[column.symbol]
-    by_rows = column.way == "rows"
-    text = _text(program, column.node, "n" if by_rows else "")
-    if column.way == "still":
-        return commented(f"  {name} = repmat({text}, rows, 1);", column.words, "%")
-    if column.way == "whole":
-        return commented(f"  {name} = {text};", column.words, "%")
-    first = _text(program, column.first, "1" if by_rows else "") if column.first is not None else "0"
-    lines = commented(f"  {name} = NaN(rows, 1);" if by_rows else f"  {name} = {text};", column.words, "%")
-    lines.append(f"  {name}(1) = {first};")
-    if by_rows:
-        return [*lines, "  for n = 2:rows", f"    {name}(n) = {text};", "  end"]
-    return [*lines, f"  {name} = cumsum({name});"]
+    text = _text(program, column.node)
+    if column.still:
+        text = f"repmat({text}, rows, 1)"
+    return commented(f"  {program.names[column.symbol]} = {text};", column.words, "%")
 
 
 def _result(program: Program) -> list[str]:

@@ -52,9 +52,17 @@ function y = choose(condition, a, b)
   y(condition) = a(condition);
 end
 
-function y = above(x)
-% The value of the row above; nothing stands above the first.
-  y = [NaN; x(1:end-1)];
+function y = continuous(x)
+% The angles with whole turns added: none is more than half a turn from the last one that is a number.
+  y = x;
+  known = isfinite(x);
+  y(known) = unwrap(x(known));
+end
+
+function y = triangle(c, a, b)
+% The angle of a triangle opposite the side c: the law of cosines, by Heron's area, which keeps its digits.
+  product = (a + b + c) .* (a + b - c) .* (c + a - b) .* (c - a + b);
+  y = atan2(sqrt(max(0, product)), a .^ 2 + b .^ 2 - c .^ 2);
 end
 
 function y = kept(x, exists)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
 from mechsheet.plotting.sampling import Sample, sample
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.lowering import Assignments
 from mechsheet.sheet.plan import Plan
 
 
@@ -25,7 +25,7 @@ class Position:
         return self.found.plan
 
     @property
-    def equations(self) -> Equations:
+    def equations(self) -> Assignments:
         """The equations that the workbook was laid out from."""
         return self.found.plan.equations
 

@@ -1,24 +1,25 @@
 """A mechanism as a program in any language would hold it: what is given, what follows once, and the columns in order.
 
-Everything is an expression tree of the equations list; a language prints it with its own dialect and its own names. Only
-here is decided how a column that reads the row above is computed: as a running sum, or row by row.
+Everything is an expression tree of the equations list; a language prints it with its own dialect and its own names. What is
+no function of spreadsheets becomes a call of a helper that each language brings along: `CONTINUOUS` takes the jumps out of
+an angle over the rows, `TRIANGLE` is the angle of a triangle opposite the first of its sides.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from typing import Literal
 
 from mechsheet.exporting.identifiers import identifiers
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, symbols, walk
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.equations import Equation, Equations
+from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_order, solve
 from mechsheet.model import Dimension, Mechanism, Quantity
+from mechsheet.sheet.lowering import guarded
 from mechsheet.sheet.positions import shown_number
 
 WIDTH = 100
@@ -37,17 +38,14 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class ColumnLine:
-    """A quantity that has one value per row.
+    """A quantity that has one value per row: `node` over whole columns.
 
-    way    "still": the expression has one value for all rows; "whole": the expression over whole columns;
-           "running": the running sum of `node`, whose first term is `first`; "rows": row by row, `first` in the first
-    group  number of the group, 0 on the driver's side, -1 for outputs
+    still  the expression has one value for all rows;  group  number of the group, 0 on the driver's side, -1 for outputs
     """
 
     symbol: str
     node: Node
-    way: Literal["still", "whole", "running", "rows"]
-    first: Node | None
+    still: bool
     unit: str
     words: str
     group: int
@@ -88,16 +86,9 @@ class Program:
             return "rad" if self.mechanism.driver.unit in ("deg", "rad") else self.mechanism.length_unit
         return unit_word(self.mechanism, self.equations.of(symbol).unit)
 
-    def print(self, node: Node, dialect: str, previous: Callable[[str], str], row: Callable[[str], str] = str) -> str:
-        """The text of an expression; `previous` and `row` say how a moving name is written for the row above and this."""
-
-        def name(part: Symbol | Previous) -> str:
-            plain = self.names[part.name]
-            if isinstance(part, Previous):
-                return previous(plain)
-            return row(plain) if part.name in self.moving else plain
-
-        return print_formula(node, dialect, name)
+    def print(self, node: Node, dialect: str, calls: Mapping[str, str]) -> str:
+        """The text of an expression; `calls` spell the helpers, `{0}` being the first argument."""
+        return print_formula(node, dialect, lambda part: self.names[part.name], calls)
 
 
 def heading(program: Program, number: int) -> str:
@@ -126,14 +117,16 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
     dimensions = {dim.symbol: dim for dim in mechanism.dimensions}
     order = [dimensions[symbol] for symbol in dimension_order(mechanism)]
     constants = [
-        Line(eq.symbol, eq.expression, unit_word(mechanism, eq.unit), one_line(eq.label.of(language)))
+        Line(
+            eq.symbol, guarded(eq.exists, _computed(eq)), unit_word(mechanism, eq.unit), one_line(eq.label.of(language))
+        )
         for eq in equations.constants
     ]
     modes = tuple(
         Line(group.mode, Number(float(group.mode_value)), "", f"+1: {plus.of(language)}, -1: {minus.of(language)}")
         for group in equations.groups
-        for plus, minus in [group.mode_words]
         if group.mode
+        for plus, minus in [group.assemblies]
     )
     driver = mechanism.driver
     degrees = driver.unit == "deg"
@@ -141,8 +134,9 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
         None if driver.values else tuple(quantity(part, degrees) for part in (driver.start, driver.stop, driver.step))
     )
     columns = _columns(mechanism, equations)
-    kept = [eq.symbol for eq in equations.columns if eq.kind in ("variable", "point", "output")]
+    kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "output")]
     wanted = [driver.symbol, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
+    wanted += [column.symbol for column in columns]
     return Program(
         mechanism,
         equations,
@@ -184,28 +178,45 @@ def one_line(text: str) -> str:
 
 def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ...]:
     moving = {mechanism.driver.symbol}
+    closed: dict[tuple[Condition, ...], Symbol] = {}
     found = []
     for equation in equations.columns:
-        line = _column(mechanism, equation, moving)
-        found.append(line)
-        moving.add(line.symbol)
+        still = not moving.intersection(equation.reads)
+        moving.add(equation.symbol)
+        if equation.exists and equation.exists not in closed:
+            line = _closed(equation, len(closed), still)
+            closed[equation.exists] = Symbol(line.symbol)
+            found.append(line)
+        node = _computed(equation)
+        if equation.exists:
+            node = Call("IF", (closed[equation.exists], node, Call("NA")))
+            still = False  # the condition has one value per row
+        unit, words = unit_word(mechanism, equation.unit), one_line(equation.label.of(mechanism.language))
+        found.append(ColumnLine(equation.symbol, node, still, unit, words, equation.group))
     return tuple(found)
 
 
-def _column(mechanism: Mechanism, equation: Equation, moving: Collection[str]) -> ColumnLine:
-    unit, words = unit_word(mechanism, equation.unit), one_line(equation.label.of(mechanism.language))
-    node, first = equation.expression, equation.first
-    way: Literal["still", "whole", "running", "rows"] = "whole"
-    if first is not None:
-        way = "rows"
-        match node:
-            case Binary("+", Previous(symbol), step) if symbol == equation.symbol and Previous(symbol) not in walk(
-                step
-            ):
-                way, node = "running", step
-    elif not any(symbol in moving for symbol in symbols(node)):
-        way = "still"
-    return ColumnLine(equation.symbol, node, way, first, unit, words, equation.group)
+def _closed(equation: Equation, number: int, still: bool) -> ColumnLine:
+    """Where the conditions of an equation hold; others of its group share them."""
+    tests = tuple(Binary(">=", condition.margin, condition.least) for condition in equation.exists)
+    name = f"closed {number + 1}"  # no description can use a name with a blank in it
+    return ColumnLine(name, al.all_of(tests), still, "", "", equation.group)
+
+
+def _computed(equation: Equation) -> Node:
+    """The equation as arrays compute it: helpers called, no root of a rounding error below 0."""
+
+    def called(part: Node) -> Node:
+        match part:
+            case Direction(y, x):
+                return Call("CONTINUOUS", (al.atan2(x, y),))
+            case TriangleAngle(opposite, beside, other):
+                return Call("TRIANGLE", (opposite, beside, other))
+            case Call("SQRT", (square,)) if equation.exists:
+                return Call("SQRT", (Call("MAX", (al.ZERO, square)),))
+        return part
+
+    return transform(equation.expression, called)
 
 
 def _exists(equations: Equations) -> Node:

@@ -31,9 +31,19 @@ def _rounded(x: ArrayLike, digits: float) -> Array:
     return np.asarray(np.sign(x) * np.floor(np.abs(x) * scale + 0.5) / scale)
 
 
-def _above(x: ArrayLike) -> Array:
-    """Each row's value moved down by one; nothing stands above the first."""
-    return np.concatenate(([np.nan], np.asarray(x, float)[:-1]))
+def _continuous(angles: ArrayLike) -> Array:
+    """The angles with whole turns added, so that none is more than half a turn from the last one that is a number."""
+    angles = np.array(angles, float)
+    known = np.isfinite(angles)
+    angles[known] = np.unwrap(angles[known])
+    return angles
+
+
+def _triangle(opposite: ArrayLike, beside: ArrayLike, other: ArrayLike) -> Array:
+    """The angle of a triangle opposite the first side: the law of cosines, by Heron's area, which keeps its digits."""
+    c, a, b = (np.asarray(side, float) for side in (opposite, beside, other))
+    product = (a + b + c) * (a + b - c) * (c + a - b) * (c - a + b)
+    return np.arctan2(np.sqrt(np.maximum(0, product)), a * a + b * b - c * c)
 
 
 def _kept(x: ArrayLike, exists: NDArray[np.bool_]) -> Array:
@@ -67,10 +77,11 @@ def write(job: Job) -> list[bytes]:
     return [("\n".join(lines) + _HELPERS).encode()]
 
 
-def _text(program: Program, node: Node, indexed: bool = False) -> str:
-    if indexed:
-        return program.print(node, "python", lambda name: f"{name}[n - 1]", lambda name: f"{name}[n]")
-    return program.print(node, "python", lambda name: f"_above({name})")
+_CALLS = {"CONTINUOUS": "_continuous({0})", "TRIANGLE": "_triangle({0}, {1}, {2})"}
+
+
+def _text(program: Program, node: Node) -> str:
+    return program.print(node, "python", _CALLS)
 
 
 def _quoted(text: str) -> str:
@@ -183,21 +194,7 @@ def _driver(program: Program, driver: str) -> list[str]:
 
 
 def _column(program: Program, column: ColumnLine) -> list[str]:
-    name = program.names[column.symbol]
-    text = _text(program, column.node, indexed=column.way == "rows")
-    if column.way == "still":
-        return commented(f"        {name} = np.full(rows, {text})", column.words, "#")
-    if column.way == "whole":
-        return commented(f"        {name} = {text}", column.words, "#")
-    first = _text(program, column.first, indexed=column.way == "rows") if column.first is not None else "0"
-    if column.way == "running":
-        return [
-            *commented(f"        {name} = np.asarray({text})", column.words, "#"),
-            f"        {name}[0] = {first}",
-            f"        {name} = np.cumsum({name})",
-        ]
-    return [
-        *commented(f"        {name} = np.full(rows, np.nan)", column.words, "#"),
-        "        for n in range(rows):",
-        f"            {name}[n] = {first} if n == 0 else {text}",
-    ]
+    text = _text(program, column.node)
+    if column.still:
+        text = f"np.full(rows, {text})"
+    return commented(f"        {program.names[column.symbol]} = {text}", column.words, "#")

@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Symbol, symbols, transform, walk
-from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.expansion import definitions, substituted
+from mechsheet.sheet.lowering import Assignments
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.windows import WINDOWED, with_windows
 
@@ -62,9 +63,9 @@ class Source:
 
     def __init__(self, mechanism: Mechanism, equations: Equations) -> None:
         self.mechanism = mechanism
-        self.equations = equations
         self.plan: Plan = plan_of(mechanism, equations)
-        self.rules = with_windows(self.plan, definitions(mechanism, equations))
+        self.equations = self.plan.equations
+        self.rules = with_windows(self.plan, definitions(mechanism, self.equations))
         self.modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
 
     def parameters(self) -> tuple[Parameter, ...]:
@@ -83,7 +84,7 @@ class Source:
         """What has a function: link angles, displacements, moving points and outputs, in order of solution."""
         driver = self.mechanism.driver.symbol
         kinds = ("variable", "point", "output")
-        return tuple(eq.symbol for eq in self.equations.columns if eq.kind in kinds and eq.symbol != driver)
+        return tuple(eq.symbol for eq in self.equations.columns if eq.role in kinds and eq.symbol != driver)
 
     def routine(self, key: str, symbol: str, about: Words, order: Sequence[str] = (), windowed: bool = True) -> Routine:
         """The function of a variable.
@@ -192,7 +193,7 @@ def _unit(unit: str, mechanism: Mechanism) -> str:
     return "length" if unit == mechanism.length_unit else "number" if unit == "1" else unit
 
 
-def _unit_of(equations: Equations, symbol: str) -> str:
+def _unit_of(equations: Assignments, symbol: str) -> str:
     return next(equation.unit for equation in equations.all if equation.symbol == symbol)
 
 

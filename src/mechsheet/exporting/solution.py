@@ -14,14 +14,14 @@ from mechsheet.exporting.job import Job
 from mechsheet.exporting.mathtext import Pen, packed, point_math, seen, symbol_math
 from mechsheet.exporting.position import Position, position_at
 from mechsheet.exporting.program import one_line, quantity
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.equations import Equation, Group
-from mechsheet.kinematics.loops import Loop, loops_of
-from mechsheet.kinematics.solve import solve_in_full
+from mechsheet.kinematics.closures import Loop
+from mechsheet.kinematics.equations import Group
 from mechsheet.model import Words
+from mechsheet.sheet.lowering import Assignment
 
 LINE = 66
 """Characters of LaTeX that numbers and their result may share a line with."""
@@ -90,9 +90,6 @@ class _Writer:
         self.mechanism = position.plan.mechanism
         self.equations = position.equations
         self.blocks: list[Block] = []
-        modes = {group.mode: group.mode_value for group in self.equations.groups if group.mode}
-        _, poses, dyads = solve_in_full(self.mechanism, modes)
-        self.loops = loops_of(poses, dyads)
 
     def say(self, text: Words) -> str:
         return text.of(self.pen.language)
@@ -108,9 +105,9 @@ class _Writer:
         self.opening()
         self.given()
         self.driver()
-        for group, loop in zip(self.equations.groups, self.loops, strict=True):
-            self.group(group, loop)
-        outputs = [equation for equation in self.equations.columns if equation.kind == "output"]
+        for group in self.equations.groups:
+            self.group(group, group.closure)
+        outputs = [equation for equation in self.equations.columns if equation.role == "output"]
         if outputs:
             self.heading(2, self.say(words.OUTPUTS))
             self.steps(outputs)
@@ -174,7 +171,7 @@ class _Writer:
         points = [f"{name}" for name in group.pins]
         self.paragraph(self.say(words.KINDS[group.kind]).format(*points))
         if group.mode:
-            text = one_line(self.say(group.mode_words[group.mode_value < 0]))
+            text = one_line(self.say(group.mode_words))
             mode = f"{symbol_math(group.mode)} = {group.mode_value:+d}"
             self.paragraph(f"{self.say(words.MODE)} ", Math(mode), f": {text}")
         self.steps(equation for equation in self.equations.columns if equation.group == group.number)
@@ -199,7 +196,7 @@ class _Writer:
             )
             scalars += _equated(left, right) if left or right else []
         self.blocks.append(Display(tuple(scalars)))
-        solved = [eq.symbol for eq in self.equations.columns if eq.group == group.number and eq.kind == "variable"]
+        solved = [eq.symbol for eq in self.equations.columns if eq.group == group.number and eq.role == "variable"]
         unknown = [name for name in loop.reads if name in solved]
         between = f" {self.say(words.AND)} "
         parts: list[str | Math] = [f"{self.say(words.UNKNOWNS)} "]
@@ -240,12 +237,12 @@ class _Writer:
 
     # --- steps ------------------------------------------------------------------------------------------------
 
-    def steps(self, equations: Iterable[Equation]) -> None:
+    def steps(self, equations: Iterable[Assignment]) -> None:
         """Each equation with what it means, with symbols, with numbers."""
         for equation in equations:
             label = one_line(self.say(equation.label))
             if equation.first is not None:
-                if equation.unit == "number":
+                if equation.counts_turns:
                     name = Math(symbol_math(equation.symbol))
                     value = Math(self.pen.rounded(self.position.value(equation.symbol), "mode"))
                     self.paragraph(name, f": {self.say(words.TURNS)} ", value)
@@ -279,7 +276,7 @@ class _Writer:
         kinds = ("variable", "point", "output")
         rows = []
         for equation in self.equations.columns:
-            if equation.kind in kinds:
+            if equation.role in kinds:
                 label = one_line(self.say(equation.label))
                 text = label if label != equation.symbol else ""
                 rows.append(((Math(symbol_math(equation.symbol)),), (Math(self.pen.result(equation.symbol)),), (text,)))

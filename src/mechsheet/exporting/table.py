@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 
 from mechsheet.exporting.job import Job
-from mechsheet.show import variables_and_units
+from mechsheet.motion import motion_of
 
 PLAIN = {"°": "deg"}
 """Units in letters that every program reads."""
@@ -14,12 +15,12 @@ PLAIN = {"°": "deg"}
 
 def write(job: Job) -> list[bytes]:
     """The table in UTF-8, every number with all its digits; nothing where the position does not exist."""
-    columns, units = variables_and_units(job.mechanism)
+    columns, units = motion_of(job.mechanism)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_heading(symbol, PLAIN.get(units[symbol], units[symbol])) for symbol in columns)
-    for row in zip(*columns.values(), strict=True):
-        writer.writerow(["" if value is None else repr(value) for value in row])
+    for row in zip(*(column.tolist() for column in columns.values()), strict=True):
+        writer.writerow([repr(value) if math.isfinite(value) else "" for value in row])
     return [text.getvalue().encode()]
 
 

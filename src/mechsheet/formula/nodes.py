@@ -62,6 +62,29 @@ class Symbol:
 
 
 @dataclass(frozen=True, slots=True)
+class Direction:
+    """The direction of the vector (x, y) [rad] as an angle without jumps along a sweep; at one position that of ATAN2.
+
+    Only in equations: each edge (sheet, program, page) writes it in its own way.
+    """
+
+    y: Node
+    x: Node
+
+
+@dataclass(frozen=True, slots=True)
+class TriangleAngle:
+    """The angle [rad, 0 to pi] between two sides of a triangle, opposite the third: the law of cosines.
+
+    acos((beside^2 + other^2 - opposite^2) / (2 beside other)). Only in equations, as `Direction`.
+    """
+
+    opposite: Node
+    beside: Node
+    other: Node
+
+
+@dataclass(frozen=True, slots=True)
 class Previous:
     """The quantity in the row above (the driver's previous value). Never in a workbook."""
 
@@ -207,6 +230,8 @@ Node: TypeAlias = (
     | Missing
     | Symbol
     | Previous
+    | Direction
+    | TriangleAngle
     | CellRef
     | RangeRef
     | NameRef
@@ -258,6 +283,10 @@ def children(node: Node) -> tuple[Node, ...]:
             return args
         case Unary(_, operand) | Arrayed(operand):
             return (operand,)
+        case Direction(y, x):
+            return (y, x)
+        case TriangleAngle(opposite, beside, other):
+            return (opposite, beside, other)
         case Apply(function, args):
             return (function, *args)
         case SheetsRef(_, _, area):
@@ -309,6 +338,10 @@ def rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
             return Unary(op, below[0])
         case Arrayed():
             return Arrayed(below[0])
+        case Direction():
+            return Direction(*below)
+        case TriangleAngle():
+            return TriangleAngle(*below)
         case Binary(op, _, _):
             return Binary(op, below[0], below[1])
         case Call(name, _):

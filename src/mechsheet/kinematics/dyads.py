@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Words
 
@@ -16,16 +17,18 @@ class Solved:
     """A dyad that has been written down; see `equations.Group` for the fields."""
 
     mode: str
-    mode_words: tuple[Words, Words]
+    assemblies: tuple[Words, ...]
     closes: str
+    apart: Node | None
     degenerate: Node | None
     pins: tuple[str, ...]
+    unknowns: tuple[str, ...]
     label: Words
     transmission: str = ""
     sides: tuple[Node, ...] = ()
 
 
-NO_MODE = (Words("", ""), Words("", ""))
+ONE_ASSEMBLY = (Words("", ""),)
 
 
 def half_turn_unless(mode: Node) -> Node:
@@ -33,23 +36,16 @@ def half_turn_unless(mode: Node) -> Node:
     return al.div(al.mul(al.PI, al.sub(al.ONE, mode)), al.TWO)
 
 
-def leg(ledger: Ledger, base: str, hypotenuse: Node, other: Node, label: Words, also: Node | None = None) -> Symbol:
-    """sqrt(hypotenuse^2 - other^2) of a right triangle as a column; #N/A where the other leg is longer.
+def leg(ledger: Ledger, base: str, hypotenuse: Node, other: Node, label: Words, separate: Condition) -> Symbol:
+    """sqrt(hypotenuse^2 - other^2) of a right triangle as a column, where it has one and `separate` holds.
 
-    Written (c - a)(c + a), which keeps its digits at the limit. A shortfall below the tolerance is a dead centre: 0.
+    Written (c - a)(c + a), which keeps its digits at the limit. A shortfall below the tolerance is a dead centre.
     """
     if al.is_zero(other):
-        open_: Node | None = also
-        value = hypotenuse
-    else:
-        open_ = al.less(al.sub(hypotenuse, Call("ABS", (other,))), al.neg(ledger.tolerance))
-        if also is not None:
-            open_ = Call("OR", (also, open_))
-        product = al.mul(al.sub(hypotenuse, other), al.add(hypotenuse, other))
-        value = Call("SQRT", (Call("MAX", (al.ZERO, product)),))
-    if open_ is not None:
-        value = Call("IF", (open_, Call("NA"), value))
-    return ledger.column(base, value, "length", label)
+        return ledger.column(base, hypotenuse, "length", label, exists=[separate])
+    reaches = Condition(al.sub(hypotenuse, Call("ABS", (other,))), al.neg(ledger.tolerance))
+    product = al.mul(al.sub(hypotenuse, other), al.add(hypotenuse, other))
+    return ledger.column(base, Call("SQRT", (product,)), "length", label, exists=[separate, reaches])
 
 
 def along_and_across(x: Node, y: Node, delta: Angle) -> tuple[Node, Node]:

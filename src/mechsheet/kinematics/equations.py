@@ -1,53 +1,83 @@
-"""The ordered list of assignments that solves a mechanism: small data, its checker, and its printer.
+"""The ordered list of assignments that solves a mechanism, as mathematics: small data, and its checker.
 
     symbol = expression        in internal units (radians, the file's length unit)
 
-An expression reads dimensions, modes, and symbols assigned before it; `Previous(x)` reads x of the row above (then
-`first` is the expression of the first row). `validate` refuses a list that reads what is not solved yet or solves a
-symbol twice.
+An expression reads dimensions, modes, and symbols assigned before it, all at one position of the driver, and it has a
+derivative: an angle that goes on without jumps is a `Direction`, the angle of a triangle a `TriangleAngle`; that a position
+does not exist is no value but a condition beside the expression. How cells and programs say these is the edges' matter.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
-from mechsheet.formula.nodes import Node, Previous, symbols, walk
+from mechsheet.formula.nodes import Binary, Node, symbols
+from mechsheet.kinematics.closures import Loop
 from mechsheet.model import Words
 
-Kind = Literal["constant", "driver", "intermediate", "variable", "point", "output"]
-Unit = Literal["length", "angle", "number"]
+Role = Literal["constant", "driver", "intermediate", "variable", "point", "output"]
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """What must hold for a quantity to exist: `margin` is not less than `least`.
+
+    margin  a length or a ratio that is continuous in the driver, also where the position does not exist
+    least   minus the tolerance where links must reach each other (rounding at a dead centre is no gap); a small positive
+            number where a direction must be determined (pins apart, lines that cross)
+    """
+
+    margin: Node
+    least: Node
+
+    @property
+    def fails(self) -> Node:
+        """True where the quantity does not exist."""
+        return Binary("<", self.margin, self.least)
 
 
 @dataclass(frozen=True, slots=True)
 class Equation:
     """One assignment.
 
-    kind   "constant" has one value for all rows (a cell beside the dimensions); the others are columns
-    unit   "length", "angle" (radians), "number", or any label an output was given ("mm^2"); "deg" outputs are "angle"
-    group  0 for the driver's side, n for the n-th group in order of solution, -1 for outputs
+    role    "constant" has one value for all rows (a cell beside the dimensions); the others are columns
+    unit    "length", "angle" (radians), "number", or any label an output was given ("mm^2"); "deg" outputs are "angle"
+    exists  all that must hold for it to have a value, besides what it reads
+    group   0 for the driver's side, n for the n-th group in order of solution, -1 for outputs
     """
 
     symbol: str
     expression: Node
-    kind: Kind
+    role: Role
     unit: str
     label: Words
     group: int = 0
-    first: Node | None = None
+    exists: tuple[Condition, ...] = ()
 
     @property
     def reads(self) -> tuple[str, ...]:
-        """Symbols of this row that the expression reads."""
+        """Symbols that the expression reads, and those that decide whether it exists."""
         found = dict.fromkeys(symbols(self.expression))
-        if self.first is not None:
-            found |= dict.fromkeys(symbols(self.first))
+        for condition in self.exists:
+            found |= dict.fromkeys((*symbols(condition.margin), *symbols(condition.least)))
         return tuple(found)
 
-    @property
-    def reads_previous(self) -> tuple[str, ...]:
-        """Symbols of the row above that the expression reads."""
-        return tuple(dict.fromkeys(part.name for part in walk(self.expression) if isinstance(part, Previous)))
+
+@dataclass(frozen=True, slots=True)
+class LinkPose:
+    """Where a link is: a point that it carries at `place` (u, v) in its frame lies at
+
+        x + u cos(angle) - v sin(angle),   y + u sin(angle) + v cos(angle)
+
+    angle, x, y  of the link's frame, over symbols of the equations;  places  its points in its frame, over constants
+    """
+
+    angle: Node
+    x: Node
+    y: Node
+    places: Mapping[str, tuple[Node, Node]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +86,12 @@ class Group:
 
     kind          "RRR", "RRP", "RPR", "PRP", "RPP"
     links         names of its links (a massless block of a pin-slot joint is called after its slot)
+    unknowns      the symbols that its closure decides: two angles or displacements
+    closure       its loop closure equation: left = right, in the plane
     mode          symbol of the mode cell, "" where there is only one assembly
-    mode_value    +1 or -1 as the sketch says
-    mode_words    what +1 and -1 look like
-    closes        symbol that is a number where the group can be assembled, and #N/A where it cannot
+    assemblies    what each assembly looks like; `assembly` is the number (from 0) of the one that the sketch means
+    closes        symbol of an equation that has a value exactly where the group can be assembled
+    apart         how far its assemblies are from each other: 0 at a dead centre; None where there is one assembly
     degenerate    TRUE in a row where the group closes but its position is undetermined (pins coincide, so that a link can
                   turn about them; lines coincide), or None
     open          True when the sketch said nothing about this group
@@ -72,15 +104,38 @@ class Group:
     kind: str
     links: tuple[str, ...]
     pins: tuple[str, ...]
+    unknowns: tuple[str, ...]
+    closure: Loop
     mode: str
-    mode_value: int
-    mode_words: tuple[Words, Words]
+    assemblies: tuple[Words, ...]
+    assembly: int
     closes: str
+    apart: Node | None
     degenerate: Node | None
     open: bool
     label: Words
     transmission: str = ""
     sides: tuple[Node, ...] = ()
+
+    @property
+    def mode_value(self) -> int:
+        """What the mode cell holds: +1 for the first assembly, -1 for the second."""
+        return mode_value(self.assembly)
+
+    @property
+    def mode_words(self) -> Words:
+        """What the assembly that was taken looks like."""
+        return self.assemblies[self.assembly]
+
+
+def mode_value(assembly: int) -> int:
+    """The number that formulas multiply by for an assembly of a dyad: +1, -1."""
+    return 1 - 2 * assembly
+
+
+def assembly_of(mode: float) -> int:
+    """The number of the assembly that a mode cell means."""
+    return 0 if mode > 0 else 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +144,7 @@ class Equations:
 
     positive   symbols of dimensions that are lengths between joints: they must stay greater than zero; the driver's, too
     tolerance  symbol of the constant below which a length counts as zero
+    poses      where each link is, by its name
     """
 
     constants: tuple[Equation, ...]
@@ -96,6 +152,7 @@ class Equations:
     groups: tuple[Group, ...]
     positive: tuple[str, ...]
     tolerance: str
+    poses: Mapping[str, LinkPose] = field(default_factory=dict)
 
     @property
     def all(self) -> tuple[Equation, ...]:
@@ -110,16 +167,12 @@ class Equations:
 def validate(equations: Equations, given: tuple[str, ...]) -> None:
     """Raise ValueError unless every symbol is solved once, before it is read. `given`: dimensions and the driver."""
     known = set(given) | {group.mode for group in equations.groups if group.mode}
-    solved = {equation.symbol for equation in equations.all}
     for equation in equations.all:
         missing = [name for name in equation.reads if name not in known]
         if missing:
             raise ValueError(f"{equation.symbol}: {missing[0]} is not solved yet")
-        strangers = [name for name in equation.reads_previous if name not in solved | known]
-        if strangers:
-            raise ValueError(f"{equation.symbol}: {strangers[0]} is never solved")
         if equation.symbol in known:
             raise ValueError(f"{equation.symbol} is solved twice")
-        if (equation.kind == "constant") != (equation in equations.constants):
+        if (equation.role == "constant") != (equation in equations.constants):
             raise ValueError(f"{equation.symbol} stands in the wrong list")
         known.add(equation.symbol)

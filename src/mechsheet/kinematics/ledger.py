@@ -6,18 +6,17 @@ equations stand.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import chain, count
 
 import numpy as np
 
-from mechsheet.formula.names import folded
-from mechsheet.formula.nodes import Call, Node, Previous, Symbol, symbols
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
-from mechsheet.kinematics.equations import Equation, Kind
-from mechsheet.kinematics.numeric import Array, evaluate_column
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
+from mechsheet.formula.nodes import Call, Direction, Node, Symbol, symbols
+from mechsheet.kinematics.equations import Condition, Equation, Role
+from mechsheet.kinematics.naming import FreshNames
+from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.model import Words
 
 
@@ -41,16 +40,11 @@ class Ledger:
         self.positive: dict[str, None] = {}
         self.tolerance: Node = al.ZERO  # set to its symbol by whoever knows the lengths
         self.group = 0
-        self._taken = {folded(name) for name in taken} | {folded(name) for name in dimensions} | {folded(driver)}
+        self._names = FreshNames([*taken, *dimensions, driver])
 
     def reserve(self, base: str) -> str:
         """A name like `base` that nothing else has: `phi`, in the second group `phi_2`."""
-        group = max(self.group, 1)
-        first = [base, f"{base}_1"] if group == 1 else [f"{base}_{group}"]
-        further = (f"{base}_{group}_{number}" for number in count(2))
-        name = next(name for name in chain(first, further) if folded(name) not in self._taken)
-        self._taken.add(folded(name))
-        return name
+        return self._names.reserve(base, self.group)
 
     def mode(self) -> Symbol:
         """The assembly mode of the present group, `mode_1`: a constant that is +1 until the sketch says otherwise."""
@@ -68,28 +62,35 @@ class Ledger:
         return all(name in self.constant_symbols for name in symbols(node))
 
     def define(
-        self, symbol: str, expression: Node, unit: str, label: Words, kind: Kind, first: Node | None = None
+        self,
+        symbol: str,
+        expression: Node,
+        unit: str,
+        label: Words,
+        role: Role,
+        exists: Sequence[Condition] = (),
     ) -> Symbol:
-        """Write `symbol = expression` down and compute it. `kind` "constant" is for all rows, others are columns."""
-        equation = Equation(symbol, expression, kind, unit, label, self.group, first)
-        if kind == "constant":
+        """Write `symbol = expression` down and compute it. `role` "constant" is for all rows, others are columns."""
+        equation = Equation(symbol, expression, role, unit, label, self.group, tuple(exists))
+        if role == "constant":
             self.constants.append(equation)
             self.constant_symbols.add(symbol)
         else:
             self.columns.append(equation)
-        self.values[symbol] = evaluate_column(equation, self.values, self.rows)
+        self.values[symbol] = evaluate_equation(equation, self.values, self.rows)
         return Symbol(symbol)
 
-    def hoist(self, base: str, expression: Node, unit: str, label: Words) -> Node:
+    def hoist(self, base: str, expression: Node, unit: str, label: Words, exists: Sequence[Condition] = ()) -> Node:
         """The expression itself when it is simple, else a new constant or intermediate column that holds it."""
         if al.is_simple(expression):
             return expression
-        kind: Kind = "constant" if self.is_constant(expression) else "intermediate"
-        return self.define(self.reserve(base), expression, unit, label, kind)
+        parts = [expression, *(node for condition in exists for node in (condition.margin, condition.least))]
+        role: Role = "constant" if all(self.is_constant(part) for part in parts) else "intermediate"
+        return self.define(self.reserve(base), expression, unit, label, role, exists)
 
-    def column(self, base: str, expression: Node, unit: str, label: Words) -> Symbol:
+    def column(self, base: str, expression: Node, unit: str, label: Words, exists: Sequence[Condition] = ()) -> Symbol:
         """A new intermediate column."""
-        return self.define(self.reserve(base), expression, unit, label, "intermediate")
+        return self.define(self.reserve(base), expression, unit, label, "intermediate", exists)
 
     def hoist_angle(self, base: str, angle: Angle, label: Words) -> Angle:
         """The angle with its symbolic part made simple."""
@@ -98,7 +99,7 @@ class Ledger:
     def number(self, node: Node) -> float:
         """Value of a constant expression."""
         probe = Equation("", node, "constant", "number", Words("", ""))
-        return float(evaluate_column(probe, self.values, self.rows)[0])
+        return float(evaluate_equation(probe, self.values, self.rows)[0])
 
     def is_positive(self, node: Node) -> bool:
         """True for a length that is positive because of what it is made of.
@@ -117,41 +118,9 @@ class Ledger:
                 return True
         return False
 
-    def direction(self, base: str, x: Node, y: Node, exists: bool, label: Words) -> Symbol:
-        """The direction of the vector (x, y) as an angle without jumps: ATAN2 plus as many turns as have gone by.
-
-        exists  True when x and y are numbers in every row; else the last direction known is held over rows without one.
-        """
-        name = self.reserve(base)
-        raw = self.column(f"{base}_0", al.atan2(x, y), "angle", Words(f"{label.en}, within half a turn", label.tr))
-        turn = al.mul(al.TWO, al.PI)
-        last: Node = Previous(raw.name)
-        if not exists:
-            number = Call("ISNUMBER", (raw,))
-            held_name = self.reserve(f"{base}_held")
-            held = self.define(
-                held_name,
-                Call("IF", (number, raw, Previous(held_name))),
-                "angle",
-                Words("last direction known", "bilinen son doğrultu"),
-                "intermediate",
-                first=Call("IF", (number, raw, al.ZERO)),
-            )
-            last = Previous(held.name)
-            step: Node = Call("IF", (number, _turns(last, raw, turn), al.ZERO))
-        else:
-            # Pins that coincide have no direction: ATAN2(0, 0) is an error in most programs, which must not spread.
-            step = Call("IF", (Call("ISNUMBER", (al.sub(last, raw),)), _turns(last, raw, turn), al.ZERO))
-        turns_name = self.reserve("turns")
-        turns = self.define(
-            turns_name,
-            al.add(Previous(turns_name), step),
-            "number",
-            Words("turns gone by", "tamamlanan tur sayısı"),
-            "intermediate",
-            first=al.ZERO,
-        )
-        return self.define(name, al.add(raw, al.mul(turn, turns)), "angle", label, "intermediate")
+    def direction(self, base: str, x: Node, y: Node, label: Words) -> Symbol:
+        """The direction of the vector (x, y), an angle without jumps."""
+        return self.column(base, Direction(y, x), "angle", label)
 
     def first_number(self, symbol: str) -> int | None:
         """The first row in which a column is a number."""
@@ -167,8 +136,4 @@ class Ledger:
     def recompute(self, start: int) -> None:
         """Compute the columns again from the one at position `start` on."""
         for equation in self.columns[start:]:
-            self.values[equation.symbol] = evaluate_column(equation, self.values, self.rows)
-
-
-def _turns(last: Node, raw: Node, turn: Node) -> Node:
-    return Call("ROUND", (al.div(al.sub(last, raw), turn), al.ZERO))
+            self.values[equation.symbol] = evaluate_equation(equation, self.values, self.rows)

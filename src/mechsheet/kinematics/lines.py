@@ -11,11 +11,12 @@ Parallel lines do not meet, or coincide and leave the position undetermined: #N/
 from __future__ import annotations
 
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import NO_MODE, Solved
+from mechsheet.kinematics.dyads import ONE_ASSEMBLY, Solved
+from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.places import angle_of
@@ -57,14 +58,14 @@ def meet(
         sine = ledger.hoist(
             "D_0", sine, "number", Words("sine of the angle between the lines", "doğrular arasındaki açının sinüsü")
         )
-        parallel = al.less(Call("ABS", (sine,)), al.number(PARALLEL))
+        crossing = Condition(Call("ABS", (sine,)), al.number(PARALLEL))
         column = ledger.column(
-            "D", Call("IF", (parallel, Call("NA"), sine)), "number",
-            Words("the same; #N/A where the lines are parallel", "aynısı; doğrular paralelse #N/A"),
+            "D", sine, "number",
+            Words("the same; #N/A where the lines are parallel", "aynısı; doğrular paralelse #N/A"), [crossing],
         )  # fmt: skip
         d, closes = column, column.name
         ahead = al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2)))
-        parallel = Call("AND", (parallel, al.less(Call("ABS", (ahead,)), ledger.tolerance)))
+        parallel = Call("AND", (crossing.fails, al.less(Call("ABS", (ahead,)), ledger.tolerance)))
     k1 = al.div(al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2))), d)
     k2 = al.div(al.sub(al.mul(e_x, al.sin(delta1)), al.mul(e_y, al.cos(delta1))), d)
     return k1, k2, closes, parallel
@@ -90,7 +91,8 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         _fix_by_guide(poses, assembly, guide)
     symbols = f"{guides[0].symbol}, {guides[1].symbol}"
     return Solved(
-        "", NO_MODE, closes or guides[0].symbol, parallel, (inner.point,),
+        "", ONE_ASSEMBLY, closes or guides[0].symbol, None, parallel, (inner.point,),
+        (guides[0].symbol, guides[1].symbol),
         Words(
             f"{poses.both(dyad).en}: pin {inner.point}, slides {symbols}",
             f"{poses.both(dyad).tr}: {inner.point} mafsalı, {symbols} kaymaları",
@@ -150,7 +152,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     poses.fix(dyad.first, angle, poses.place(dyad.first, p), xp, yp)
     symbols = f"{guide.symbol}, {joint.symbol}"
     return Solved(
-        "", NO_MODE, closes or guide.symbol, parallel, (p,),
+        "", ONE_ASSEMBLY, closes or guide.symbol, None, parallel, (p,), (guide.symbol, joint.symbol),
         Words(
             f"{poses.both(dyad).en}: pin {p}, slides {symbols}",
             f"{poses.both(dyad).tr}: {p} mafsalı, {symbols} kaymaları",

@@ -12,44 +12,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from mechsheet.formula.nodes import Binary, Node, Number, Symbol, Unary, symbols
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
+from mechsheet.formula.nodes import Binary, Node, Number, Symbol, Unary
 from mechsheet.kinematics.assur import Contact, Dyad, Pin
+from mechsheet.kinematics.closures import Loop, Vector
 from mechsheet.kinematics.places import Place, angle_of
 from mechsheet.kinematics.poses import Poses
-
-
-@dataclass(frozen=True, slots=True)
-class Vector:
-    """length e^(i angle); a displacement may be negative."""
-
-    length: Node
-    angle: Angle
-
-
-@dataclass(frozen=True, slots=True)
-class Loop:
-    """left = right, as vectors and as ways over named points (a way and its reverse differ in sign).
-
-    left_way, right_way  the steps of each side, from point to point
-    """
-
-    left: tuple[Vector, ...]
-    right: tuple[Vector, ...]
-    left_way: tuple[tuple[str, str], ...]
-    right_way: tuple[tuple[str, str], ...]
-
-    @property
-    def vectors(self) -> tuple[Vector, ...]:
-        """Those of both sides."""
-        return self.left + self.right
-
-    @property
-    def reads(self) -> tuple[str, ...]:
-        """Every symbol in it, once."""
-        nodes = (node for vector in self.vectors for node in (vector.length, vector.angle.node))
-        return tuple(dict.fromkeys(name for node in nodes for name in symbols(node)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -108,7 +108,7 @@ def _entries(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mappi
     fresh = {equation.symbol: equation.unit for equation in ledger.columns[start:]}
     size = max([abs(value) for value in dimensions.values()], default=1.0)
     for equation in ledger.columns[start:]:
-        if equation.kind == "point":
+        if equation.role == "point":
             found = ledger.values[equation.symbol]
             size = max(size, float(abs(found[found == found]).max(initial=0.0)))
 

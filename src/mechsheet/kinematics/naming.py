@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import chain, count
+
+from mechsheet.formula.names import folded
 from mechsheet.model import Link, Mechanism, Words
 
 TERMS = {
@@ -38,3 +42,19 @@ def body_words(mechanism: Mechanism, name: str) -> Words:
         symbol = name.removeprefix(BLOCK)
         return Words(name, f"{symbol} bloğu")
     return next((link_words(link) for link in mechanism.links if link.name == name), Words(name, name))
+
+
+class FreshNames:
+    """Names for quantities that no description gave one."""
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self._taken = {folded(name) for name in taken}
+
+    def reserve(self, base: str, group: int) -> str:
+        """A name like `base` that nothing else has: `phi`, in the second group `phi_2`."""
+        group = max(group, 1)
+        first = [base, f"{base}_1"] if group == 1 else [f"{base}_{group}"]
+        further = (f"{base}_{group}_{number}" for number in count(2))
+        name = next(name for name in chain(first, further) if folded(name) not in self._taken)
+        self._taken.add(folded(name))
+        return name

@@ -1,17 +1,18 @@
-"""Values of equations in numpy: enough to pick assembly modes, and to look at a mechanism without any sheet.
+"""Values of equations in numpy, over a whole sweep at once: no sheet, no engine, no loop over rows.
 
-A position that does not exist (NA()) is NaN here. Only the functions that equations use are known.
+A position that does not exist is NaN. Only the functions that equations use are known.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, Unary
+from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, Unary
 from mechsheet.kinematics.equations import Equation
 
 Array = NDArray[np.float64]
@@ -72,40 +73,82 @@ def _fold(function: Callable[[Any, Any], Any], args: tuple[Any, ...]) -> Any:
     return result
 
 
-def value(node: Node, known: Mapping[str, Any], above: Mapping[str, Any] | None = None) -> Any:
-    """The value of a tree, whole columns at once. `known` holds this row's symbols, `above` the previous row's."""
+def value(node: Node, known: Mapping[str, Any], rooted: bool = False) -> Any:
+    """The value of a tree, whole columns at once. `known` holds the symbols' columns.
+
+    rooted  what stands under a root is a rounding error where it is negative, and counts as 0
+    """
     match node:
         case Number(number):
             return number
         case Symbol(name):
             return known[name]
-        case Previous(name):
-            return (above or {})[name]
         case Unary("-", operand):
-            return -value(operand, known, above)
+            return -value(operand, known, rooted)
         case Unary("+", operand):
-            return value(operand, known, above)
+            return value(operand, known, rooted)
         case Unary("%", operand):
-            return value(operand, known, above) / 100
+            return value(operand, known, rooted) / 100
+        case Binary("^", base, Number(2.0)):
+            number = value(base, known, rooted)
+            return number * number
         case Binary(op, left, right):
-            return OPERATORS[op](value(left, known, above), value(right, known, above))
+            return OPERATORS[op](value(left, known, rooted), value(right, known, rooted))
+        case Call("SQRT", (square,)) if rooted:
+            return np.sqrt(np.maximum(0.0, value(square, known, rooted)))
         case Call(name, args) if name in FUNCTIONS:
-            return FUNCTIONS[name](*(value(arg, known, above) for arg in args))
+            return FUNCTIONS[name](*(value(arg, known, rooted) for arg in args))
+        case Direction(y, x):
+            return without_jumps(np.arctan2(value(y, known), value(x, known)))
+        case TriangleAngle(opposite, beside, other):
+            return triangle_angle(*(value(side, known) for side in (opposite, beside, other)))
     raise ValueError(f"no numeric meaning here: {node}")
 
 
-def evaluate_column(equation: Equation, known: Mapping[str, Array], rows: int) -> Array:
-    """One equation over all rows; one that reads the row above is taken row by row."""
+def triangle_angle(opposite: Any, beside: Any, other: Any) -> Any:
+    """The angle [rad] opposite the first side, from Heron's area: acos would lose half the digits near 0 and pi.
+
+    tan = 4 area / (beside^2 + other^2 - opposite^2). Source: W. Kahan, "Miscalculating area and angles of a needle-like
+    triangle".
+    """
+    a, b, c = beside, other, opposite
+    both, less = a + b, a - b
+    product = (both + c) * (both - c) * (c + less) * (c - less)
+    return np.arctan2(np.sqrt(np.maximum(0.0, product)), a * a + b * b - c * c)
+
+
+def without_jumps(angles: Any) -> Any:
+    """The angles [rad] with whole turns added, so that none is more than half a turn from the last one that exists."""
+    angles = np.asarray(angles, float)
+    if angles.ndim == 0 or len(angles) < 2:
+        return angles
+    known = np.isfinite(angles)
+    if known.all():
+        held = angles
+    else:
+        last = np.maximum.accumulate(np.where(known, np.arange(len(angles)), -1))
+        held = np.where(last >= 0, angles[last], 0.0)
+    steps = np.where(known[1:], _round((held[:-1] - held[1:]) / math.tau, 0), 0.0)
+    if not steps.any():
+        return angles
+    turns = np.concatenate(([0.0], np.cumsum(steps)))
+    return angles + math.tau * turns
+
+
+def evaluate_equation(
+    equation: Equation, known: Mapping[str, Any], rows: int, seen: dict[Any, Any] | None = None
+) -> Array:
+    """One equation over all rows; NaN where it does not exist. `seen` keeps where the same conditions fail."""
     with np.errstate(all="ignore"):
-        if equation.first is None:
-            return np.broadcast_to(np.asarray(value(equation.expression, known), float), (rows,))
-        result = np.empty(rows)
-        wanted = {*equation.reads, *equation.reads_previous} - {equation.symbol}
-        running = {name: known[name] for name in wanted} | {equation.symbol: result}
-        for row in range(rows):
-            now = {name: column[row] for name, column in running.items()}
-            if row == 0:
-                result[row] = value(equation.first, now)
-            else:
-                result[row] = value(equation.expression, now, {name: col[row - 1] for name, col in running.items()})
-        return result
+        result = value(equation.expression, known, rooted=bool(equation.exists))
+        if equation.exists:
+            fails = None if seen is None else seen.get(equation.exists)
+            if fails is None:
+                fails = np.logical_or.reduce(
+                    [np.broadcast_to(value(each.fails, known), (rows,)) for each in equation.exists]
+                )
+                if seen is not None:
+                    seen[equation.exists] = fails
+            if np.any(fails):
+                result = np.where(fails, np.nan, result)
+        return np.broadcast_to(np.asarray(result, float), (rows,))

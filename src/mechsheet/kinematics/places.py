@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.formula.nodes import Binary, Call, Node
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
+from mechsheet.formula.nodes import Call, Node, TriangleAngle
 from mechsheet.formula.parser import parse_description
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
+from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words
@@ -131,22 +132,15 @@ class LinkPlaces:
         a, line = arm(self, given.first, given.second)
         ledger.is_positive(b)
         ledger.is_positive(c)
-        area = triangle_area(
-            ledger,
-            f"Delta{n}",
-            a,
-            b,
-            c,
-            Words(f"area of {given.first}{given.second}{point}", f"{given.first}{given.second}{point} alanı"),
-        )
         gamma = ledger.hoist(
             f"gamma{n}",
-            al.atan2(al.sub(al.add(al.square(a), al.square(b)), al.square(c)), al.mul(al.number(4), area)),
+            TriangleAngle(c, a, b),
             "angle",
             Words(
                 f"angle {given.second}{given.first}{point} of {self.words.en}",
                 f"{self.words.tr}: {given.second}{given.first}{point} açısı",
             ),
+            exists=[triangle_closes(ledger, a, b, c)],
         )
         turned = Angle(gamma) if given.side == "left" else Angle(al.neg(gamma))
         offset = polar(b, line + turned)
@@ -189,32 +183,14 @@ def arm_of(ledger: Ledger, way: Place, known: Node | None, name: str, label: Wor
         ledger.is_positive(known)
     if ledger.is_constant(u) and ledger.is_constant(v):
         return length, Angle(ledger.hoist(f"beta_{name}", al.atan2(u, v), "angle", label))
-    return length, Angle(ledger.direction(f"beta_{name}", u, v, exists=True, label=label))
+    return length, Angle(ledger.direction(f"beta_{name}", u, v, label))
 
 
-def _gap(a: Node, b: Node, c: Node) -> Node:
-    """By how much the sides of a triangle reach each other, or miss."""
+def triangle_margin(a: Node, b: Node, c: Node) -> Node:
+    """By how much the sides of a triangle reach each other, or (negative) miss: the smaller of a + b - c and c - |a - b|."""
     return Call("MIN", (al.sub(al.add(a, b), c), al.sub(c, Call("ABS", (al.sub(a, b),)))))
 
 
-def reaching(ledger: Ledger, a: Node, b: Node, c: Node) -> Node:
-    """TRUE where three sides form a triangle, rounding aside."""
-    return Binary(">=", _gap(a, b, c), al.neg(ledger.tolerance))
-
-
-def triangle_area(ledger: Ledger, base: str, a: Node, b: Node, c: Node, label: Words, also: Node | None = None) -> Node:
-    """The area of the triangle with sides a, b, c by Heron's formula; #N/A where they do not meet.
-
-    area = sqrt((a+b+c)(a+b-c)(c+a-b)(c-a+b)) / 4. A gap below the tolerance is a rounding error at a dead centre: the
-    area is 0 there. `also` is a further condition for #N/A. No digits are lost near dead centres, as acos would lose
-    them (W. Kahan, "Miscalculating area and angles of a needle-like triangle").
-    """
-    open_: Node = al.less(_gap(a, b, c), al.neg(ledger.tolerance))
-    if also is not None:
-        open_ = Call("OR", (also, open_))
-    product = al.mul(
-        al.mul(al.mul(al.add(al.add(a, b), c), al.sub(al.add(a, b), c)), al.sub(al.add(c, a), b)),
-        al.add(al.sub(c, a), b),
-    )
-    area = al.div(Call("SQRT", (Call("MAX", (al.ZERO, product)),)), al.number(4))
-    return ledger.hoist(base, Call("IF", (open_, Call("NA"), area)), "number", label)
+def triangle_closes(ledger: Ledger, a: Node, b: Node, c: Node) -> Condition:
+    """Three sides form a triangle, rounding aside."""
+    return Condition(triangle_margin(a, b, c), al.neg(ledger.tolerance))

@@ -11,10 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
+from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.kinematics.assur import Dyad
+from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.naming import body_words, link_words
@@ -141,6 +142,10 @@ class Poses:
             f"{self.name(first)} and {self.name(second)}", f"{self.name(first, 'tr')} ve {self.name(second, 'tr')}"
         )
 
+    def angle_unknown(self, assembly: Assembly) -> str:
+        """The symbol that says how a solved assembly is turned: the angle of its first body."""
+        return symbols(self.known[assembly[0]].angle.node)[0]
+
     # --- what is solved ---------------------------------------------------------------------------------------
 
     def at(self, body: str, place: Place, name: str) -> tuple[Node, Node]:
@@ -173,6 +178,18 @@ class Poses:
         delta = self.ledger.hoist_angle(f"delta_{joint.symbol}", delta, label)
         place = self.in_assembly(inside, moving, "guide")
         return Guide(x, y, delta, sign, angle - self.members[inside].angle, place, joint.symbol)
+
+    def link_pose(self, name: str) -> LinkPose:
+        """The pose of a solved link's frame, and its points in it."""
+        pose = self.known[name]
+        x, y = pose.base.turned(pose.angle)
+        places = {point: self.own_place(name, point) for point in self.graph.points[name]}
+        return LinkPose(
+            pose.angle.expression(),
+            al.sub(pose.x, x),
+            al.sub(pose.y, y),
+            {point: (place.u, place.v) for point, place in places.items()},
+        )
 
     def fix(self, assembly: Assembly, angle: Angle, base: Place, x: Node, y: Node) -> None:
         """The assembly's pose is found: write down its angles and the points that were not known yet."""

@@ -13,19 +13,20 @@ Source: Soeylemez, Mechanisms, section 3.8 (kol-kizak, h = 0) and the inverted s
 
 from __future__ import annotations
 
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Binary, Call, Node
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads import Solved, half_turn_unless, leg
+from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Poses
 from mechsheet.model import Words
 
 
-def solve_rpr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
-    """Write the dyad's equations down. `always`: both outer pins exist in every row."""
+def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
+    """Write the dyad's equations down."""
     ledger = poses.ledger
     slide, outer = dyad.inner, dyad.outer
     if not (isinstance(slide, Slide) and isinstance(outer[0], Pin) and isinstance(outer[1], Pin)):
@@ -41,10 +42,10 @@ def solve_rpr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
     r = ledger.column(
         "r", al.sqrt(al.add(al.square(r_x), al.square(r_y))), "length", Words(f"distance {p}–{q}", f"{p}–{q} uzaklığı")
     )
-    phi = ledger.direction("phi", r_x, r_y, always, Words(f"direction of {p}→{q}", f"{p}→{q} doğrultusu"))
+    phi = ledger.direction("phi", r_x, r_y, Words(f"direction of {p}→{q}", f"{p}→{q} doğrultusu"))
     ahead, h = _offsets(poses, slide, carrier, slider, p, q)
-    together = al.less(r, ledger.tolerance)
-    w = leg(ledger, "w", r, h, Words(f"{p}→{q} along {joint.symbol}", f"{joint.symbol} boyunca {p}→{q}"), also=together)
+    separate = Condition(r, ledger.tolerance)
+    w = leg(ledger, "w", r, h, Words(f"{p}→{q} along {joint.symbol}", f"{joint.symbol} boyunca {p}→{q}"), separate)
     poses.displacement(joint.symbol, al.sub(al.mul(mode, w), ahead))
     delta = Angle(al.sub(phi, half_turn_unless(mode)))
     if not al.is_zero(h):
@@ -66,8 +67,12 @@ def solve_rpr(poses: Poses, dyad: Dyad, always: bool) -> Solved:
             Words(f"{joint.symbol} the smaller of two", f"{joint.symbol} ikisinden küçüğü"),
         ),
         closes=w.name,
-        degenerate=together if al.is_zero(h) else Call("AND", (together, Binary(">=", r, Call("ABS", (h,))))),
+        apart=w,
+        degenerate=separate.fails
+        if al.is_zero(h)
+        else Call("AND", (separate.fails, Binary(">=", r, Call("ABS", (h,))))),
         pins=(p, q),
+        unknowns=(poses.angle_unknown(carrier), joint.symbol),
         label=Words(
             f"{poses.both(dyad).en}: pins {p}, {q}, slide {joint.symbol}",
             f"{poses.both(dyad).tr}: {p}, {q} mafsalları, {joint.symbol} kayması",

@@ -13,11 +13,12 @@ Source: Soeylemez, Mechanisms, section 3.8 (slider-crank): a3 sin(theta13) = a2 
 
 from __future__ import annotations
 
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads import Solved, along_and_across, half_turn_unless, leg
+from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.poses import Poses
 from mechsheet.model import Words
@@ -55,8 +56,8 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
         Words(f"{p} to the guide's origin, along it", f"{p}'den kızak başlangıcına, kızak boyunca"),
     )
     n = ledger.hoist("n", across, "length", Words(f"{p} to the guide, across it", f"{p}'den kızağa dik uzaklık"))
-    together = al.less(a, ledger.tolerance)  # pins coincide: the link can turn about them
-    w = leg(ledger, "w", a, n, Words(f"{p}–{r} along the guide", f"kızak boyunca {p}–{r}"), also=together)
+    separate = Condition(a, ledger.tolerance)  # pins that coincide leave the link free to turn about them
+    w = leg(ledger, "w", a, n, Words(f"{p}–{r} along the guide", f"kızak boyunca {p}–{r}"), separate)
     psi = ledger.column(
         "psi", al.atan2(w, n), "angle", Words(f"angle of {p}–{r} to the guide", f"{p}–{r} ile kızak arasındaki açı")
     )
@@ -74,8 +75,10 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
             Words(f"{guide.symbol} the smaller of two", f"{guide.symbol} ikisinden küçüğü"),
         ),
         closes=w.name,
-        degenerate=Call("AND", (together, al.less(Call("ABS", (n,)), ledger.tolerance))),
+        apart=w,
+        degenerate=Call("AND", (separate.fails, al.less(Call("ABS", (n,)), ledger.tolerance))),
         pins=(p, r),
+        unknowns=(poses.angle_unknown(dyad.first), guide.symbol),
         label=Words(
             f"{poses.both(dyad).en}: pins {p}, {r}, slide {guide.symbol}",
             f"{poses.both(dyad).tr}: {p}, {r} mafsalları, {guide.symbol} kayması",

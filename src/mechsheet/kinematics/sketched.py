@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from mechsheet.diagnostics import DescriptionWarning, Fault
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.rough import sweep
 from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve_unpicked
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 
 FAR = 0.15
@@ -206,7 +206,7 @@ def assemblies(equations: Equations) -> list[Equations]:
         replace(
             equations,
             groups=tuple(
-                replace(group, mode_value=-group.mode_value) if place in flip else group
+                replace(group, assembly=1 - group.assembly) if place in flip else group
                 for place, group in enumerate(equations.groups)
             ),
         )

@@ -9,18 +9,20 @@ from dataclasses import replace
 import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
+from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.dyads import Solved
-from mechsheet.kinematics.equations import Equations, Group, validate
+from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lines import solve_prp, solve_rpp
+from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.numeric import Array
@@ -92,18 +94,6 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equat
     modes  assembly modes that are given instead of picked from the sketch, by symbol (`mode_1`)
     Raises MechanismError: mobility, a group of class III, a sketch between two modes, a group that never closes.
     """
-    return solve_in_full(mechanism, modes)[0]
-
-
-def solve_unpicked(mechanism: Mechanism) -> Equations:
-    """The equations with every mode +1, whatever the sketch says and even where nothing closes so."""
-    return _solve(mechanism, None)[0]
-
-
-def solve_in_full(
-    mechanism: Mechanism, modes: Mapping[str, int] | None = None
-) -> tuple[Equations, Poses, tuple[Dyad, ...]]:
-    """As `solve`, with what the equations were found from: poses and places of all bodies, and the dyads in order."""
     try:
         return _solve(mechanism, modes or {})
     except (BetweenModesError, NeverClosesError) as error:
@@ -114,7 +104,12 @@ def solve_in_full(
         raise MechanismError(with_position(fault, mechanism) for fault in error.faults) from error
 
 
-def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> tuple[Equations, Poses, tuple[Dyad, ...]]:
+def solve_unpicked(mechanism: Mechanism) -> Equations:
+    """The equations with every mode +1, whatever the sketch says and even where nothing closes so."""
+    return _solve(mechanism, None)
+
+
+def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> Equations:
     """`modes`: those that are given, the sketch picks the others; None: none is picked."""
     graph = graph_of(mechanism)
     opened: list[str] = []
@@ -124,12 +119,12 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> tuple[Equat
     ledger = _ledger(mechanism, dimensions)
     poses = Poses(mechanism, graph, ledger)
     _drive(poses, order.drive)
-    groups: list[Group] = []
+    found: list[tuple[Dyad, Solved, int, bool]] = []
     given = modes or {}
     for index, dyad in enumerate(order.dyads, 1):
         ledger.group = index
         start = len(ledger.columns)
-        solved = _solve_dyad(poses, dyad, always=not groups)
+        solved = _solve_dyad(poses, dyad)
         if modes is not None and mechanism.sketch.at is not None and solved.mode and solved.mode not in given:
             shown = _shown(mechanism, mechanism.sketch.at)
             opened = [group.mode for group in shown if group.open]
@@ -139,18 +134,19 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> tuple[Equat
             value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, given.get(solved.mode))
             is_open = is_open or solved.mode in opened
         poses.settle_turns()
-        groups.append(_group(index, dyad, solved, value, is_open))
+        found.append((dyad, solved, value, is_open))
     _outputs(mechanism, ledger)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
-        tuple(groups),
+        _groups(found, loops_of(poses, order.dyads)),
         tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in ledger.positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
+        {link.name: poses.link_pose(link.name) for link in mechanism.links},
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
-    return result, poses, order.dyads
+    return result
 
 
 def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
@@ -172,7 +168,7 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
     driver = replace(mechanism.driver, values=(at,))
     try:
-        return _solve(replace(mechanism, driver=driver, sketch=replace(mechanism.sketch, at=None)), {})[0].groups
+        return _solve(replace(mechanism, driver=driver, sketch=replace(mechanism.sketch, at=None)), {}).groups
     except NeverClosesError as error:
         message = f"the sketch cannot show this position: there {error.links} cannot be joined"
         hint = "check `at`, which is in the driver's unit, and the lengths of these links"
@@ -250,24 +246,28 @@ def _lengths_of_places(mechanism: Mechanism) -> list[Quantity]:
     return found
 
 
-def _solve_dyad(poses: Poses, dyad: Dyad, always: bool) -> Solved:
+def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
     match dyad.kind:
         case "RRR":
-            return solve_rrr(poses, dyad, always)
+            return solve_rrr(poses, dyad)
         case "RRP":
             return solve_rrp(poses, dyad)
         case "RPR":
-            return solve_rpr(poses, dyad, always)
+            return solve_rpr(poses, dyad)
         case "PRP":
             return solve_prp(poses, dyad)
         case "RPP":
             return solve_rpp(poses, dyad)
 
 
-def _group(index: int, dyad: Dyad, solved: Solved, value: int, is_open: bool) -> Group:
-    return Group(
-        index, dyad.kind, (*dyad.first, *dyad.second), solved.pins, solved.mode, value, solved.mode_words,
-        solved.closes, solved.degenerate, is_open, solved.label, solved.transmission, solved.sides,
+def _groups(found: list[tuple[Dyad, Solved, int, bool]], loops: tuple[Loop, ...]) -> tuple[Group, ...]:
+    return tuple(
+        Group(
+            index, dyad.kind, (*dyad.first, *dyad.second), solved.pins, solved.unknowns, loop, solved.mode,
+            solved.assemblies, assembly_of(value), solved.closes, solved.apart, solved.degenerate, is_open, solved.label,
+            solved.transmission, solved.sides,
+        )
+        for index, ((dyad, solved, value, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)
     )  # fmt: skip
 
 

@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from mechsheet.kinematics.numeric import Array, evaluate_column
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ChartRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import shown_unit
@@ -60,7 +60,7 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     angles: list[str] = []
     displacements: list[str] = []
     for equation in plan.equations.columns:
-        if equation.kind == "variable" and equation.symbol != driver and not _stands_still(columns[equation.symbol]):
+        if equation.role == "variable" and equation.symbol != driver and not _stands_still(columns[equation.symbol]):
             (angles if equation.unit == "angle" else displacements).append(equation.symbol)
     outputs = [output.symbol for output in mechanism.outputs if not _stands_still(columns[output.symbol])]
     sizes = {symbol: float(np.max(np.abs(column), initial=0.0)) for symbol, column in columns.items()}
@@ -77,15 +77,7 @@ def _probe(plan: Plan) -> dict[str, Array]:
     """Each column's numbers in a few rows: enough to tell which curves fit on one axis."""
     every = max(1, math.ceil(len(plan.driver) / PROBED))
     driver = np.array(plan.driver[::every])
-    values: dict[str, Array] = {
-        symbol: np.full(len(driver), value) for symbol, value in dimension_values(plan.mechanism).items()
-    }
-    values[plan.mechanism.driver.symbol] = driver
-    values |= {
-        group.mode: np.full(len(driver), float(group.mode_value)) for group in plan.equations.groups if group.mode
-    }
-    for equation in plan.equations.all:
-        values[equation.symbol] = evaluate_column(equation, values, len(driver))
+    values = sweep(plan.mechanism, plan.equations.equations, driver)
     return {symbol: column[np.isfinite(column)] for symbol, column in values.items()}
 
 
@@ -180,12 +172,12 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
 def _title(plan: Plan, request: ChartRequest) -> str:
     driver = plain(request.x)
     equations = [plan.equations.of(symbol) for symbol in request.y]
-    if len(equations) == 1 and equations[0].kind == "output":
+    if len(equations) == 1 and equations[0].role == "output":
         symbol, label = plain(request.y[0]), equations[0].label.of(plan.language)
         return (
             f"{symbol}: {label}" if label != request.y[0] else plan.text("chart.outputs", symbol=symbol, driver=driver)
         )
-    if len(equations) > 1 and {equation.kind for equation in equations} == {"variable"}:
+    if len(equations) > 1 and {equation.role for equation in equations} == {"variable"}:
         key = "chart.angles" if equations[0].unit == "angle" else "chart.displacements"
         return plan.text(key, driver=driver)
     return plan.text("chart.outputs", symbol=", ".join(plain(symbol) for symbol in request.y), driver=driver)

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
 from mechsheet.formula.parser import parse_description
-from mechsheet.kinematics import algebra as al
 from mechsheet.sheet.geometry import place
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, TOLERANCE, VALUE, Plan, TableColumn
 from mechsheet.sheet.positions import digits_kept
@@ -190,7 +190,7 @@ def rows(plan: Plan, sheet: str) -> Whole:
     """Numbers that people read, words "ok" and rows that every group closes, less as many as there should be of them
     for the rows that exist: 0 when each row is whole or empty."""
     total = Call("SUM", (exists_column(plan),))
-    shown = [plan.at.column(eq.symbol, sheet) for eq in plan.equations.columns if eq.kind in SHOWN]
+    shown = [plan.at.column(eq.symbol, sheet) for eq in plan.equations.columns if eq.role in SHOWN]
     chunks = range(0, len(shown), COUNTED)
     counts: list[Node] = [Call("COUNT", tuple(shown[start : start + COUNTED])) for start in chunks]
     counts.append(Call("COUNTIF", (fixed_column(plan, STATUS), Text(plan.text("status.ok")))))

@@ -22,8 +22,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, Text
-from mechsheet.kinematics import algebra as al
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.expansion import substituted

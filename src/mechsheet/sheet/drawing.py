@@ -11,9 +11,9 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text, symbols, transform
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles

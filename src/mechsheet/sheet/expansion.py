@@ -12,14 +12,14 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, children, symbols, transform, walk
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import extra_characters, longest_spelling
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Mechanism
+from mechsheet.sheet.lowering import Assignments
 
 LIMIT = 7_500
 """Characters of one formula in the language where it has most. Excel takes 8,192 of the text as its user reads it."""
@@ -44,7 +44,7 @@ class Expansion:
     helpers: tuple[tuple[str, Node], ...]
 
 
-def definitions(mechanism: Mechanism, equations: Equations) -> dict[str, Node]:
+def definitions(mechanism: Mechanism, equations: Assignments) -> dict[str, Node]:
     """What every symbol that is not given equals in the first row of a sweep, in order of solution."""
     given = {dim.symbol: dim.value for dim in mechanism.dimensions if isinstance(dim.value, str)}
     found = {symbol: parse_description(given[symbol]) for symbol in dimension_order(mechanism) if symbol in given}

@@ -8,8 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import combinations
 
-from mechsheet.kinematics.equations import Equations, Group
+from mechsheet.kinematics.equations import Group
 from mechsheet.model import Joint, Link, Mechanism
+from mechsheet.sheet.lowering import Assignments
 from mechsheet.sheet.reach import Reach, reach_of
 
 
@@ -78,7 +79,7 @@ class Findings:
         return tuple(dict.fromkeys([*swings, *strokes, *(group.transmission for group in self.transmission)]))
 
 
-def findings(mechanism: Mechanism, equations: Equations) -> Findings:
+def findings(mechanism: Mechanism, equations: Assignments) -> Findings:
     """What can be said about a mechanism."""
     ground = mechanism.ground
     pivoted = [link for link in mechanism.links[1:] if any(point in ground.points for point in link.points)]
@@ -101,7 +102,7 @@ def findings(mechanism: Mechanism, equations: Equations) -> Findings:
 
 
 def _returning(
-    mechanism: Mechanism, equations: Equations, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
+    mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
     if not mechanism.driver.link or mechanism.driver.values:
         return ()
@@ -130,7 +131,7 @@ def _four_bar(mechanism: Mechanism, group: Group, pivoted: list[Link]) -> FourBa
     return None
 
 
-def _final_links(mechanism: Mechanism, equations: Equations) -> frozenset[str]:
+def _final_links(mechanism: Mechanism, equations: Assignments) -> frozenset[str]:
     """Links to which no link of a later group is joined."""
     order = {name: group.number for group in equations.groups for name in group.links}
     final = {link.name for link in mechanism.links[1:]}

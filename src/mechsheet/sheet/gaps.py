@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node
-from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Group
 
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeAlias
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node
-from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Cartesian, Distances, Link, Polar
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.formula.parser import parse_description
-from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.kinematics.equations import Group
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.plan import (
     DRIVER,
     MEANING,
@@ -203,7 +204,7 @@ def _assembly(writer: Writer) -> None:
 
 
 def _mode_words(plan: Plan, group: Group, row: int) -> Node:
-    plus, minus = (Text(words.of(plan.language)) for words in group.mode_words)
+    plus, minus = (Text(words.of(plan.language)) for words in group.assemblies)
     return Call("IF", (Binary(">", CellRef(row, VALUE, True, True), Number(0.0)), plus, minus))
 
 
@@ -249,7 +250,7 @@ def _variables(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("variables")
     for symbol, row in plan.blocks["variables"].rows.items():
-        equation: Equation = plan.equations.of(symbol)
+        equation: Assignment = plan.equations.of(symbol)
         writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
         writer.formula(row, VALUE, node, value_style(plan, equation.unit))

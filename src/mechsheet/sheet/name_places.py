@@ -13,8 +13,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef
-from mechsheet.kinematics import algebra as al
 from mechsheet.model import Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.frames import EIGHTH, FIRST, NAME, NINTH, NUMBER_STYLE, SEVENTH, Page

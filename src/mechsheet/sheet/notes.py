@@ -7,10 +7,10 @@ import math
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.references import cell_name, column_letters
-from mechsheet.kinematics.equations import Equation
 from mechsheet.kinematics.naming import body_words, link_words
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
+from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.mathematics import Part, symbol_parts, written
 from mechsheet.sheet.plan import DRIVER, EXISTS, STATUS, Plan, unit_text
 from mechsheet.sheet.positions import group_title, shown_number
@@ -274,16 +274,16 @@ class _Page:
                 {SYMBOL: name, UNIT: "", EQUATION: words, MEANING: "", PLACE: self._column(col)}, styles.NOTE_CELL
             )
 
-    def _unit(self, equation: Equation) -> str:
+    def _unit(self, equation: Assignment) -> str:
         """The unit in which people read the column."""
-        if equation.kind == "output":
+        if equation.role == "output":
             output = next(output for output in self.plan.mechanism.outputs if output.symbol == equation.symbol)
             return unit_text(output.unit)
-        if equation.unit == "angle" and equation.kind == "intermediate":
+        if equation.unit == "angle" and equation.role == "intermediate":
             return "rad"
         return self.plan.unit_shown(equation.unit)
 
-    def _equation(self, equation: Equation, unit: str) -> None:
+    def _equation(self, equation: Assignment, unit: str) -> None:
         parts: list[Part] = [("= ", ""), *self._written(equation.expression)]
         if equation.first is not None:
             parts += [(f";  {self.text('first')} ", ""), *self._written(equation.first)]

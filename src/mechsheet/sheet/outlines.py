@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.places import angle_of, cartesian, length_node
 from mechsheet.kinematics.solve import number
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar

@@ -12,13 +12,15 @@ from typing import Literal
 import numpy as np
 
 from mechsheet.formula.names import folded, safe_name
-from mechsheet.kinematics.equations import Equation, Equations
-from mechsheet.kinematics.numeric import Array, evaluate_column
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.findings import findings
 from mechsheet.sheet.language import Language, words
+from mechsheet.sheet.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Name
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
@@ -58,7 +60,7 @@ class TableColumn:
     kind: Literal["number", "driver", "status", "exists", "equation", "shown", "blank", "rounded"]
     group: int
     inner: bool
-    equation: Equation | None = None
+    equation: Assignment | None = None
 
 
 @dataclass
@@ -71,7 +73,7 @@ class Plan:
     """
 
     mechanism: Mechanism
-    equations: Equations
+    equations: Assignments
     language: Language
     at: Addresses
     rows: int
@@ -92,19 +94,13 @@ class Plan:
     @cached_property
     def nominal(self) -> dict[str, Array]:
         """Every symbol's values over the rows with the dimensions and modes as described, NaN where there is none."""
-        groups = self.equations.groups
-        values = {symbol: np.full(self.rows, value) for symbol, value in dimension_values(self.mechanism).items()}
-        values[self.mechanism.driver.symbol] = np.array(self.driver)
-        values |= {group.mode: np.full(self.rows, float(group.mode_value)) for group in groups if group.mode}
-        for equation in self.equations.all:
-            values[equation.symbol] = evaluate_column(equation, values, self.rows)
-        return values
+        return sweep(self.mechanism, self.equations.equations, np.array(self.driver))
 
     @cached_property
     def first_existing(self) -> int:
         """The number of the first row that has a position, with the dimensions as described; 0 where none has."""
         there = np.ones(self.rows, dtype=bool)
-        for group in self.equations.groups:
+        for group in self.equations.equations.groups:
             there &= np.isfinite(self.nominal[group.closes])
         return int(np.argmax(there))
 
@@ -156,7 +152,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     values = driver_values(mechanism, dimension_values(mechanism))
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
-    plan = Plan(mechanism, equations, language, at, rows, [float(value) for value in values])
+    plan = Plan(mechanism, lowered(mechanism, equations), language, at, rows, [float(value) for value in values])
     _plan_names_and_blocks(plan)
     _plan_columns(plan)
     return plan
@@ -182,7 +178,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     modes = [group.mode for group in plan.equations.groups if group.mode]
     if modes:
         _block(plan, "assembly", modes)
-    variables = [eq.symbol for eq in plan.equations.columns if eq.kind in ("variable", "output")]
+    variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "output")]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
@@ -260,15 +256,15 @@ def _plan_columns(plan: Plan) -> None:
         _add_column(plan, of, "rounded", -1, inner=True, equation=None)
 
 
-def _plan_equation(plan: Plan, equation: Equation) -> None:
+def _plan_equation(plan: Plan, equation: Assignment) -> None:
     """One column, or two: what formulas read (folded away), and what people read (degrees; #N/A where nothing exists)."""
-    if equation.kind == "output":
+    if equation.role == "output":
         in_degrees = next(out for out in plan.mechanism.outputs if out.symbol == equation.symbol).unit == "deg"
         col = _add_column(plan, equation.symbol, "equation", -1, False, equation)
         spot = _table_spot(plan, col, in_degrees)
         plan.at.spots[equation.symbol] = plan.at.shown[equation.symbol] = spot
         return
-    inner = equation.kind == "intermediate"
+    inner = equation.role == "intermediate"
     degrees = plan.shown_in_degrees(equation.unit)
     if not inner and (degrees or needs_guard(plan, equation.symbol)):
         _add_column(plan, equation.symbol, "equation", equation.group, True, equation)
@@ -299,7 +295,7 @@ def _add_column(
     kind: Literal["equation", "shown", "blank", "rounded"],
     group: int,
     inner: bool,
-    equation: Equation | None,
+    equation: Assignment | None,
 ) -> int:
     col = len(plan.columns)
     plan.columns.append(TableColumn(col, symbol, kind, group, inner, equation))

@@ -6,10 +6,11 @@ import math
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text
 from mechsheet.formula.parser import parse_description
-from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import body_words
 from mechsheet.model import Quantity, Words
 from mechsheet.sheet import styles
+from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.mathematics import shortened, written
 from mechsheet.sheet.plan import DRIVER, EXISTS, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn, needs_guard
 from mechsheet.sheet.symbols import rich
@@ -114,7 +115,7 @@ def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, Content]:
     if column.equation is None:  # the driver in radians
         return column.symbol, "rad", plan.text("column.radians")
     unit = column.equation.unit
-    if column.equation.kind == "output":
+    if column.equation.role == "output":
         shown = _output_unit(plan, column.symbol)
     else:
         shown = "rad" if unit == "angle" else plan.unit_shown(unit)
@@ -209,16 +210,16 @@ def _fill(plan: Plan, col: int, formula: Node, style: Style, skip: int = 0) -> F
     return Fill(plan.at.first + skip, col, formula, style, rows=plan.rows - skip)
 
 
-def _equation_column(plan: Plan, column: TableColumn, equation: Equation) -> list[Fill]:
+def _equation_column(plan: Plan, column: TableColumn, equation: Assignment) -> list[Fill]:
     first = plan.at.first
     inner = column.inner
     unit = equation.unit
     digits = 4 if unit == "angle" and inner else places(plan, unit)
     style = _decimals(styles.INNER if inner else styles.COLUMN, digits)
     expression = equation.expression
-    if equation.kind == "output" and plan.at.spots[column.symbol].degrees:
+    if equation.role == "output" and plan.at.spots[column.symbol].degrees:
         expression = Call("DEGREES", (expression,))
-    if equation.kind == "output" and needs_guard(plan, column.symbol):
+    if equation.role == "output" and needs_guard(plan, column.symbol):
         expression = _guarded(plan, expression)
     if equation.first is None:
         return [_fill(plan, column.col, plan.at.bind(expression, plan.table, first), style)]

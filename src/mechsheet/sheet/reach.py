@@ -7,13 +7,13 @@ from typing import Literal
 
 import numpy as np
 
-from mechsheet.formula.nodes import Node, symbols
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.equations import Equation, Equations, Group
-from mechsheet.kinematics.numeric import Array, evaluate_column, value
-from mechsheet.kinematics.solve import dimension_values
-from mechsheet.model import Mechanism, Words
-from mechsheet.sheet.expansion import needed
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.numeric import Array, value
+from mechsheet.kinematics.sweep import sweep
+from mechsheet.model import Mechanism
+from mechsheet.sheet.lowering import Assignments
 
 SAME = 1e-9
 """Parts of a length below this are rounding."""
@@ -37,13 +37,13 @@ class Reach:
     hi: Node | None
 
 
-def reach_of(mechanism: Mechanism, equations: Equations) -> Reach | None:
+def reach_of(mechanism: Mechanism, equations: Assignments) -> Reach | None:
     """The condition, or None where there is none of that form: nothing depends on the driver, or more than one length."""
     group = next(iter(equations.groups), None)
     if group is None or not group.sides:
         return None
     turns = mechanism.driver.unit in ("deg", "rad")
-    values = _Values(mechanism, equations, group)
+    values = _Values(mechanism, equations)
     length = values.length
     driver = ANGLES if turns else LENGTHS * length
     values.take(driver)
@@ -76,32 +76,18 @@ def _condition(sides: tuple[Node, ...], moving: Node) -> tuple[Node, Node, Node 
 
 
 class _Values:
-    """The columns at some values of the driver, each as in the first row of a sweep."""
+    """The equations at some values of the driver that are no sweep."""
 
-    def __init__(self, mechanism: Mechanism, equations: Equations, group: Group) -> None:
-        self.driver = mechanism.driver.symbol
-        self.given = dict(dimension_values(mechanism))
-        self.given |= {each.mode: float(each.mode_value) for each in equations.groups if each.mode}
-        rules = {eq.symbol: eq.first or eq.expression for eq in equations.all}
-        used = {equations.tolerance}
-        for side in group.sides:
-            for name in symbols(side):
-                used |= needed(name, rules)
-        self.equations = [
-            Equation(eq.symbol, rules[eq.symbol], eq.kind, eq.unit, Words("", ""))
-            for eq in equations.all
-            if eq.symbol in used
-        ]
+    def __init__(self, mechanism: Mechanism, equations: Assignments) -> None:
+        self.mechanism = mechanism
+        self.equations = equations.equations
         self.take(np.zeros(1))
         self.length = float(self.known[equations.tolerance][0]) * 1e12 if equations.tolerance else 1.0
 
     def take(self, driver: Array) -> None:
         """Compute everything at these values of the driver."""
         self.count = len(driver)
-        self.known = {symbol: np.full(self.count, number) for symbol, number in self.given.items()}
-        self.known[self.driver] = driver
-        for equation in self.equations:
-            self.known[equation.symbol] = evaluate_column(equation, self.known, self.count)
+        self.known = sweep(self.mechanism, self.equations, driver)
 
     def of(self, node: Node) -> Array:
         """The values of an expression."""

@@ -16,8 +16,8 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, shifted
-from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.naming import link_words
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Distances, Joint, Link

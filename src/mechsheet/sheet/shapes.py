@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number
-from mechsheet.kinematics import algebra as al
 from mechsheet.model import Joint, Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.frames import CHART_X, CHART_Y, FIRST, INK, NAME, NUMBER_STYLE, SECOND, SIXTH, Frame, Page

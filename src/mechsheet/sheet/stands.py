@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text
-from mechsheet.kinematics import algebra as al
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Distances, Link

@@ -14,12 +14,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text, shifted, symbols
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.equations import Equation
 from mechsheet.sheet import styles
 from mechsheet.sheet.expansion import needed, substituted
 from mechsheet.sheet.gaps import gap_of
+from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.plan import Plan, unit_text
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Cell, Content, Fill, Style
@@ -110,9 +110,9 @@ class Trials:
         if tests:
             self.exists = self._add(plan.text("head.exists"), Call("IF", (al.all_of(tests), al.ONE, al.ZERO))).col
 
-    def _counts_turns(self, equation: Equation) -> bool:
+    def _counts_turns(self, equation: Assignment) -> bool:
         """True for an angle that is a direction plus the turns gone by, which a column of its own counts."""
-        turns = {eq.symbol for eq in self.plan.equations.columns if eq.first == al.ZERO}
+        turns = {eq.symbol for eq in self.plan.equations.columns if eq.counts_turns}
         return equation.symbol in self.rules and not turns.isdisjoint(symbols(equation.expression))
 
     def _within_half_turn(self, symbol: str, raw: str) -> Node:

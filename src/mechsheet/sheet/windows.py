@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
-from mechsheet.kinematics import algebra as al
-from mechsheet.kinematics.algebra import Angle
 from mechsheet.kinematics.numeric import Array
 from mechsheet.sheet.expansion import varying
 from mechsheet.sheet.plan import Plan
@@ -42,7 +42,7 @@ def with_windows(plan: Plan, rules: dict[str, Node]) -> dict[str, Node]:
     angles = {
         equation.symbol
         for equation in plan.equations.columns
-        if equation.kind == "variable" and equation.unit == "angle" and equation.symbol in counted & rules.keys()
+        if equation.role == "variable" and equation.unit == "angle" and equation.symbol in counted & rules.keys()
     }
     if not angles:
         return rules

@@ -113,6 +113,22 @@ def div(a: Node, b: Node) -> Node:
     return Binary("/", a, b)
 
 
+def tidied(node: Node) -> Node:
+    """A sum, difference, product or quotient without the zeros and ones that make it longer; any other node as it is."""
+    match node:
+        case Binary("+", left, right):
+            return add(left, right)
+        case Binary("-", left, right):
+            return sub(left, right)
+        case Binary("*", left, right):
+            return mul(left, right)
+        case Binary("/", left, right):
+            return div(left, right)
+        case Unary("-", operand):
+            return neg(operand)
+    return node
+
+
 def square(a: Node) -> Node:
     """a^2 (of -a the same)."""
     x = value_of(a)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.numeric import Array, evaluate_column
+from mechsheet.kinematics.numeric import Array, evaluate_equation, value
 from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
 from mechsheet.model import Cartesian, Link, Mechanism, Polar
 
@@ -25,14 +26,15 @@ DIGITS = 3
 def sweep(mechanism: Mechanism, equations: Equations, driver: Array) -> dict[str, Array]:
     """Every symbol's values over the given driver values; NaN where a position does not exist."""
     rows = len(driver)
-    values = {symbol: np.full(rows, value) for symbol, value in dimension_values(mechanism).items()}
-    values[mechanism.driver.symbol] = driver
-    for group in equations.groups:
-        if group.mode:
-            values[group.mode] = np.full(rows, float(group.mode_value))
-    for equation in equations.all:
-        values[equation.symbol] = evaluate_column(equation, values, rows)
-    return values
+    known: dict[str, Array] = {symbol: np.array(number) for symbol, number in dimension_values(mechanism).items()}
+    known |= {group.mode: np.array(float(group.mode_value)) for group in equations.groups if group.mode}
+    known[mechanism.driver.symbol] = driver
+    seen: dict[Any, Any] = {}
+    for equation in equations.constants:
+        known[equation.symbol] = evaluate_equation(equation, known, 1)[0]
+    for equation in equations.columns:
+        known[equation.symbol] = evaluate_equation(equation, known, rows, seen)
+    return {symbol: np.broadcast_to(column, (rows,)) for symbol, column in known.items()}
 
 
 def rough_poses(mechanism: Mechanism, modes: Mapping[str, int]) -> dict[str, tuple[float, float, float]]:
@@ -60,14 +62,16 @@ def rough_poses(mechanism: Mechanism, modes: Mapping[str, int]) -> dict[str, tup
 def _distinct(equations: Equations, values: Mapping[str, Array]) -> Array:
     """How well the assemblies of all groups are told apart, row by row: -1 where one does not close, 0 at a dead centre.
 
-    The measure is the leg or area that shrinks to nothing at the dead centre, as a part of its largest value.
+    The measure is what shrinks to nothing at the dead centre, as a part of its largest value.
     """
     found = np.ones_like(next(iter(values.values())))
     for group in equations.groups:
-        apart = values[group.closes]
-        exists = np.isfinite(apart)
-        largest = float(np.max(apart[exists], initial=0.0))
-        part = np.ones_like(apart) if not group.mode else apart / largest if largest > 0 else np.zeros_like(apart)
+        exists = np.isfinite(values[group.closes])
+        part = np.ones_like(found)
+        if group.apart is not None:
+            apart = np.abs(value(group.apart, values))
+            largest = float(np.max(apart[exists], initial=0.0))
+            part = apart / largest if largest > 0 else np.zeros_like(apart)
         found = np.where(exists, np.minimum(found, part), -1.0)
     return found
 

@@ -1,0 +1,97 @@
+"""First and second derivatives of every variable, from the equations and the groups' closures, against differences.
+
+Eight points around each position, with weights that are exact for polynomials of degree eight.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chosen import IN_CI, some
+from mechsheet.description import load, loads
+from mechsheet.diagnostics import MechsheetError
+from mechsheet.kinematics.numeric import value
+from mechsheet.kinematics.rates import PRIME, rates_over
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.sweep import sweep
+from random_mechanisms import Grower
+
+TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
+ONCE = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
+TWICE = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])
+STEP = 2e-3
+CALM = 0.25
+"""Rows are judged where each group is this far from its dead centre (of the most in the sweep): beside it differences, which
+reach over the limit, are worth nothing."""
+
+
+def by_both(mechanism, rows=40):
+    """(symbol, which derivative, by differences, by equations, size) of every column, in the calm rows."""
+    equations = solve(mechanism)
+    driver = driver_values(mechanism, dimension_values(mechanism))[:rows]
+    turns = mechanism.driver.unit in ("deg", "rad")
+    step = STEP if turns else STEP * float(np.max(np.abs(driver)))
+    grid = (driver[:, None] + step * np.arange(-4, 5)).ravel()
+    values = sweep(mechanism, equations, grid)
+    rates = rates_over(equations, values, {mechanism.driver.symbol: (1.0, 0.0)})
+    calm = np.ones(len(driver), bool)
+    for group in equations.groups:
+        # The sine of a transmission angle or the like; of lines that cross the sine of the angle between them.
+        if group.apart is not None:
+            apart = np.abs(value(group.apart, values))
+        else:
+            crossing = equations.of(group.closes)
+            apart = np.abs(values[crossing.symbol]) if crossing.unit == "number" else np.ones(len(grid))
+        apart = np.broadcast_to(apart, grid.shape).reshape(-1, 9)
+        calm &= np.isfinite(values[group.closes].reshape(-1, 9)).all(axis=1)
+        calm &= apart.min(axis=1) >= CALM * np.nanmax(apart, initial=1e-300)
+    lengths = [
+        abs(dim.value)
+        for dim in mechanism.dimensions
+        if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
+    ]
+    lengths += [
+        float(np.nanmax(np.abs(values[eq.symbol]), initial=0.0)) for eq in equations.columns if eq.role == "point"
+    ]
+    for equation in equations.columns:
+        if equation.symbol == mechanism.driver.symbol or equation.role == "output":
+            continue
+        table = values[equation.symbol].reshape(-1, 9)
+        if equation.unit == "angle":
+            table = np.unwrap(table, axis=1)
+        size = max(lengths) if equation.unit == "length" else 1.0
+        for order, weights in ((1, ONCE), (2, TWICE)):
+            found = np.broadcast_to(rates.get(equation.symbol + PRIME * order, 0.0), grid.shape).reshape(-1, 9)[:, 4]
+            scale = step**order
+            if not turns:  # per part of the stroke, so that one tolerance serves all
+                found, scale = found * float(np.max(np.abs(driver))) ** order, STEP**order
+            yield equation.symbol, order, (table @ weights / scale)[calm], found[calm], size
+
+
+def assert_agree(mechanism, once=1e-8, twice=2e-6):
+    judged = 0
+    for symbol, order, differences, found, size in by_both(mechanism):
+        exists = np.isfinite(differences)
+        error = np.abs(differences - found)[exists] / (size + np.abs(found[exists]))
+        judged += int(exists.sum())
+        assert error.max(initial=0.0) < (once if order == 1 else twice), (symbol, order)
+    return judged
+
+
+@pytest.mark.parametrize("template", some(TEMPLATES, 5), ids=lambda path: path.stem)
+def test_templates(template):
+    assert assert_agree(load(template)) > 0
+
+
+def test_random_mechanisms():
+    judged = 0
+    for seed in range(300 if IN_CI else 25):
+        try:
+            # Any length may be short against the others here, so that differences are the worse of the two.
+            judged += assert_agree(loads(Grower(seed, 1 + seed % 3).text(), "random.toml"), 1e-5, 1e-3)
+        except MechsheetError:  # it closes nowhere: a random one may
+            continue
+        except AssertionError as error:
+            raise AssertionError(f"seed {seed}: {error}") from error
+    assert judged > 1000
