@@ -194,7 +194,7 @@ class TestXlsx:
         book.active.append([3, "=ISNUMBER(A1)"])
         book.active["A2"] = "a shared text"
         book.save(tmp_path / "a.xlsx")
-        refreshed(tmp_path / "a.xlsx", tmp_path / "b.xlsx", {"Sheet!A1": "x_0041_", "Sheet!A2": 4})
+        refreshed(tmp_path / "a.xlsx", tmp_path / "b.xlsx", {"Sheet!A1": "'x_0041_", "Sheet!A2": 4})
         found = openpyxl.load_workbook(tmp_path / "b.xlsx", data_only=True).active
         assert read(tmp_path / "b.xlsx").sheets[0].constants.get(0, 0) == "x_0041_"
         assert (found["B1"].value, found["A2"].value) == (False, 4)
