@@ -52,8 +52,11 @@ LINES = [
 ]
 
 
-@pytest.mark.parametrize("page", ["cp1252", "cp1254", "ascii"])
-@pytest.mark.parametrize("line", part(LINES, of=5, turn=2), ids=" ".join)
+PAGES = ("cp1252", "cp1254", "ascii")
+CALLS = [(line, page) for line in LINES for page in PAGES]
+
+
+@pytest.mark.parametrize(("line", "page"), part(CALLS, of=10, turn=6), ids=lambda part: "".join(part[:2]))
 def test_every_code_page_will_do(folder, line, page):
     done = call(*line, page=page, cwd=folder)
     assert done.returncode == 0, done.stderr
@@ -78,7 +81,10 @@ def test_signs_that_a_page_lacks_stay_readable(tmp_path):
 @POSIX
 @pytest.mark.parametrize(
     "line",
-    [("show", "mine.toml"), ("show", "mine.toml", "--json"), ("new", "fivelink"), ("--help",), ("build", "--help")],
+    part(
+        [("show", "mine.toml"), ("--help",), ("show", "mine.toml", "--json"), ("new", "fivelink"), ("build", "--help")],
+        of=3,
+    ),
 )
 def test_a_full_disk_is_told_in_one_line(folder, line):
     with Path("/dev/full").open("wb") as full:
@@ -88,7 +94,7 @@ def test_a_full_disk_is_told_in_one_line(folder, line):
 
 
 @POSIX
-@pytest.mark.parametrize("line", [("show", "mine.toml", "--cells"), ("new", "--list"), ("--help",)])
+@pytest.mark.parametrize("line", part([("new", "--list"), ("show", "mine.toml", "--cells"), ("--help",)], of=2))
 def test_a_reader_that_goes_is_no_fault(folder, line):
     read, write = os.pipe()
     os.close(read)
