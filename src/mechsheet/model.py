@@ -152,12 +152,14 @@ class Driver:
 class Sketch:
     """A rough position: points (x, y), and angles or displacements by symbol.
 
-    at  the driver value that it shows; None for the first at which each group of links closes
+    at       the driver value that it shows; None for the first at which each group of links closes
+    doubted  False when it was drawn for other dimensions than these, and so need not fit
     """
 
     points: Mapping[str, tuple[Quantity, Quantity]] = field(default_factory=dict)
     symbols: Mapping[str, Quantity] = field(default_factory=dict)
     at: Quantity | None = None
+    doubted: bool = field(default=True, compare=False)
 
 
 @dataclass(frozen=True, slots=True)

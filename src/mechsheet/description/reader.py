@@ -59,9 +59,11 @@ def loads(
     faults += [fault for fault in report.in_order() if fault.line is None or fault.line not in mistyped]
     if faults or mechanism is None:
         raise DescriptionError(sorted(faults, key=lambda fault: fault.line or 0))
-    if language is None or language == mechanism.language:
-        return mechanism
-    return loads(with_language(source, language), file)
+    if language is not None and language != mechanism.language:
+        mechanism = loads(with_language(source, language), file)
+    if overrides:
+        mechanism = replace(mechanism, sketch=replace(mechanism.sketch, doubted=False))
+    return mechanism
 
 
 def _check_format(source: Source) -> None:

@@ -22,8 +22,14 @@ from mechsheet.kinematics.solve import dimension_values, driver_values, number, 
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 
-FAR = 0.15
-"""A sketch that misses the position by this part of the mechanism's size (or radians) was hardly drawn there."""
+FAR, NOWHERE = 0.25, 0.5
+"""A sketch that misses the position by such a part of the mechanism's size (or radians) was not drawn there, or anywhere."""
+
+OFF = 0.15
+"""A pin of the driven link whose sketch misses it by this part of its travel shows another position."""
+
+CLEAR = 0.15
+"""A sketch that misses the assembly picked by less than this part of what it misses the others says well which is meant."""
 
 SUSPICIOUS = 0.03
 """From this part on a sketch may be that of another position in the other assembly."""
@@ -69,6 +75,8 @@ def tell(mechanism: Mechanism, equations: Equations) -> None:
 
 def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     """What a person should hear of the sketch although it picks an assembly in every group; empty for a good one."""
+    if not mechanism.sketch.doubted:
+        return ()
     fixed = [point for point in mechanism.sketch.points if point in mechanism.ground.points]
     found = [
         Fault(f'"{point}" is a point of the ground: sketching it decides nothing', key=f"assembly.{point}")
@@ -167,11 +175,36 @@ def _elsewhere(mechanism: Mechanism, equations: Equations, entries: Sequence[Ent
     rows, best, modes = _best(mechanism, equations, entries, read.driver, read.size)
     least = float(best.min())
     other = int(modes[int(best.argmin())]) != 0
-    if least < BETTER * read.missed and (read.missed > FAR or other):
+    unclear = other and read.missed > CLEAR * _next(mechanism, equations, entries, read)
+    far = read.missed > FAR or unclear or _driver_is_off(mechanism, equations, entries, read)
+    if far and least < BETTER * read.missed:
         return [_fits(mechanism, _named(mechanism, rows, best), read)]
-    if read.missed > FAR:
+    if read.missed > NOWHERE:
         return [_misfit(mechanism, entries, read)]
     return []
+
+
+def _driver_is_off(mechanism: Mechanism, equations: Equations, entries: Sequence[Entry], read: _Read) -> bool:
+    """Whether the driver itself, or a point that follows from it alone, is sketched elsewhere."""
+    own = {equation.symbol for equation in equations.columns if equation.group == 0} | {mechanism.driver.symbol}
+    values = sweep(mechanism, equations, _tried(mechanism, read.driver))
+    for entry in entries:
+        if set(entry.columns) <= own:
+            travel = max(float(np.ptp(values[column])) for column in entry.columns)
+            missed = float(entry.missed(read.values, 1.0)[read.row])
+            if missed > OFF * travel:
+                return True
+    return False
+
+
+def _next(mechanism: Mechanism, equations: Equations, entries: Sequence[Entry], read: _Read) -> float:
+    """How far the sketch misses the nearest other assembly of the same position; infinite where there is no other."""
+    here = np.array([read.value])
+    others = [
+        float(_missed(entries, sweep(mechanism, assembly, here), read.size)[0])
+        for assembly in assemblies(equations)[1:]
+    ]
+    return min((missed for missed in others if abs(missed - read.missed) > SUSPICIOUS), default=math.inf)
 
 
 def _best(
