@@ -22,7 +22,7 @@ class Area:
 
 
 def area_of(book: Book, text: str) -> Area | Fault:
-    """The cells that `Sheet!A1:C9`, `Sheet!B2`, `Sheet!A:C`, `Sheet!2:5`, `Sheet` or a defined name mean.
+    """The cells that `Sheet!A1:C9`, `Sheet!B2`, `Sheet!A:C`, `Sheet!2:5`, `Sheet` or a defined name (a1 for a_1) mean.
 
     Whole columns, rows and sheets end with the last cell in use. A Fault for what means no cells.
     """
@@ -30,7 +30,7 @@ def area_of(book: Book, text: str) -> Area | Fault:
     before, mark, cells = text.rpartition("!")
     if not mark:
         sheet = book.sheet(text.strip("'").replace("''", "'"))
-        defined = book.name(text)
+        defined = book.name(text) or (book.name_like(text) if sheet is None else None)
         if defined is None:
             return (
                 _used(sheet)

@@ -152,10 +152,8 @@ def _place(book: Book, name: str) -> Place | Fault:
             return Fault(f'"{name}" is no cell of this workbook', hint=f"sheets: {', '.join(titles)}")
         return reference.sheet, reference.row, reference.col
     candidates = [found for found in book.names if found.name.casefold() == name.casefold()]
-    if not candidates:
-        candidates = [
-            found for found in book.names if found.name.replace("_", "").casefold() == name.replace("_", "").casefold()
-        ]
+    if not candidates and (like := book.name_like(name)) is not None:
+        candidates = [like]
     cells = [found.formula for found in candidates if isinstance(found.formula, CellRef) and found.formula.sheet]
     if not cells or cells[0].sheet is None:
         known = [found.name for found in book.names]

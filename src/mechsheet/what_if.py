@@ -226,8 +226,7 @@ class Session:
         """What a defined name stands for, `a1` also for `a_1`."""
         found = self._book.name(name, sheet)
         if found is None and sheet is None:
-            plain = name.replace("_", "").casefold()
-            found = next((d for d in self._book.names if d.name.replace("_", "").casefold() == plain), None)
+            found = self._book.name_like(name)
         return None if found is None else found.formula
 
 

@@ -8,8 +8,9 @@ from laid import Laid, template_text
 from mechsheet.compute import book_of
 from mechsheet.engine import evaluate
 from mechsheet.exporting.workbooks import functions_workbook
-from mechsheet.formula.nodes import Binary, Call, CellRef, Number, walk
+from mechsheet.formula.nodes import Binary, Call, CellRef, Number, transform, walk
 from mechsheet.formula.printer import print_formula
+from mechsheet.formula.spellings import longest_spelling
 from mechsheet.sheet.recomputed import COPIES, DIFFER_ROW, FIRST, HEAD_ROW, VALUE, WHERE_ROW
 
 NAMES = ("four-bar", "adjustable-pump")
@@ -84,18 +85,42 @@ def test_every_formula_is_proven_or_copied_or_reads_the_verdict(laid):
 
 def test_a_copy_reads_what_the_cell_reads_and_never_another_copy(laid):
     title = laid.plan.at.titles["recomputed"]
+    aside = {(fill.row, fill.col): fill.formula for fill in recomputed(laid).fills}
+    for fill in marks(laid).values():
+        del aside[fill.row, fill.col]
+
+    def whole(formula):
+        """With what stands in cells of its own: sums, and the steps of a long formula."""
+
+        def put(part):
+            if isinstance(part, CellRef) and part.sheet is None:
+                assert part.row == fill.row
+                return whole(aside[part.row, part.col])
+            return part
+
+        return transform(formula, put)
+
+    originals = {(s.title, f.row, f.col): f.formula for s in laid.workbook.sheets for f in s.fills}
     for (sheet, row, col), fill in marks(laid).items():
         assert fill.row == row + FIRST
         again = fill.formula.args[0].left.args[0]
-        if isinstance(again, CellRef) and again.sheet is None:  # a sum stands in a cell of its own
-            value = next(one for one in recomputed(laid).fills if (one.row, one.col) == (again.row, again.col))
-            again = value.formula
-            assert isinstance(again, Binary)
-        assert all(part.sheet not in (None, title) for part in walk(again) if isinstance(part, CellRef)), (
-            sheet,
-            row,
-            col,
+        assert not isinstance(again, CellRef) or again.sheet or isinstance(aside[again.row, again.col], Binary)
+        again = whole(again)
+        cells = [part for part in walk(again) if isinstance(part, CellRef)]
+        assert all(part.sheet not in (None, title) for part in cells), (sheet, row, col)
+        # The same formula, but for the sheets that it names.
+        here = transform(again, lambda part: replace(part, sheet=None) if isinstance(part, CellRef) else part)
+        there = transform(
+            originals[sheet, row, col], lambda part: replace(part, sheet=None) if isinstance(part, CellRef) else part
         )
+        if Call("ROW") not in walk(there):
+            assert here == there, (sheet, row, col)
+
+
+def test_long_copies_are_computed_in_steps(laid):
+    assert all(longest_spelling(fill.formula) <= 8192 for fill in recomputed(laid).fills)
+    if laid.plan.mechanism.name == "adjustable-pump":
+        assert any(row >= FIRST and sheet.startswith("Tablo") for sheet, row, _ in marks(laid))
 
 
 def test_a_cell_typed_over_is_named(laid):

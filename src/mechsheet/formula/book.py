@@ -307,6 +307,11 @@ class Book:
                     return defined
         return found
 
+    def name_like(self, name: str) -> DefinedName | None:
+        """The name that a symbol stands for where it could not be a name itself: `a_1` for a1, `r_` for r."""
+        plain = name.replace("_", "").casefold()
+        return next((defined for defined in self.names if defined.name.replace("_", "").casefold() == plain), None)
+
 
 class BookBuilder:
     """Fills a book sheet by sheet: `sheet(title).constant(...)`, `.column_constants(...)`, `.block(...)`, then `build()`."""

@@ -1,0 +1,44 @@
+"""Symbols of one letter: the workbook calls their cells `a_`, and a person goes on writing `a`."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import mechsheet
+from mechsheet.cli import main
+
+TEMPLATE = Path(__file__).parent.parent.parent / "templates" / "inverted-slider-crank.toml"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("letters")
+    shutil.copy(TEMPLATE, made / TEMPLATE.name)
+    run("build", made / TEMPLATE.name, "-o", made, "--format", "xlsx,ods")
+    return made
+
+
+def run(*words):
+    result = CliRunner().invoke(main, [str(word) for word in words])
+    assert result.exit_code == 0, result.output
+    return result.stdout
+
+
+@pytest.mark.parametrize("suffix", ["xlsx", "ods"])
+def test_the_symbol_finds_its_cell(folder, suffix):
+    path = folder / f"inverted-slider-crank.{suffix}"
+    changed = folder / f"changed.{suffix}"
+    run("recalc", path, "--set", "a=31", "-o", changed)
+    assert run("recalc", changed, "--print", "a").strip() == "31"
+    assert "a = { value = 31" in run("pull", changed)
+    assert "all agree" in run("check", changed)
+
+
+def test_the_library_finds_it_too(folder):
+    book = mechsheet.open_book(folder / "inverted-slider-crank.xlsx")
+    book["a"] = 31
+    assert book["a"] == book["a_"] == 31
