@@ -1,6 +1,6 @@
 """Triangulated plates: points given by their distances from points that are given by distances in turn.
 
-Written out, a place repeated the places that it is given by, twenty times as long from level to level: three deep was the end.
+Written out, a place repeated the places that it is given by, twenty times as long from level to level: three deep was all.
 """
 
 import pytest
