@@ -66,6 +66,7 @@ Sub Work(folder As String)
             Next row
         Else
             document.calculateAll()
+            document.calculateAll()  ' the second time in another order
         End If
         document.storeToURL(ConvertToURL(stem & ".xlsx"), Array(Setting("FilterName", "Calc MS Excel 2007 XML")))
         document.close(True)

@@ -4,6 +4,7 @@ import csv
 import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from chosen import part
@@ -11,8 +12,12 @@ from judging import positions_only
 from mechsheet.building import compile_workbook
 from mechsheet.compute import computed
 from mechsheet.description import loads
+from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.nodes import CellRef, ErrorValue, shifted, walk
 from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.rough import rough_poses
+from mechsheet.reference import solve as refer
+from mechsheet.reference import variables
 from mechsheet.sheet.expansion import LIMIT, depth
 from mechsheet.sheet.tables import FIRST, HEAD_ROW
 
@@ -78,7 +83,8 @@ def test_equals_positions(case):
     workbook, plan = compile_workbook(loads(text + request))
     sheet = next(sheet for sheet in workbook.sheets if case["value"] in sheet.title)
     table, *helpers = blocks(sheet, plan, len(case["values"]))
-    assert bool(helpers) == case.get("helpers", False)
+    angles = {fill.col for fill in sheet.fills if fill.row == HEAD_ROW and fill.col > len(case["values"])}
+    assert bool([fill for fill in helpers if fill.col not in angles]) == case.get("helpers", False)
     assert all(
         len(print_formula(block.formula)) < LIMIT * 1.05 and depth(block.formula) < 64 for block in (table, *helpers)
     )
@@ -108,3 +114,41 @@ def test_anchors_and_names_of_sheets():
     heads = [fill for fill in first.fills if fill.row == HEAD_ROW]
     assert [fill.value(HEAD_ROW, 2) for fill in heads] == [25.0]
     assert "Mechanism!$B$" in print_formula(blocks(first, _, 2)[0].formula)
+
+
+TURNING = [
+    ("four-bar", "theta14", "a1", [70, 20, 5, 500, 150]),
+    ("four-bar", "theta13", "a1", [70, 20, 90]),
+    ("drag-link", "theta14", "r1", [1, 3, 2]),
+]
+"""Dimensions that make a crank of a rocker, or the other way round, and some with rows that do not exist."""
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize(("name", "value", "column", "values"), part(TURNING, 2))
+def test_angles_do_not_jump(name, value, column, values, language):
+    """Down a column an angle goes on as the link does: as the reference has it, whole turns of the column aside."""
+    text = (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8").partition("[[tables]]")[0]
+    text = text.partition("[[charts]]")[0].partition("[workbook]")[0]
+    request = f'[[tables]]\nrows = "theta12"\ncolumns = {{ {column} = {values} }}\nvalue = "{value}"\n'
+    workbook, plan = compile_workbook(loads(text + request, language=language))
+    sheet = next(sheet for sheet in workbook.sheets if value in sheet.title)
+    table, *_ = blocks(sheet, plan, len(values))
+    for col, number in enumerate(values, 1):
+        cells = [table.value(FIRST + row, col) for row in range(plan.rows)]
+        ours = np.array([cell if isinstance(cell, float) else np.nan for cell in cells])
+        mechanism = loads(text, overrides={column: str(number)})
+        try:
+            start = rough_poses(mechanism, {group.mode: group.mode_value for group in plan.equations.groups})
+            theirs = np.degrees(variables(refer(mechanism, start=start))[value])
+        except MechanismError:
+            theirs = np.full(plan.rows, np.nan)
+        assert np.array_equal(np.isnan(ours), np.isnan(theirs))
+        turns = (ours - theirs) / 360
+        whole = np.round(turns[0] if np.isfinite(turns[0]) else 0)
+        assert np.nanmax(np.abs(turns - np.round(turns)), initial=0) < 1e-11
+        steps = np.abs(np.diff(ours))
+        assert np.nanmax(steps, initial=0) < 180
+        if not np.isnan(ours).any():
+            assert (np.round(turns) == whole).all()
+        assert np.isnan(ours[0]) or abs(ours[0] - table.value(FIRST, 1)) <= 180.000001

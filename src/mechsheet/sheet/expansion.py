@@ -9,7 +9,7 @@ get cells of their own: the helpers.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
@@ -67,14 +67,16 @@ def expand(
     rules: Mapping[str, Node],
     bound: Callable[[str], Node],
     helper: Callable[[int], Node],
+    apart: Sequence[str] = (),
 ) -> Expansion:
     """The formula of the symbol `wanted`.
 
     rules   what a symbol equals, in order of solution; a symbol without a rule is a leaf
     bound   the cell (or name) of a leaf
     helper  the cell of the n-th block of helpers, as the top-left cell of any block reads it
+    apart   symbols that get the first blocks of helpers, in this order, however short they are
     """
-    work = _Work(rules, bound, helper)
+    work = _Work(rules, bound, helper, apart)
     used = needed(wanted, rules)
     for symbol, rule in rules.items():
         if symbol in used:
@@ -96,14 +98,21 @@ def needed(wanted: str, rules: Mapping[str, Node]) -> set[str]:
 class _Work:
     """The forms found so far, with their length and depth."""
 
-    def __init__(self, rules: Mapping[str, Node], bound: Callable[[str], Node], helper: Callable[[int], Node]) -> None:
+    def __init__(
+        self,
+        rules: Mapping[str, Node],
+        bound: Callable[[str], Node],
+        helper: Callable[[int], Node],
+        apart: Sequence[str] = (),
+    ) -> None:
         self.rules = rules
         self.bound = bound
         self.helper = helper
         self.forms: dict[str, Node] = {}
         self.lengths: dict[str, int] = {}
         self.depths: dict[str, int] = {}
-        self.helpers: list[tuple[str, Node]] = []
+        self.apart = {symbol: index for index, symbol in enumerate(apart)}
+        self.helpers: list[tuple[str, Node]] = [(symbol, Symbol(symbol)) for symbol in apart]
 
     def form(self, symbol: str) -> Node:
         """The formula of a symbol; a leaf's is its cell."""
@@ -128,6 +137,10 @@ class _Work:
                 break
             self._move_out(max(movable, key=lambda name: uses[name] * self.lengths[name]))
         self._set(symbol, substituted(rule, self.forms))
+        if symbol in self.apart:
+            index = self.apart[symbol]
+            self.helpers[index] = (symbol, self.forms[symbol])
+            self._set(symbol, self.helper(index))
 
     def _too_long(self, rule: Node, uses: Counter[str], plain: int) -> bool:
         length = plain + sum(count * (self.lengths[name] + 2 - len(name)) for name, count in uses.items())

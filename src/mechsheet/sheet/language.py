@@ -217,6 +217,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
+    "table.near": ("the first row within half a turn of:", "ilk satır bundan en çok yarım tur uzaktadır:"),
     "table.hint": (
         "The yellow cells of the head row may be changed, and so may the dimensions on the first sheet. "
         "#N/A: the links cannot be joined there.",

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, shifted, transform, walk
 from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import body_words
@@ -33,6 +34,8 @@ COLUMNS_OF_A_PAGE = 17
 """Columns that are still readable on one page of A4, landscape."""
 SERVING = ("blank", "rounded")
 """The kinds of column that only serve summaries: folded away."""
+TOGETHER = 100
+"""Rows from which on LibreOffice computes columns together."""
 COMMENT_LIMIT = 60
 """Formulas longer than this are shown shortened in the heading; the Notes sheet has them all."""
 
@@ -173,7 +176,7 @@ def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
         case "exists":
             return [], [_fill(plan, EXISTS, _exists(plan), _decimals(styles.INNER, 0))]
         case "shown":
-            return [], [_fill(plan, column.col, _shown(plan, column), _shown_style(plan, column))]
+            return [], _guarded_fills(plan, column.col, _shown(plan, column), _shown_style(plan, column))
         case "blank" | "rounded":
             value = plan.at.reading_shown(column.symbol, plan.table, plan.at.first)
             if column.symbol == plan.mechanism.driver.symbol:  # a number in every row
@@ -201,6 +204,20 @@ def _guarded(plan: Plan, value: Node) -> Node:
     return Call("IF", (Binary("=", exists, Number(1.0)), value, Call("NA")))
 
 
+def _guarded_fills(plan: Plan, col: int, formula: Node, style: Style) -> list[Fill]:
+    """A column that asks whether the row exists; in long tables its first row does so without `$`.
+
+    LibreOffice computes neighbouring columns of equal formulas together from a hundred rows on. Whether a row exists
+    depends on the columns left and right of this one: it must not be taken together with them (Err:522 in the first row).
+    """
+    exists = CellRef(plan.at.first, EXISTS, col_abs=True)
+    asks = any(part == exists for part in walk(formula))
+    if plan.rows < TOGETHER or not asks:
+        return [_fill(plan, col, formula, style)]
+    apart = transform(formula, lambda part: replace(exists, col_abs=False) if part == exists else part)
+    return [Fill(plan.at.first, col, apart, style), _fill(plan, col, shifted(formula, 1), style, skip=1)]
+
+
 def _shown_style(plan: Plan, column: TableColumn) -> Style:
     unit = column.equation.unit if column.equation else "angle"
     return _decimals(styles.COLUMN, places(plan, unit))
@@ -222,7 +239,7 @@ def _equation_column(plan: Plan, column: TableColumn, equation: Assignment) -> l
     if equation.role == "output" and needs_guard(plan, column.symbol):
         expression = _guarded(plan, expression)
     if equation.first is None:
-        return [_fill(plan, column.col, plan.at.bind(expression, plan.table, first), style)]
+        return _guarded_fills(plan, column.col, plan.at.bind(expression, plan.table, first), style)
     start = Fill(first, column.col, plan.at.bind(equation.first, plan.table, first), style)
     if plan.rows == 1:
         return [start]

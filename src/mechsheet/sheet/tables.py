@@ -1,9 +1,9 @@
 """The two-way tables: the driver down, a dimension across, one formula with mixed anchors filled both ways.
 
 The first column reads the driver's values from the table of positions (`$A8`), the head row holds the values of the
-dimension as inputs (`B$7`). Every cell is on its own: it shares no state with its neighbours. So an angle, whose turns the
-table of positions counts from row to row, is taken here into the turn around a straight line over the driver (`Window`):
-that of the table of positions, as long as the link moves about as it does there.
+dimension as inputs (`B$7`). Every cell is on its own, but for angles, whose turns the table of positions counts from row
+to row: they stand in blocks of their own beside the table, each within half a turn of the cell above it (`windows`), so that
+no column jumps; and all columns start within half a turn of the angle in the table of positions.
 """
 
 from __future__ import annotations
@@ -11,18 +11,20 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Symbol, Text
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import quote_sheet
+from mechsheet.kinematics import algebra as al
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import input_validation, shown_unit
 from mechsheet.sheet.charts import driver_axis
-from mechsheet.sheet.expansion import Expansion, definitions, expand, varying
+from mechsheet.sheet.expansion import Expansion, definitions, expand, needed, varying
 from mechsheet.sheet.plan import Plan, needs_guard, unit_text
 from mechsheet.sheet.positions import places, shown_number
+from mechsheet.sheet.rows import first_row
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.windows import WINDOWED, with_windows
+from mechsheet.sheet.windows import WINDOWED, Window, windows_of, with_continued
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
@@ -46,6 +48,9 @@ TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range
 WIDTH, HEIGHT = 620, 400
 CHART_COLUMNS, CHART_ROWS = 11, 21
 """What the chart covers; helper blocks stand to the right of it."""
+
+ABOVE, START, FIRST_DRIVER = "{symbol} above", "{symbol} start", "first driver"
+"""Symbols of an angle's block of its own: the cell above, the one above the first row; and of the driver's first value."""
 
 CELL = "a cell of the table"
 """The symbol of what a cell shows."""
@@ -82,6 +87,8 @@ class _Table:
         self.title = title
         self.count = len(request.columns)
         self.last = FIRST + plan.rows - 1
+        self.windows: dict[str, Window] = {}
+        self.angles: list[str] = []
         self.helpers_at = 1 + self.count + 1 + CHART_COLUMNS + 1
         self.column: Dimension = next(dim for dim in plan.mechanism.dimensions if dim.symbol == request.column)
 
@@ -98,6 +105,10 @@ class _Table:
         for index, (symbol, formula) in enumerate(expansion.helpers):
             cells += self._helper_heading(index, symbol)
             inner = styles.decimals(styles.INNER, places(plan, self._unit(symbol)))
+            if index < len(self.angles):
+                cells.append(Cell(NAME_ROW, self._helper_col(index), plan.text("table.near"), styles.NOTE))
+                start = self._start(self.angles[index])
+                fills.append(Fill(HEAD_ROW, self._helper_col(index), start, inner, cols=self.count))
             fills.append(self._fill(self._helper_col(index), formula, inner))
         area = Area(FIRST, 1, self.last, self.count)
         missing = Call("ISNA", (CellRef(FIRST, 1),))
@@ -136,9 +147,33 @@ class _Table:
             for symbol, rule in rules.items()
             if (symbol in free or symbol in columns) and symbol not in (driver, self.request.column)
         }
-        rules = with_windows(plan, rules)
+        self.windows = windows_of(plan, rules)
+        rules = with_continued(plan, rules, {symbol: self._near(symbol) for symbol in self.windows})
         rules[CELL] = self._cell(rules)
-        return expand(CELL, rules, self._bound, self._helper)
+        used = needed(CELL, rules)
+        apart = {symbol: WINDOWED.format(symbol=symbol) for symbol in self.windows}
+        self.angles = [symbol for symbol, taken in apart.items() if taken in used]
+        return expand(CELL, rules, self._bound, self._helper, [apart[symbol] for symbol in self.angles])
+
+    def _near(self, symbol: str) -> Node:
+        """What an angle is taken within half a turn of: the cell above, or a line from where the columns start."""
+        above, start = Symbol(ABOVE.format(symbol=symbol)), Symbol(START.format(symbol=symbol))
+        driven = al.sub(Symbol(self.plan.mechanism.driver.symbol), Symbol(FIRST_DRIVER))
+        line = al.add(start, al.mul(al.number(self.windows[symbol].slope), driven))
+        return Call("IF", (Call("ISNUMBER", (above,)), above, line))
+
+    def _start(self, symbol: str) -> Node:
+        """The angle [rad] near which all columns start: that of the table of positions in the first row that exists, carried
+        back to the first row; with no such row what it is with the dimensions as described."""
+        plan, window = self.plan, self.windows[symbol]
+        driver = plan.mechanism.driver.symbol
+        row = first_row(plan)
+        angle: Node = Call("INDEX", (plan.at.area(plan.at.spots[symbol], self.title), row))
+        if window.slope:
+            there = Call("INDEX", (plan.at.area(plan.at.spots[driver], self.title), row))
+            way = al.sub(there, self._bound(FIRST_DRIVER))
+            angle = al.sub(angle, al.mul(al.number(window.slope), way))
+        return Call("IFERROR", (angle, Number(round(window.centre + window.slope * plan.driver[0], 6))))
 
     def _cell(self, rules: Mapping[str, Node]) -> Node:
         """The value as people read it; no number where a group that it does not depend on cannot be closed."""
@@ -156,8 +191,11 @@ class _Table:
         """The cell of a leaf as the top-left cell of a block reads it."""
         plan = self.plan
         driver = plan.mechanism.driver
-        if symbol == driver.symbol:
-            cell: Node = CellRef(FIRST, 0, col_abs=True)
+        for index, angle in enumerate(self.angles):
+            if symbol in (ABOVE.format(symbol=angle), START.format(symbol=angle)):
+                return CellRef(HEAD_ROW, self._helper_col(index), row_abs=symbol == START.format(symbol=angle))
+        if symbol in (driver.symbol, FIRST_DRIVER):
+            cell: Node = CellRef(FIRST, 0, symbol == FIRST_DRIVER, True)
             return Call("RADIANS", (cell,)) if driver.unit == "deg" else cell
         if symbol == self.request.column:
             cell = CellRef(HEAD_ROW, 1, row_abs=True)

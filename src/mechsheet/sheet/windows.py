@@ -1,8 +1,14 @@
-"""Angles of the two-way tables, whose cells have no row above: each is taken into one turn around a straight line."""
+"""Angles outside the table of positions, whose turns no column counts.
+
+In a function, which sees one position alone, each is taken into one turn around a straight line over the driver (`Window`).
+In a two-way table each is taken within half a turn of the cell above, so that it does not jump down the rows; in the first
+row, and after rows that do not exist, within half a turn of such a line through the first position of the sweep.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,11 +38,31 @@ class Window:
 
 
 def with_windows(plan: Plan, rules: dict[str, Node]) -> dict[str, Node]:
-    """The rules, where outputs (and the table itself) read angles that are counted in turns through their windows.
+    """The rules, where outputs (and what is asked for) read angles that are counted in turns through their windows.
 
     Inside the equations of groups an angle may be off by whole turns: they take its sine and cosine, or add it to others.
     An output may halve it, so it reads `theta14 windowed`, a rule that stands after that of theta14.
     """
+    windows = windows_of(plan, rules)
+    driver = Symbol(plan.mechanism.driver.symbol)
+    taken = {symbol: window.taken(Symbol(symbol), driver) for symbol, window in windows.items()}
+    return _reading(plan, rules, taken)
+
+
+def with_continued(plan: Plan, rules: dict[str, Node], near: Mapping[str, Node]) -> dict[str, Node]:
+    """The same for a table, where `near` is what each of these angles is taken within half a turn of."""
+    half = al.PI
+    taken = {
+        symbol: al.sub(
+            al.add(place, Call("MOD", (al.add(al.sub(Symbol(symbol), place), half), al.mul(al.TWO, al.PI)))), half
+        )
+        for symbol, place in near.items()
+    }
+    return _reading(plan, rules, taken)
+
+
+def windows_of(plan: Plan, rules: Mapping[str, Node]) -> dict[str, Window]:
+    """The windows of the angles among the rules that are counted in turns, in order of solution."""
     counted = {equation.symbol for equation in plan.equations.columns if equation.first is not None}
     counted = varying(rules, counted)
     angles = {
@@ -44,29 +70,30 @@ def with_windows(plan: Plan, rules: dict[str, Node]) -> dict[str, Node]:
         for equation in plan.equations.columns
         if equation.role == "variable" and equation.unit == "angle" and equation.symbol in counted & rules.keys()
     }
-    if not angles:
-        return rules
+    return _windows(plan, [symbol for symbol in rules if symbol in angles])
+
+
+def _reading(plan: Plan, rules: dict[str, Node], taken: Mapping[str, Node]) -> dict[str, Node]:
+    """The rules with those of the angles as they are taken, which outputs read."""
     outputs = {output.symbol for output in plan.mechanism.outputs}
-    windows = _windows(plan, angles)
-    driver = Symbol(plan.mechanism.driver.symbol)
     result: dict[str, Node] = {}
     for symbol, rule in rules.items():
-        result[symbol] = _read_windowed(rule, angles) if symbol in outputs else rule
-        if symbol in angles:
-            result[WINDOWED.format(symbol=symbol)] = windows[symbol].taken(Symbol(symbol), driver)
+        result[symbol] = _read_windowed(rule, taken.keys()) if symbol in outputs else rule
+        if symbol in taken:
+            result[WINDOWED.format(symbol=symbol)] = taken[symbol]
     return result
 
 
-def _read_windowed(rule: Node, angles: set[str]) -> Node:
+def _read_windowed(rule: Node, angles: Set[str]) -> Node:
     def change(part: Node) -> Node:
         if isinstance(part, Symbol) and part.name in angles:
             return Symbol(WINDOWED.format(symbol=part.name))
         return part
 
-    return transform(rule, change) if angles.intersection(symbols(rule)) else rule
+    return transform(rule, change) if not angles.isdisjoint(symbols(rule)) else rule
 
 
-def _windows(plan: Plan, angles: set[str]) -> dict[str, Window]:
+def _windows(plan: Plan, angles: Iterable[str]) -> dict[str, Window]:
     """Each angle's window, from the values that it has with the dimensions as described."""
     driver = np.array(plan.driver)
     values = plan.nominal
