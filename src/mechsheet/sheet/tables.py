@@ -11,10 +11,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import quote_sheet
-from mechsheet.kinematics import algebra as al
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import input_validation, shown_unit
