@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from mechsheet.kinematics.rough import rough_poses
 
 from chosen import part
 from judging import positions_only
@@ -16,6 +15,7 @@ from mechsheet.description import loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.nodes import CellRef, ErrorValue, shifted, walk
 from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.reference import solve as refer
 from mechsheet.reference import variables
 from mechsheet.sheet.expansion import LIMIT, depth
