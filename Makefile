@@ -1,9 +1,10 @@
 # Two commands: `make demo` builds and checks every template, `make test` runs lint, types and all tests.
+# `make quick` is for the time between two edits: what is fast and needs no other program.
 PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test lint types reference pictures bench clean
+.PHONY: demo test quick lint types reference pictures bench clean
 
 $(VENV)/.ready: pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -17,6 +18,10 @@ demo: $(VENV)/.ready
 test: $(VENV)/.ready
 	$(MAKE) lint types
 	$(BIN)/python -m pytest -n auto --dist worksteal
+
+quick: $(VENV)/.ready
+	$(MAKE) lint types
+	$(BIN)/python -m pytest -n auto --dist worksteal -m "not slow and not libreoffice and not gnumeric and not jing and not octave and not chromium and not latex"
 
 lint: $(VENV)/.ready
 	$(BIN)/ruff check .

@@ -29,6 +29,14 @@ def pytest_collection_modifyitems(config, items):
     items.sort(key=lambda item: item.get_closest_marker("slow") is not None)
 
 
+def pytest_terminal_summary(terminalreporter):
+    """What a run outside CI has not seen, in its last lines."""
+    if not IN_CI:
+        terminalreporter.write_line(
+            "left to CI (.ci/run): tests marked ci, every template and more random mechanisms where a part ran here"
+        )
+
+
 def pytest_runtest_setup(item):
     for name, commands in (PROGRAMS | OPTIONAL).items():
         if item.get_closest_marker(name) and not any(shutil.which(command) for command in commands):
