@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet import reference
+from mechsheet.checking.conditioning import excused
 from mechsheet.checking.inputs import Array, Inputs, inputs_in, plan_inside
 from mechsheet.checking.missing import missing_dimensions, readers
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally
@@ -55,7 +56,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     ours = {symbol: _column(plan, values, symbol) for symbol in _judged(plan) if symbol in theirs}
     closed = _closed_rows(mechanism, solution, ours)
     for symbol, column in ours.items():
-        _compare_column(plan, tally, symbol, column, np.asarray(theirs[symbol], float), solution.size, closed)
+        _compare_column(plan, tally, symbol, column, theirs, solution, closed)
     return tally.result(), list(inputs.remarks)
 
 
@@ -104,23 +105,34 @@ def _closed_rows(mechanism: Mechanism, solution: Any, ours: Mapping[str, Array])
 
 
 def _compare_column(
-    plan: Plan, tally: Tally, symbol: str, ours: Array, theirs: Array, size: float, closed: NDArray[np.bool_]
+    plan: Plan,
+    tally: Tally,
+    symbol: str,
+    ours: Array,
+    found: Mapping[str, Array],
+    solution: reference.Solution,
+    closed: NDArray[np.bool_],
 ) -> None:
     spot = plan.at.shown[symbol]
+    theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
     unit = plan.equations.of(symbol).unit if symbol != plan.mechanism.driver.symbol else ""
     is_angle = unit == "angle" or (unit == "" and plan.mechanism.driver.unit in ("deg", "rad"))
-    gap = ours - theirs
-    if is_angle:
-        gap = np.remainder(gap + math.pi, math.tau) - math.pi
-    else:
-        scale = size if output is None or unit == "length" else np.maximum(1.0, np.abs(theirs))
-        gap = gap / scale
+    scale = solution.size if output is None or unit == "length" else 1.0
+    with np.errstate(invalid="ignore"):
+        gap = ours - theirs
+        if is_angle:
+            gap = np.remainder(gap + math.pi, math.tau) - math.pi
+        else:
+            gap = gap / (scale if output is None or unit == "length" else np.maximum(1.0, np.abs(theirs)))
     apart = np.abs(gap)
     both_missing = np.isnan(theirs) if not spot.column else np.isnan(ours) & np.isnan(theirs)
     apart = np.where(both_missing, 0.0, np.where(np.isnan(apart), math.inf, apart))
-    excused = closed & (apart <= DEAD_CENTRE)
-    apart = np.where(excused, np.minimum(apart, TOLERANCE), apart)
+    at_dead_centre = closed & (apart <= DEAD_CENTRE)
+    apart = np.where(at_dead_centre, np.minimum(apart, TOLERANCE), apart)
+    if output is not None and (apart > TOLERANCE).any():
+        steep = (apart > TOLERANCE) & excused(solution, found, symbol, ours, 1.0 if is_angle else scale)
+        apart = np.where(steep, 0.0, apart)
     tally.cells += len(apart) - 1
     row = int(np.argmax(apart))
     where = (

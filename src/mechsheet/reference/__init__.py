@@ -5,7 +5,7 @@ It knows nothing of equations, formulas, cells or the groups that the workbook i
 
 from .continuity import leaps
 from .geometry import dimension_values, driver_values
-from .poses import Solution, assemblies, solve, variables
+from .poses import Solution, assemblies, outputs, solve, variables
 from .residual import residuals, worst
 
 __all__ = [
@@ -14,6 +14,7 @@ __all__ = [
     "dimension_values",
     "driver_values",
     "leaps",
+    "outputs",
     "residuals",
     "solve",
     "variables",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Mapping
 from typing import TypeAlias
 
@@ -112,18 +113,18 @@ def link_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Array]
 def _by_distances(p: Array, from_p: float, q: Array, from_q: float, side: float) -> Array:
     """The point at given distances from p and q, left (+1) or right (-1) of the way from p to q.
 
-    With d = |pq|: along = (from_p² - from_q² + d²) / 2d, across² = from_p² - along².
+    With d = |pq|: along = (from_p² - from_q² + d²) / 2d, and across is the triangle's area by Heron's formula over d / 2:
+    where the three lie in line its last factors are 0 or rounding, while from_p² - along² would lose half its digits.
     """
     base = q - p
-    length = float(np.hypot(*base))
+    length = math.sqrt(float(base[0] * base[0] + base[1] * base[1]))
     if not length > 0:
         return np.array([np.nan, np.nan])
     along = ((from_p - from_q) * (from_p + from_q) + length * length) / (2 * length)
-    square = (from_p - along) * (from_p + along)
-    if square < 0 and abs(abs(along) - abs(from_p)) <= ROUNDING * (abs(from_p) + abs(from_q) + length):
-        square = 0.0
-    with np.errstate(invalid="ignore"):
-        across = side * np.sqrt(square)
+    gaps = (length + from_p - from_q, from_q + length - from_p, from_q - length + from_p)
+    if min(gaps) < -ROUNDING * (abs(from_p) + abs(from_q) + length):
+        return np.array([np.nan, np.nan])
+    across = side * math.sqrt(max(0.0, (length + from_p + from_q) * math.prod(gaps))) / (2 * length)
     unit = base / length
     return np.asarray(p + along * unit + across * np.array([-unit[1], unit[0]]))
 

@@ -62,12 +62,19 @@ def variables(solution: Solution) -> dict[str, Array]:
     found[driver.symbol] = solution.driver
     for point, places in solution.points.items():
         found[f"{point}.x"], found[f"{point}.y"] = places[:, 0], places[:, 1]
-    values: dict[str, Array] = {name: np.array(value) for name, value in solution.dimensions.items()} | found
-    for output in solution.mechanism.outputs:
-        result = column(output.formula, values, len(solution.driver))
+    for symbol, result in outputs(solution, found).items():
         result[~solution.exists] = np.nan
-        found[output.symbol] = values[output.symbol] = result
+        found[symbol] = result
     return found
+
+
+def outputs(solution: Solution, found: Mapping[str, Array]) -> dict[str, Array]:
+    """The outputs, for any values of the variables (`found`, as `variables` names them)."""
+    values: dict[str, Array] = {name: np.array(value) for name, value in solution.dimensions.items()} | dict(found)
+    results: dict[str, Array] = {}
+    for output in solution.mechanism.outputs:
+        results[output.symbol] = values[output.symbol] = column(output.formula, values, len(solution.driver))
+    return results
 
 
 def solve(

@@ -23,8 +23,8 @@ ROUNDING = Number(1e-9)
 LAST_DIGITS = 1e-12
 """Parts of a number that its last digits make."""
 
-SHOWN = ("variable", "point", "output")
-"""Kinds of columns that people read."""
+WHOLE = ("variable", "point")
+"""Kinds of columns that have a number in every row that exists; an output may have a pole."""
 
 RECOMPUTED = "recomputed"
 """The check that counts cells which differ from their copies."""
@@ -113,15 +113,23 @@ def position_shown(plan: Plan, sheet: str) -> tuple[Node, ...]:
     numbers = fixed_column(plan, NUMBER)
     driver = plan.mechanism.driver.symbol
     cells = {driver: plan.blocks["position"].rows[driver], **plan.blocks["variables"].rows}
+    outputs = {output.symbol for output in plan.mechanism.outputs}
     differences = []
     for symbol, row in cells.items():
+        cell: Node = CellRef(row, VALUE, True, True, plan.main)
         there = Call("SUMIF", (numbers, position, plan.at.column(symbol, sheet)))
-        differences.append(_difference(CellRef(row, VALUE, True, True, plan.main), there))
+        differences.append(_difference_or_pole(cell, there) if symbol in outputs else _difference(cell, there))
     for output in plan.mechanism.outputs:
-        cell: Node = CellRef(cells[output.symbol], VALUE, True, True, plan.main)
+        cell = CellRef(cells[output.symbol], VALUE, True, True, plan.main)
         cell = Call("RADIANS", (cell,)) if output.unit == "deg" else cell
-        differences.append(_difference(cell, _there(plan, sheet, parse_description(output.formula))))
+        differences.append(_difference_or_pole(cell, _there(plan, sheet, parse_description(output.formula))))
     return tuple(differences)
+
+
+def _difference_or_pole(one: Node, other: Node) -> Node:
+    """Two errors, where an output has a pole, are alike."""
+    errors = [Call("ISERROR", (node,)) for node in (one, other)]
+    return Call("IF", (Call("AND", tuple(errors)), al.ZERO, _difference(one, other)))
 
 
 def _there(plan: Plan, sheet: str, formula: Node) -> Node:
@@ -190,7 +198,7 @@ def rows(plan: Plan, sheet: str) -> Whole:
     """Numbers that people read, words "ok" and rows that every group closes, less as many as there should be of them
     for the rows that exist: 0 when each row is whole or empty."""
     total = Call("SUM", (exists_column(plan),))
-    shown = [plan.at.column(eq.symbol, sheet) for eq in plan.equations.columns if eq.role in SHOWN]
+    shown = [plan.at.column(eq.symbol, sheet) for eq in plan.equations.columns if eq.role in WHOLE]
     chunks = range(0, len(shown), COUNTED)
     counts: list[Node] = [Call("COUNT", tuple(shown[start : start + COUNTED])) for start in chunks]
     counts.append(Call("COUNTIF", (fixed_column(plan, STATUS), Text(plan.text("status.ok")))))
