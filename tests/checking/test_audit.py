@@ -190,7 +190,7 @@ def test_a_description_of_which_the_mark_is_gone(yoke, tmp_path):
 
 @pytest.mark.parametrize(
     ("line", "message"),
-    [("[dimensions", "broken TOML"), ('wrong = "key"', "unknown"), ("a1 = 3", "")],
+    [("[dimensions", "is not closed"), ('wrong = "key"', "unknown"), ("a1 = 3", "")],
     ids=["broken", "unknown key", "key twice"],
 )
 def test_a_damaged_description(yoke, tmp_path, line, message):

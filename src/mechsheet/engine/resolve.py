@@ -17,6 +17,7 @@ from ..formula.names import folded
 from ..formula.nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
+    UNKNOWN_FUNCTION,
     Apply,
     Arrayed,
     ArrayLiteral,
@@ -55,7 +56,6 @@ _MOST_READ = 20_000
 _STEADY = frozenset(("OFFSET", "INDIRECT", "CELL", "INFO"))
 """Volatile functions that give the same value as long as the workbook stays as it is."""
 
-UNKNOWN = "an unknown function"
 FOREIGN = "another workbook"
 UNSTEADY = "another value at every recalculation"
 """Why a workbook alone does not say what a formula gives."""
@@ -236,7 +236,7 @@ class Resolver:
                     return self.through_sheets(first, last, area)
                 case FunctionRef(name, "") if name not in FUNCTIONS:
                     return self.unknown_function(place, name)
-                case Foreign(text, why) if why != UNKNOWN:
+                case Foreign(text, why) if why != UNKNOWN_FUNCTION:
                     self.remark(place, f"{why}, {text}: stored values are kept")
                     return part
                 case Symbol() | Previous():
@@ -330,7 +330,7 @@ class Resolver:
         have = [stored.get(row, col) is not None for col in _cols(block) for row in _rows(block)]
         if FOREIGN in kinds or (UNSTEADY in kinds and self.steady and all(have)):
             self.found.kept[number] = "#REF!"
-        elif UNKNOWN in kinds and any(have):
+        elif UNKNOWN_FUNCTION in kinds and any(have):
             self.found.kept[number] = "#NAME?"
 
     def _strangers(self, formula: Node) -> Iterator[str]:
@@ -340,7 +340,7 @@ class Resolver:
         while waiting:
             for part in walk(waiting.pop()):
                 if isinstance(part, Foreign):
-                    yield UNKNOWN if part.why == UNKNOWN else FOREIGN
+                    yield UNKNOWN_FUNCTION if part.why == UNKNOWN_FUNCTION else FOREIGN
                 elif isinstance(part, Call) and _is_unsteady(part.name):
                     yield UNSTEADY
                 elif isinstance(part, FunctionRef) and part not in seen and part in self.found.functions:
@@ -361,7 +361,7 @@ class Resolver:
         else:
             message, hint = f"unknown function {name}", near_miss(name, FUNCTIONS)
         self.remark(place, message, hint, "function")
-        return Foreign(name, UNKNOWN)
+        return Foreign(name, UNKNOWN_FUNCTION)
 
     def remark(self, place: str, message: str, hint: str = "", about: str = "") -> None:
         """Note what is not as it is meant in the cells of `place`."""

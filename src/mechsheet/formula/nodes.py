@@ -189,6 +189,10 @@ class Foreign:
     why: str = "a reference to another workbook"
 
 
+UNKNOWN_FUNCTION = "an unknown function"
+"""Why a `Foreign` stands for a call: the workbook's own macros may define the function."""
+
+
 @dataclass(frozen=True, slots=True)
 class Local:
     """A name that LET or LAMBDA gives, in small letters; `optional` where LAMBDA lets a call leave it out."""

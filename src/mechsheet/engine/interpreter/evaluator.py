@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import (
+    UNKNOWN_FUNCTION,
     Apply,
     Arrayed,
     ArrayLiteral,
@@ -33,7 +34,6 @@ from ...formula.nodes import (
 from ..kernels.math import OPERATORS, snapped
 from ..kernels.table import KERNELS
 from ..layout import Layout
-from ..resolve import UNKNOWN
 from ..values.cells import (
     BLANK,
     CALC,
@@ -156,7 +156,7 @@ class Evaluator(Reading):
             case FunctionRef():
                 return error(CALC)
             case Foreign(why=why):  # what keeps stored values is not computed: here there are none
-                return error(error_code("#NAME?" if why == UNKNOWN else "#REF!"))
+                return error(error_code("#NAME?" if why == UNKNOWN_FUNCTION else "#REF!"))
             case _:
                 raise TypeError(f"{node} is not resolved")
 
