@@ -63,7 +63,7 @@ def moved(workbook, title, rows=NOTHING, cols=NOTHING, now=None):
         kept = tuple(replace(cell, row=row, col=col) for row, col, cell in cells if row is not None and col is not None)
         return replace(
             sheet, title=now, cells=kept, fills=fills, merges=(), validations=(), conditionals=(), charts=(), controls=(),
-            comments=(), links=(),
+            comments=(),
         )  # fmt: skip
 
     names = tuple(
@@ -71,8 +71,7 @@ def moved(workbook, title, rows=NOTHING, cols=NOTHING, now=None):
         for name in workbook.names
     )
     sheets = tuple(
-        replace(new_sheet(sheet), charts=(), controls=(), conditionals=(), validations=(), links=())
-        for sheet in workbook.sheets
+        replace(new_sheet(sheet), charts=(), controls=(), conditionals=(), validations=()) for sheet in workbook.sheets
     )
     return replace(workbook, sheets=sheets, names=names)
 

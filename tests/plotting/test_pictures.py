@@ -213,7 +213,7 @@ def test_command(tmp_path, monkeypatch):
         (["--at", "180", "--set", "a2=90", "-o", "x.svg"], "no position at θ₁₂ = 180°"),
         (["--at", "400", "-o", "x.gif"], "400 lies outside of the sweep"),
         (["--at", "-1", "-o", "x.html"], "-1 lies outside of the sweep"),
-        (["--at", "nan", "-o", "x.svg"], "nan is not a position"),
+        (["--at", "nan", "-o", "x.svg"], "expected a finite number, found nan"),
         (["--at", "sixty", "-o", "x.svg"], "'sixty' is not a valid float"),
         (["-o", "x.tiff"], "endings: .svg, .png, .gif, .html"),
         (["-o", "x.htm"], 'did you mean "html"?'),

@@ -141,7 +141,7 @@ def test_no_position_there():
 
 @pytest.mark.parametrize("at", [math.nan, math.inf])
 def test_no_number(at):
-    with pytest.raises(MechsheetError, match="is not a position"):
+    with pytest.raises(MechsheetError, match="expected a finite number"):
         sample(template("four-bar"), at, None)
 
 
