@@ -27,6 +27,7 @@ from mechsheet.compute import book_of
 from mechsheet.description import loads
 from mechsheet.engine import evaluate
 from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.constants import typed
 from mechsheet.sheet.layout import lay_out
 
 DISTANCES = [10.0**-n for n in range(10)]
@@ -202,12 +203,12 @@ def studies() -> list[Study]:
 
 
 def values_of(study: Study) -> list[float]:
-    """The driver's values [deg]: towards the centre, and away from it where it can be passed."""
+    """The driver's values [deg] as a cell takes them: towards the centre, and away from it where it can be passed."""
     side = study.inward or 1
     values = [study.centre + side * distance for distance in (APART, *DISTANCES)]
     if study.inward == 0:
         values += [study.centre - distance for distance in reversed(DISTANCES)]
-    return values
+    return [typed(value) for value in values]
 
 
 def measure(study: Study) -> list[tuple[float, float, float, float]]:
