@@ -81,7 +81,7 @@ def test_spellings(typed: str, value: float) -> None:
 @pytest.mark.parametrize(
     ("name", "value", "message"),
     [
-        ("a9", "1", 'everything.toml: overrides: a9=1: no dimension is called "a9"\n       = inputs: a1, a2, phi0, half, turn'),
+        ("a9", "1", 'overrides: a9=1: no dimension is called "a9"\n       = inputs: a1, a2, phi0, half, turn'),
         ("A1", "1", 'no dimension is called "A1"\n       = did you mean "a1"?'),
         ("gamma3", "1", 'the dimension "gamma3" is derived from others\n       = change the dimensions in its'),
         ("a1", "65,5", 'expected a number, found "65,5"\n       = write 65.5'),
