@@ -10,6 +10,7 @@ from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
 from mechsheet.sheet.checks import checks_sheet
+from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.mechanism import mechanism_sheet
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.positions import positions_sheet
@@ -36,7 +37,8 @@ def positions_only(mechanism: Mechanism) -> tuple[Workbook, Plan]:
     plan = plan_of(mechanism, solve(mechanism))
     checks_sheet(plan)  # the first sheet has the addresses of its verdicts
     sheets = (mechanism_sheet(plan), positions_sheet(plan))
-    return only_positions(Workbook(sheets, tuple(plan.names), Properties()), plan), plan
+    workbook = with_typed_constants(Workbook(sheets, tuple(plan.names), Properties()))
+    return only_positions(workbook, plan), plan
 
 
 def only_positions(workbook: Workbook, plan: Plan) -> Workbook:
