@@ -25,7 +25,7 @@ from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Nam
 from random_mechanisms import Grower
 
 TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
-RANDOM = int(os.environ.get("MECHSHEET_RANDOM", "30"))
+RANDOM = int(os.environ.get("MECHSHEET_RANDOM", "12"))
 """How many random mechanisms CI draws; 300 of them passed when the rules were written."""
 
 
