@@ -58,7 +58,7 @@ def test_it_works_without_the_checkout(wheel, tmp_path):
     assert "four-bar" in run("-m", "mechsheet", "new", "--list").split()
     run("-m", "mechsheet", "new", "four-bar", "-o", "mine.toml")
     run("-m", "mechsheet", "build", "mine.toml", "--format", "xlsx,ods")
-    assert "all agree" in run("-m", "mechsheet", "check", "four-bar.xlsx", "four-bar.ods")
+    assert "all agree" in run("-m", "mechsheet", "check", "mine.xlsx", "mine.ods")
 
 
 def test_nothing_heavy_at_the_start():
