@@ -13,6 +13,7 @@ from mechsheet.exporting.kinds import KINDS
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import solve as refer
+from mechsheet.sheet.lowering import lowered
 
 HEAD = """
 format = 1
@@ -97,7 +98,8 @@ def test_formulas_stay_short(name):
 @pytest.mark.parametrize("count", [2, 9])
 def test_length_does_not_grow_with_depth(count):
     """The equations of the last point are as long as those of the first that is laid off from others."""
-    equations = solve(loads(plate(count)))
+    mechanism = loads(plate(count))
+    equations = lowered(mechanism, solve(mechanism))
     texts = {eq.symbol: print_formula(eq.expression, "text") for eq in equations.all}
     last = LETTERS[count - 1]
     assert len(texts[f"{last}.x"]) < 60
