@@ -78,7 +78,7 @@ def targets(
 
     given = None if formats is None else _known(formats, FORMATS, "formats", "format")
     extra = _known(functions, FUNCTIONS, "functions", "kind of functions")
-    if given is not None and not given:
+    if given is not None and not given and not extra:
         raise MechsheetError(Fault("no format is named", key="formats", hint=f"formats: {', '.join(FORMATS)}"))
     path = Path(output)
     if is_folder(output):
