@@ -45,7 +45,7 @@ def excused(
         within = (ours >= low - room) & (ours <= high + room)
         pole = (np.abs(near) >= far).any(axis=0)
         nothing = pole | ~np.isfinite(near).all(axis=0) | (high - low > JUMP * scale)
-        return np.where(np.isnan(ours), nothing, within | (pole & (np.abs(ours) >= far)))
+        return np.asarray(np.where(np.isnan(ours), nothing, within | (pole & (np.abs(ours) >= far))), dtype=bool)
 
 
 def _near(solution: reference.Solution, found: Mapping[str, Array], symbol: str) -> Array:
