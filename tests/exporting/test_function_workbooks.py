@@ -32,7 +32,7 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.programs import answers
 from mechsheet.recalculation import recalc
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.tables import FIRST
+from mechsheet.sheet.tables import CHART_COLUMNS, FIRST
 from office_macros import Job as Office
 from office_macros import with_macros
 from random_mechanisms import Grower
@@ -174,11 +174,11 @@ def compared(one, other, left_out=()) -> tuple[int, float]:
         if sheet.title in left_out:
             continue
         for block in sheet.blocks:
+            if sheet.title.startswith(("Table", "Tablo")) and block.col > CHART_COLUMNS + 2:
+                continue  # blocks of angles beside the table: functions need none
             for row in range(block.row, block.row + block.rows):
                 for col in range(block.col, block.col + block.cols):
                     wanted, found = sheet.cached.get(row, col), one.get(sheet.title, row, col)
-                    if found is None and sheet.title.startswith("Table"):
-                        continue  # what makes a table's angle go on from row to row: a function needs none of it
                     count += 1
                     if isinstance(wanted, float) and isinstance(found, float):
                         worst = max(worst, abs(wanted - found) / max(1.0, abs(wanted)))
