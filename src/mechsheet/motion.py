@@ -10,7 +10,7 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
-from mechsheet.sheet.plan import unit_text
+from mechsheet.sheet.plan import unit_shown, unit_text
 from mechsheet.sheet.positions import shown_number
 
 SHOWN_ROLES = ("variable", "point", "output")
@@ -31,13 +31,11 @@ def motion_of(mechanism: Mechanism) -> tuple[dict[str, Array], dict[str, str]]:
     columns: dict[str, Array] = {mechanism.driver.symbol: np.array([shown_number(value, degrees) for value in driver])}
     units = {mechanism.driver.symbol: unit_text(mechanism.driver.unit)}
     outputs = {output.symbol: unit_text(output.unit) for output in mechanism.outputs}
-    angle_unit = "°" if mechanism.angle_unit == "deg" else "rad"
     for equation in equations.columns:
         symbol = equation.symbol
         if equation.role not in SHOWN_ROLES or symbol in columns:
             continue
-        plain = {"length": mechanism.length_unit, "angle": angle_unit, "number": ""}.get(equation.unit, equation.unit)
-        units[symbol] = outputs.get(symbol, plain)
+        units[symbol] = outputs.get(symbol, unit_shown(mechanism, equation.unit))
         factor = math.degrees(1.0) if units[symbol] == "°" else 1.0
         columns[symbol] = np.where(exists & np.isfinite(values[symbol]), values[symbol] * factor, np.nan)
     return columns, units

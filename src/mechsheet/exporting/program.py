@@ -19,7 +19,7 @@ from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_order, solve
 from mechsheet.model import Dimension, Mechanism, Quantity
-from mechsheet.sheet.lowering import guarded
+from mechsheet.sheet.lowering import guarded, rooted
 from mechsheet.sheet.positions import shown_number
 
 WIDTH = 100
@@ -118,7 +118,10 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
     order = [dimensions[symbol] for symbol in dimension_order(mechanism)]
     constants = [
         Line(
-            eq.symbol, guarded(eq.exists, _computed(eq)), unit_word(mechanism, eq.unit), one_line(eq.label.of(language))
+            eq.symbol,
+            guarded(eq.exists, _with_helpers(eq.expression)),
+            unit_word(mechanism, eq.unit),
+            one_line(eq.label.of(language)),
         )
         for eq in equations.constants
     ]
@@ -187,9 +190,9 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
             line = _closed(equation, len(closed), still)
             closed[equation.exists] = Symbol(line.symbol)
             found.append(line)
-        node = _computed(equation)
+        node = _with_helpers(equation.expression)
         if equation.exists:
-            node = Call("IF", (closed[equation.exists], node, Call("NA")))
+            node = Call("IF", (closed[equation.exists], rooted(node), Call("NA")))
             still = False  # the condition has one value per row
         unit, words = unit_word(mechanism, equation.unit), one_line(equation.label.of(mechanism.language))
         found.append(ColumnLine(equation.symbol, node, still, unit, words, equation.group))
@@ -203,8 +206,8 @@ def _closed(equation: Equation, number: int, still: bool) -> ColumnLine:
     return ColumnLine(name, al.all_of(tests), still, "", "", equation.group)
 
 
-def _computed(equation: Equation) -> Node:
-    """The equation as arrays compute it: helpers called, no root of a rounding error below 0."""
+def _with_helpers(expression: Node) -> Node:
+    """The expression as arrays compute it: helpers called for what is no function of spreadsheets."""
 
     def called(part: Node) -> Node:
         match part:
@@ -212,11 +215,9 @@ def _computed(equation: Equation) -> Node:
                 return Call("CONTINUOUS", (al.atan2(x, y),))
             case TriangleAngle(opposite, beside, other):
                 return Call("TRIANGLE", (opposite, beside, other))
-            case Call("SQRT", (square,)) if equation.exists:
-                return Call("SQRT", (Call("MAX", (al.ZERO, square)),))
         return part
 
-    return transform(equation.expression, called)
+    return transform(expression, called)
 
 
 def _exists(equations: Equations) -> Node:

@@ -40,7 +40,7 @@ class Ledger:
         self.positive: dict[str, None] = {}
         self.tolerance: Node = al.ZERO  # set to its symbol by whoever knows the lengths
         self.group = 0
-        self._names = FreshNames([*taken, *dimensions, driver])
+        self._names = FreshNames(taken)
 
     def reserve(self, base: str) -> str:
         """A name like `base` that nothing else has: `phi`, in the second group `phi_2`."""

@@ -44,6 +44,18 @@ def body_words(mechanism: Mechanism, name: str) -> Words:
     return next((link_words(link) for link in mechanism.links if link.name == name), Words(name, name))
 
 
+def given_names(mechanism: Mechanism) -> list[str]:
+    """Every name that the description gives to a quantity."""
+    return [
+        *(dimension.symbol for dimension in mechanism.dimensions),
+        *(output.symbol for output in mechanism.outputs),
+        *(summary.symbol for summary in mechanism.summaries),
+        *(link.angle_symbol for link in mechanism.links),
+        *(joint.symbol for joint in mechanism.joints),
+        mechanism.driver.symbol,
+    ]
+
+
 class FreshNames:
     """Names for quantities that no description gave one."""
 

@@ -25,6 +25,7 @@ from mechsheet.kinematics.lines import solve_prp, solve_rpp
 from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
+from mechsheet.kinematics.naming import given_names
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import Place, angle_of, cartesian
 from mechsheet.kinematics.poses import Member, Poses
@@ -180,11 +181,7 @@ def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
     if len(values) > 2 * PROBED_ROWS:
         rest = np.linspace(PROBED_ROWS, len(values) - 1, PROBED_ROWS).astype(int)
         values = np.concatenate([values[:PROBED_ROWS], values[rest]])
-    taken = [output.symbol for output in mechanism.outputs]
-    taken += [summary.symbol for summary in mechanism.summaries]
-    taken += [link.angle_symbol for link in mechanism.links]
-    taken += [joint.symbol for joint in mechanism.joints]
-    ledger = Ledger(dimensions, mechanism.driver.symbol, values, taken)
+    ledger = Ledger(dimensions, mechanism.driver.symbol, values, given_names(mechanism))
     ledger.tolerance = ledger.define(
         ledger.reserve("tol"),
         al.mul(NumberNode(CLOSING), _largest_length(mechanism)),

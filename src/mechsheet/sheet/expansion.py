@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, children, symbols, transform, walk
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, children, symbols, transform, walk
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import extra_characters, longest_spelling
@@ -159,17 +159,11 @@ def substituted(rule: Node, forms: Mapping[str, Node]) -> Node:
         match part:
             case Symbol(name):
                 return forms[name]
-            case Binary("+", left, right):
-                return al.add(left, right)
-            case Binary("-", left, right):
-                return al.sub(left, right)
-            case Binary("*", left, right):
-                return al.mul(left, right)
             case Binary("^", Call("SQRT", (square,)), Number(2.0)):
                 return square
-            case Unary("-", operand):
-                return al.neg(operand)
-        return part
+            case Binary("/", _, _):
+                return part
+        return al.tidied(part)
 
     return transform(rule, change)
 

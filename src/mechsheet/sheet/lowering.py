@@ -27,7 +27,7 @@ from mechsheet.formula.nodes import (
     walk,
 )
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, Role
-from mechsheet.kinematics.naming import FreshNames
+from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
 
 TURN = al.mul(al.TWO, al.PI)
@@ -104,14 +104,8 @@ def lowered(mechanism: Mechanism, equations: Equations) -> Assignments:
 class _Lowering:
     def __init__(self, mechanism: Mechanism, equations: Equations) -> None:
         self.equations = equations
-        taken = [equation.symbol for equation in equations.all]
-        taken += [group.mode for group in equations.groups]
-        taken += [dim.symbol for dim in mechanism.dimensions]
-        taken += [output.symbol for output in mechanism.outputs]
-        taken += [summary.symbol for summary in mechanism.summaries]
-        taken += [link.angle_symbol for link in mechanism.links]
-        taken += [joint.symbol for joint in mechanism.joints]
-        self.names = FreshNames([*taken, mechanism.driver.symbol])
+        found = [*(equation.symbol for equation in equations.all), *(group.mode for group in equations.groups)]
+        self.names = FreshNames([*given_names(mechanism), *found])
         self.groups = {group.number: group for group in equations.groups}
         self.areas: dict[frozenset[Node], Node] = {}
         self.constants: list[Assignment] = []
@@ -215,15 +209,20 @@ def guarded(conditions: Iterable[Condition], value: Node) -> Node:
     fails = [condition.fails for condition in conditions]
     if not fails:
         return value
+    test = fails[0] if len(fails) == 1 else Call("OR", tuple(fails))
+    return Call("IF", (test, Call("NA"), rooted(value)))
 
-    def rooted(part: Node) -> Node:
+
+def rooted(value: Node) -> Node:
+    """The value, where a root of less than 0 is 0: beside a condition that holds, that is rounding."""
+
+    def change(part: Node) -> Node:
         match part:
             case Call("SQRT", (square,)):
                 return Call("SQRT", (Call("MAX", (al.ZERO, square)),))
         return part
 
-    test = fails[0] if len(fails) == 1 else Call("OR", tuple(fails))
-    return Call("IF", (test, Call("NA"), transform(value, rooted)))
+    return transform(value, change)
 
 
 def _heron(a: Node, b: Node, c: Node) -> Node:

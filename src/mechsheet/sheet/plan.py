@@ -130,12 +130,8 @@ class Plan:
         return self.at.titles["positions"]
 
     def unit_shown(self, unit: str) -> str:
-        """How a unit of an equation is shown: the length unit, degrees or radians, nothing for a number."""
-        if unit == "length":
-            return self.mechanism.length_unit
-        if unit == "angle":
-            return "°" if self.mechanism.angle_unit == "deg" else "rad"
-        return "" if unit == "number" else unit
+        """How a unit of an equation is shown."""
+        return unit_shown(self.mechanism, unit)
 
     def shown_in_degrees(self, unit: str) -> bool:
         """True for angles of a mechanism whose angle unit is the degree."""
@@ -156,6 +152,15 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     _plan_names_and_blocks(plan)
     _plan_columns(plan)
     return plan
+
+
+def unit_shown(mechanism: Mechanism, unit: str) -> str:
+    """How a unit of an equation is shown: the length unit, degrees or radians, nothing for a number."""
+    if unit == "length":
+        return mechanism.length_unit
+    if unit == "angle":
+        return "°" if mechanism.angle_unit == "deg" else "rad"
+    return "" if unit == "number" else unit
 
 
 def unit_text(unit: str) -> str:
