@@ -25,7 +25,7 @@ def verdict(mechanism: Mechanism, workbook: Workbook, plan: Plan) -> str:
     """
     at = plan.at
     exists = [value == 1.0 for value in column_of(workbook, plan.table, EXISTS, at.first, at.last)]
-    spot = at.shown[mechanism.driver.symbol]
+    spot = at.spots[mechanism.driver.symbol]
     drivers = column_of(workbook, spot.sheet, spot.col, at.first, at.last)
     unit = shown_unit(plan, mechanism.driver.symbol)
     shown = [_shown(value, unit) for value in drivers]

@@ -71,7 +71,7 @@ def _nowhere(plan: Plan, values: Any, symbols: Collection[str] | None = None) ->
     tally = Tally("reference")
     for equation in plan.equations.columns:
         if equation.role in ("variable", "point", "output") and (symbols is None or equation.symbol in symbols):
-            spot = plan.at.shown[equation.symbol]
+            spot = plan.at.spots[equation.symbol]
             for row, value in enumerate(_column(plan, values, equation.symbol)):
                 where = f"{cell_address(spot.sheet, plan.at.first + row, spot.col)} ({equation.symbol}, row {row})"
                 tally.note(0.0 if math.isnan(value) else math.inf, where, float(value), None)
@@ -87,7 +87,7 @@ def _judged(plan: Plan) -> list[str]:
 
 def _column(plan: Plan, values: Any, symbol: str) -> Array:
     """A column of the table in internal units, NaN where it holds no number."""
-    spot = plan.at.shown[symbol]
+    spot = plan.at.spots[symbol]
     if not spot.column:
         cell = values.get(spot.sheet, spot.row, spot.col)
         return np.full(plan.rows, cell if isinstance(cell, float) else math.nan)
@@ -113,7 +113,7 @@ def _compare_column(
     solution: reference.Solution,
     closed: NDArray[np.bool_],
 ) -> None:
-    spot = plan.at.shown[symbol]
+    spot = plan.at.spots[symbol]
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
     unit = plan.equations.of(symbol).unit if symbol != plan.mechanism.driver.symbol else ""

@@ -43,7 +43,7 @@ def leg(ledger: Ledger, base: str, hypotenuse: Node, other: Node, label: Words, 
     """
     if al.is_zero(other):
         return ledger.column(base, hypotenuse, "length", label, exists=[separate])
-    reaches = Condition(al.sub(hypotenuse, Call("ABS", (other,))), al.neg(ledger.tolerance))
+    reaches = Condition(al.sub(hypotenuse, Call("ABS", (other,))), al.neg(ledger.tolerance), reach=True)
     product = al.mul(al.sub(hypotenuse, other), al.add(hypotenuse, other))
     return ledger.column(base, Call("SQRT", (product,)), "length", label, exists=[separate, reaches])
 

@@ -27,10 +27,12 @@ class Condition:
     margin  a length or a ratio that is continuous in the driver, also where the position does not exist
     least   minus the tolerance where links must reach each other (rounding at a dead centre is no gap); a small positive
             number where a direction must be determined (pins apart, lines that cross)
+    reach   True where links must reach each other: the margin is the group's way to coming apart
     """
 
     margin: Node
     least: Node
+    reach: bool = False
 
     @property
     def fails(self) -> Node:

@@ -193,4 +193,4 @@ def triangle_margin(a: Node, b: Node, c: Node) -> Node:
 
 def triangle_closes(ledger: Ledger, a: Node, b: Node, c: Node) -> Condition:
     """Three sides form a triangle, rounding aside."""
-    return Condition(triangle_margin(a, b, c), al.neg(ledger.tolerance))
+    return Condition(triangle_margin(a, b, c), al.neg(ledger.tolerance), reach=True)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from mechsheet.formula.nodes import Call, CellRef, NameRef, Node, Previous, RangeRef, Symbol, transform
+from mechsheet.sheet.quoted import ALL, SHOWN
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +29,7 @@ class Spot:
 class Addresses:
     """All places of a workbook.
 
-    spots    where formulas read a quantity (internal units, or degrees when the spot says so)
-    shown    where people read it (degrees where the mechanism's angle unit is that)
+    spots    where a quantity stands: formulas read it there, and people
     titles   sheet titles by key ("mechanism", "positions", …)
     first, last  rows of the table of positions
     """
@@ -39,50 +39,53 @@ class Addresses:
     first: int
     last: int
     spots: dict[str, Spot] = field(default_factory=dict)
-    shown: dict[str, Spot] = field(default_factory=dict)
 
-    def reference(self, symbol: str, sheet: str, row: int | None, up: int = 0) -> Node:
-        """The quantity as a formula on `sheet` reads it from table row `row` (None: a cell outside the table)."""
-        return self._reading(self.spots[symbol], sheet, row, up)
+    def reference(self, symbol: str, sheet: str, row: int | None, above: int | None = None) -> Node:
+        """The quantity in internal units as a formula on `sheet` reads it.
 
-    def reading_shown(self, symbol: str, sheet: str, row: int | None) -> Node:
-        """The quantity as people read it: no conversion."""
-        return self._cell(self.shown[symbol], sheet, row, 0)
-
-    def _reading(self, spot: Spot, sheet: str, row: int | None, up: int) -> Node:
-        cell = self._cell(spot, sheet, row, up)
+        row    the row that stands for one position there (None: a cell outside the table)
+        above  the row to read in place of it, when the quantity of the position before is meant
+        """
+        spot = self.spots[symbol]
+        cell = self.cell(symbol, sheet, row if above is None else above)
         return Call("RADIANS", (cell,)) if spot.degrees else cell
 
-    def _cell(self, spot: Spot, sheet: str, row: int | None, up: int) -> Node:
+    def cell(self, symbol: str, sheet: str, row: int | None) -> Node:
+        """The quantity as people read it: no conversion."""
+        spot = self.spots[symbol]
         other = None if spot.sheet == sheet else spot.sheet
         if spot.column:
             if row is None:
                 raise ValueError(f"a column cannot be read from outside the table: {spot}")
-            return CellRef(row - up, spot.col, sheet=other)
+            return CellRef(row, spot.col, sheet=other)
         if spot.name and self.references == "names":
             return NameRef(spot.name)
         return CellRef(spot.row, spot.col, True, True, other)
 
-    def bind(self, node: Node, sheet: str, row: int | None) -> Node:
-        """The tree with every symbol replaced by a reference, as a formula in `row` of `sheet` has it."""
+    def bind(self, node: Node, sheet: str, row: int | None = None) -> Node:
+        """The tree with every symbol replaced by a reference, as a formula in `row` of `sheet` has it.
+
+        Quantities come in internal units (radians); as people read them come those whose names begin with "#", `SHOWN(x)` and
+        whole columns, `ALL(x)` (see `quoted`).
+        """
 
         def change(part: Node) -> Node:
             match part:
+                case Symbol(name) if name.startswith(ALL):
+                    return self.column(name.removeprefix(ALL), sheet)
+                case Symbol(name) if name.startswith(("#", SHOWN)):
+                    return self.cell(name.removeprefix(SHOWN), sheet, row)
                 case Symbol(name):
                     return self.reference(name, sheet, row)
                 case Previous(name):
-                    return self.reference(name, sheet, row, up=1)
+                    return self.reference(name, sheet, row, above=None if row is None else row - 1)
             return part
 
         return transform(node, change)
 
     def column(self, symbol: str, sheet: str) -> RangeRef:
-        """The whole shown column of a quantity, anchored."""
-        return self.area(self.shown[symbol], sheet)
-
-    def area(self, spot: Spot, sheet: str) -> RangeRef:
-        """The whole column at a spot, anchored."""
+        """The whole column of a quantity, anchored."""
+        spot = self.spots[symbol]
         other = None if spot.sheet == sheet else spot.sheet
-        return RangeRef(
-            CellRef(self.first, spot.col, True, True, other), CellRef(self.last, spot.col, True, True, other)
-        )
+        last = spot.row + self.last - self.first
+        return RangeRef(CellRef(spot.row, spot.col, True, True, other), CellRef(last, spot.col, True, True, other))

@@ -135,7 +135,7 @@ def traced_points(plan: Plan, requests: Sequence[ChartRequest]) -> tuple[str, ..
 
 
 def _column(plan: Plan, symbol: str) -> SeriesRef:
-    spot = plan.at.shown[symbol]
+    spot = plan.at.spots[symbol]
     return SeriesRef(spot.sheet, Area(plan.at.first, spot.col, plan.at.last, spot.col))
 
 

@@ -1,362 +1,278 @@
-"""The sheet of checks: the residuals of every row, their worst values with verdicts over them, and one cell for all."""
+"""The sheet of checks: in every row the largest gap of each group and what it lacks to come apart, and what people mistype.
+
+The table's rows are those of the table of positions. Over each column stand its worst value and where it occurs.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text, shifted
-from mechsheet.formula.spellings import longest_spelling
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.aside import aside
-from mechsheet.sheet.consistency import RECOMPUTED, Whole, whole_table
-from mechsheet.sheet.expansion import LIMIT
-from mechsheet.sheet.plan import Plan, unit_text
-from mechsheet.sheet.recomputed import place_recomputed
-from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
-from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import (
-    Area,
-    Cell,
-    Column,
-    Conditional,
-    Content,
-    Fill,
-    Merge,
-    PrintSetup,
-    Sheet,
-    Style,
-)
+from mechsheet.sheet.gaps import chunks_of, gap_columns
+from mechsheet.sheet.plan import DRIVER, STATUS, Plan
+from mechsheet.sheet.positions import heading, status_words
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Content, Fill, Merge, PrintSetup, Sheet, Style
 
 ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
 
-TITLE_ROW, ABOUT_ROW, CLEAR_ROW, WORST_ROW, ROUNDING_ROW = range(5)
-LAST_ROW = ROUNDING_ROW + 1
-GROUP_ROW, HEAD_ROW, GIVEN_ROW, _, MOST_ROW, AT_ROW, VERDICT_ROW, FIRST = range(LAST_ROW + 2, LAST_ROW + 10)
-"""Rows: what holds for the whole table, up to the last; then the heads of the columns, and the table itself."""
+TITLE_ROW, ABOUT_ROW, TYPED_ROW, ROUNDING_ROW, REASONS_ROW = range(5)
+VALUE, WORDS = 2, 3
+"""Columns of the values that hold for the whole table, and of what they say."""
 
-NUMBER, DRIVER_COL, DATA = range(3)
-VALUE = 2
-"""Column of the values that hold for the whole table."""
+DRIVER_COL, COUNT_COL, DATA = range(3)
+"""Columns of the table: driver, stretches begun; then the checks."""
 
-COUNTED = ("leap", "shared")
-"""Checks that mark rows: their rows are counted."""
+LEAP = 90.0
+"""A link that turns by more [deg] from one row to the next: the rows do not show what happens between."""
 
-NOWHERE = "–"
-"""Where there is nothing to point to. Not an empty text: LibreOffice shows 0 for one in an .ods until it recalculates."""
-
-SIDE = (6, 11)
-"""First columns of the further blocks of them: label, value and verdict are two, one and one columns wide."""
-
-SIDE_END = SIDE[-1] + 3
+Kind = Literal["gap", "margin", "leap"]
 
 
-COLUMNS_OF_A_PAGE = 20
-"""More columns are printed on several pages side by side."""
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One column: the number of its group, and its formula for the first row."""
+
+    kind: Kind
+    group: int
+    formula: Node
 
 
-def checks_sheet(plan: Plan) -> Sheet:
-    """The sheet. Writes down where `#clear`, `#worst` and `#leaps` stand, for the first sheet to read."""
-    place_recomputed(plan)
-    return _Sheet(plan).sheet()
-
-
-class _Sheet:
-    """The sheet while it is being laid out."""
+class Checks:
+    """The sheet, planned before any formula that reads it is written."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self.title = plan.at.titles["checks"]
+        groups = len(plan.equations.groups)
+        self.group_row = REASONS_ROW + groups + 2
+        self.head_row, self.most_row, self.at_row, self.first = range(self.group_row + 1, self.group_row + 5)
+        self.last = self.first + plan.rows - 1
+        first = plan.at.first
+        self.checks = [Check("gap", number, node) for number, node in gap_columns(plan, self.title, first)]
+        self.checks += [
+            Check(
+                "margin", number, plan.at.bind(_least_nearby(symbol, plan.equations.tolerance, plan), self.title, first)
+            )
+            for number, symbol in plan.equations.margins.items()
+        ]
+        self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
+        self._places()
+
+    def _places(self) -> None:
+        """Where other sheets find what is here."""
+        spots = self.plan.at.spots
+        spots["#begun"] = Spot(self.title, self.first, COUNT_COL, column=True)
+        spots["#typed"] = Spot(self.title, TYPED_ROW, VALUE)
+        spots["#rounding"] = Spot(self.title, ROUNDING_ROW, VALUE)
+        for index in range(len(self.plan.equations.groups) + 1):
+            spots[f"#reason_{index}"] = Spot(self.title, REASONS_ROW + index, VALUE)
+        for index, check in enumerate(self.checks):
+            if check.kind == "margin":
+                spots[f"#least_{check.group}"] = Spot(self.title, self.first, DATA + index, column=True)
+
+    @property
+    def reasons(self) -> RangeRef:
+        """The cells that say why a row has no position, in order of the groups; the last says that it has one."""
+        last = REASONS_ROW + len(self.plan.equations.groups)
+        return RangeRef(
+            CellRef(REASONS_ROW, VALUE, True, True, self.title), CellRef(last, VALUE, True, True, self.title)
+        )
+
+    def worst(self, kind: Kind) -> Node:
+        """The largest value of all columns of a kind (of leaps: their number), as another sheet reads it."""
+        cells = tuple(
+            CellRef(self.most_row, DATA + index, True, True, self.title)
+            for index, check in enumerate(self.checks)
+            if check.kind == kind
+        )
+        return al.ZERO if not cells else Call("SUM" if kind == "leap" else "MAX", cells)
+
+    def worst_at(self, kind: Kind) -> Node:
+        """The driver's value where the first column of a kind with the worst value has it."""
+        found: Node = Call("NA")
+        for index, check in reversed([*enumerate(self.checks)]):
+            if check.kind == kind:
+                most, where = (
+                    CellRef(row, DATA + index, True, True, self.title) for row in (self.most_row, self.at_row)
+                )
+                found = formula(
+                    "IF(most=worst,place,other)", most=most, worst=self.worst(kind), place=where, other=found
+                )
+        return found
+
+
+def checks_sheet(plan: Plan, checks: Checks) -> Sheet:
+    """The sheet."""
+    return _Writer(plan, checks).sheet()
+
+
+class _Writer:
+    def __init__(self, plan: Plan, checks: Checks) -> None:
+        self.plan = plan
+        self.at = checks
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
-        self.verdicts = 0
-        self.parts = 0
         self.conditionals: list[Conditional] = []
         self.merges: list[Merge] = []
-        self.proven = plan.proven.setdefault(self.title, {(CLEAR_ROW, VALUE)})
-        rounding = CellRef(ROUNDING_ROW, VALUE, True, True)
-        self.checks = residuals(plan, Frame(self.title, DATA, FIRST, GIVEN_ROW, rounding))
-        self.last_row = FIRST + plan.rows - 1
-        self.last_col = DATA + len(self.checks) - 1
 
     def sheet(self) -> Sheet:
         """The finished sheet."""
-        plan = self.plan
+        plan, at = self.plan, self.at
+        self._put(TITLE_ROW, 0, plan.text("checks.title"), styles.TITLE)
+        self._put(ABOUT_ROW, 0, plan.text("checks.about"), styles.NOTE_TEXT)
+        last_col = max(DATA + len(at.checks) - 1, WORDS + 4)
+        self.merges.append(Merge(Area(ABOUT_ROW, 0, ABOUT_ROW, last_col)))
+        self._whole()
         self._table()
-        for col, check in enumerate(self.checks, DATA):
-            self._column(col, check)
-        self._group_headings()
-        aside_at = max(self.last_col, SIDE_END) + 2
-        beside = aside(plan, self.title, GROUP_ROW, HEAD_ROW, FIRST, aside_at)
-        self.parts = parts_at = beside.end + 2
-        self._whole_table()
-        self._top()
-        self.cells += beside.cells
-        self.fills += beside.fills
+        for index, check in enumerate(at.checks):
+            self._column(DATA + index, check)
         self._grey_where_missing()
-        for word, style in (("ok", styles.GOOD), ("look", styles.BAD)):
-            self._coloured(Area(VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), word, style)
-            for col in SIDE:
-                self._coloured(Area(CLEAR_ROW, col + 3, LAST_ROW, col + 3), word, style)
         return Sheet(
-            self.title,
+            at.title,
             tuple(self.cells),
             tuple(self.fills),
-            columns=(
-                Column(NUMBER, NUMBER, 9),
-                Column(DRIVER_COL, DRIVER_COL, 13),
-                Column(DATA, aside_at - 2, 11.5),
-                Column(aside_at - 1, aside_at - 1, 3),
-                *beside.columns,
-                *([Column(parts_at, self.parts - 1, 12, level=1, hidden=True)] if self.parts > parts_at else []),
-            ),
-            row_heights=((TITLE_ROW, 26.0), (ABOUT_ROW, 42.0), (HEAD_ROW, 30.0)),
+            columns=(Column(0, 0, 13), Column(1, last_col, 13)),
+            row_heights=((TITLE_ROW, 26.0), (ABOUT_ROW, 58.0), (at.head_row, 42.0)),
             merges=tuple(self.merges),
             conditionals=tuple(self.conditionals),
-            freeze=(FIRST, DATA),
-            selected=(CLEAR_ROW, VALUE),
+            freeze=(at.first, COUNT_COL),
+            selected=(TYPED_ROW, VALUE),
             gridlines=False,
             tab_color="B8860B",
-            print_setup=PrintSetup(
-                fit_width=1 + self.last_col // COLUMNS_OF_A_PAGE,
-                repeat_rows=(GROUP_ROW, VERDICT_ROW),
-                area=Area(0, 0, self.last_row, max(self.last_col, SIDE_END)),
-                footer=plan.footer,
-            ),
+            print_setup=PrintSetup(repeat_rows=(at.group_row, at.at_row), footer=plan.footer),
         )
 
-    # --- small things -----------------------------------------------------------------------------------------
-
-    def put(self, row: int, col: int, content: Content, style: Style) -> None:
-        """A constant."""
+    def _put(self, row: int, col: int, content: Content, style: Style) -> None:
         self.cells.append(Cell(row, col, content, style))
 
-    def formula(self, row: int, col: int, node: Node, style: Style) -> None:
-        """A formula in one cell."""
-        self.fills.append(Fill(row, col, node, style))
+    def _formula(self, row: int, col: int, node: Node, style: Style, rows: int = 1) -> None:
+        self.fills.append(Fill(row, col, node, style, rows=rows))
 
-    def text(self, key: str, **parts: object) -> str:
-        """A word of the workbook."""
-        return self.plan.text(f"checks.{key}", **parts)
+    # --- what holds for the whole table -----------------------------------------------------------------------
 
-    def own_column(self, col: int) -> RangeRef:
-        """A column of this sheet's table."""
-        return RangeRef(CellRef(FIRST, col, True, False), CellRef(self.last_row, col, True, False))
-
-    def verdict(self, row: int, col: int, good: Node) -> None:
-        """The cell that says whether a check is passed."""
-        words = Call("IF", (good, Text(self.text("ok")), Text(self.text("look"))))
-        self.formula(row, col, words, styles.VERDICT_MIDDLE)
-        self.verdicts += 1
-
-    def _coloured(self, area: Area, key: str, style: Style) -> None:
-        cell = CellRef(area.first_row, area.first_col)
-        self.conditionals.append(Conditional(area, Binary("=", cell, Text(self.text(key))), style))
+    def _whole(self) -> None:
+        """Cells typed over, what counts as rounding, and the words for rows without a position."""
+        plan = self.plan
+        for row, key in ((TYPED_ROW, "typed"), (ROUNDING_ROW, "rounding"), (REASONS_ROW, "reasons")):
+            self._put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
+            self._put(row, 1, None, styles.LABEL)
+            self.merges.append(Merge(Area(row, 0, row, 1)))
+        self._formula(TYPED_ROW, VALUE, typed_over(plan), styles.decimals(styles.RESULT, 0))
+        words = formula("IF(count=0,fine,look)", count=CellRef(TYPED_ROW, VALUE, True, True),
+                        fine=plan.text("checks.all_formulas"), look=plan.text("checks.some_typed"))  # fmt: skip
+        self._formula(TYPED_ROW, WORDS, words, styles.VERDICT)
+        area = Area(TYPED_ROW, WORDS, TYPED_ROW, WORDS)
+        typed = formula("count<>0", count=CellRef(TYPED_ROW, VALUE, True, True))
+        self.conditionals.append(Conditional(area, typed, styles.BAD))
+        tolerance = plan.at.bind(Symbol(plan.equations.tolerance), self.at.title)
+        rounding = formula("times*tolerance", times=ROUNDING, tolerance=tolerance)
+        self._formula(ROUNDING_ROW, VALUE, rounding, styles.numbered(styles.RESULT, styles.ERROR.number_format))
+        for index, words_ in enumerate([*status_words(plan), plan.text("status.ok")]):
+            self._put(REASONS_ROW + index, VALUE, words_, styles.VERDICT)
 
     # --- the table --------------------------------------------------------------------------------------------
 
     def _table(self) -> None:
-        """Row numbers, the driver, and the names of the head's rows."""
-        plan = self.plan
-        driver = plan.mechanism.driver
-        number = CellRef(plan.at.first, 0, sheet=plan.table)
-        self.fills.append(Fill(FIRST, NUMBER, number, styles.decimals(styles.INNER, 0), rows=plan.rows))
-        shown = plan.at.reading_shown(driver.symbol, self.title, plan.at.first)
-        self.fills.append(Fill(FIRST, DRIVER_COL, shown, styles.decimals(styles.COLUMN, 2), rows=plan.rows))
-        unit = unit_text(driver.unit)
-        names = {
-            GROUP_ROW: "",
-            HEAD_ROW: f"{plain(driver.symbol)} [{unit}]" if unit else plain(driver.symbol),
-            GIVEN_ROW: self.text("given"),
-            GIVEN_ROW + 1: self.text("given.second"),
-            MOST_ROW: self.text("most"),
-            AT_ROW: self.text("at", driver=plain(driver.symbol)),
-            VERDICT_ROW: self.text("verdict"),
-        }
-        for row, name in names.items():
-            style = styles.SECTION if row == GROUP_ROW else styles.HEAD if row == HEAD_ROW else styles.LABEL
-            self.put(row, NUMBER, name if row != HEAD_ROW else plan.text("head.number"), style)
-            self.put(row, DRIVER_COL, name if row == HEAD_ROW else None, style)
-            if row not in (GROUP_ROW, HEAD_ROW):
-                self.merges.append(Merge(Area(row, NUMBER, row, DRIVER_COL)))
-
-    def _grey_where_missing(self) -> None:
-        """Rows that do not exist, told by the text that every check but those between rows has there."""
-        col = next((col for col, check in enumerate(self.checks, DATA) if not check.after), None)
-        if col is not None:
-            missing = Call("ISTEXT", (CellRef(FIRST, col, col_abs=True),))
-            area = Area(FIRST, NUMBER, self.last_row, self.last_col)
-            self.conditionals.append(Conditional(area, missing, styles.MISSING))
+        """The driver, and how many stretches of positions have begun."""
+        plan, at, first = self.plan, self.at, self.at.first
+        driver = plan.at.cell(plan.mechanism.driver.symbol, at.title, plan.at.first)
+        self._formula(first, DRIVER_COL, driver, styles.decimals(styles.COLUMN, 2), plan.rows)
+        ok = plan.text("status.ok")
+        said = CellRef(plan.at.first, STATUS, sheet=plan.table)
+        counted = styles.decimals(styles.INNER, 0)
+        self._formula(first, COUNT_COL, formula("IF(said=ok,1,0)", said=said, ok=ok), counted)
+        begins = formula("before+IF(AND(said=ok,said_before<>ok),1,0)", before=CellRef(first, COUNT_COL),
+                         said=shifted(said, 1), said_before=said, ok=ok)  # fmt: skip
+        if plan.rows > 1:
+            self._formula(first + 1, COUNT_COL, begins, counted, plan.rows - 1)
+        heads = (heading(plan, plan.columns[DRIVER]), plan.text("checks.begun"))
+        for col, head in enumerate(heads):
+            self._put(at.head_row, col, head, styles.HEAD)
+        self._put(at.group_row, 0, plan.text("checks.rows"), styles.SECTION)
+        for col in range(1, DATA + len(at.checks)):
+            self._put(at.group_row, col, None, styles.SECTION)
+        for row, key in ((at.most_row, "most"), (at.at_row, "at")):
+            self._put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
+            self._put(row, 1, None, styles.LABEL)
+            self.merges.append(Merge(Area(row, 0, row, COUNT_COL)))
 
     def _column(self, col: int, check: Check) -> None:
-        """The column and its head."""
-        plan = self.plan
-        self.put(HEAD_ROW, col, f"{check.head}{self._unit(check)}", styles.HEAD)
-        for index in range(2):
-            row = GIVEN_ROW + index
-            if index < len(check.given):
-                self.formula(row, col, check.given[index], styles.decimals(styles.RESULT, 4))
-            else:
-                self.put(row, col, None, styles.RESULT)
-        skip = 1 if check.after else 0
-        style = styles.decimals(styles.COLUMN, 0) if check.unit in COUNTED else styles.ERROR
-        if check.unit in ("move", "turn"):
-            style = styles.decimals(styles.COLUMN, 4)
-        if check.unit in ("length", "angle"):
-            self.proven.add((FIRST + skip, col))
-        if plan.rows > skip:
-            self.fills.append(Fill(FIRST + skip, col, shifted(check.formula, skip), style, rows=plan.rows - skip))
-        self._summary(col, check, style)
-
-    def _unit(self, check: Check) -> str:
-        """` [mm]`, as it stands behind the head."""
-        if check.unit in COUNTED:
-            return ""
-        if check.unit == "turn":
-            return f" [{self.plan.unit_shown('angle')}]"
-        return " [rad]" if check.unit == "angle" else f" [{self.plan.mechanism.length_unit}]"
-
-    def _summary(self, col: int, check: Check, style: Style) -> None:
-        """The largest value (or the number of leaps), the verdict, and where the error is if there is one."""
-        column = self.own_column(col)
-        most = Call("SUM" if check.unit in COUNTED else "MAX", (column,))
-        self.formula(MOST_ROW, col, most, self._boxed(style))
-        if check.unit in ("move", "turn", "shared"):
-            self.put(AT_ROW, col, None, styles.VERDICT_MIDDLE)
-            self.put(VERDICT_ROW, col, None, styles.VERDICT_MIDDLE)
-            return
-        cell = CellRef(MOST_ROW, col, True, False)
-        good = self._within(cell, check.unit)
-        self.verdict(VERDICT_ROW, col, good)
-        sought: Node = al.ONE if check.unit == "leap" else cell
-        drivers = RangeRef(CellRef(FIRST, DRIVER_COL, True, True), CellRef(self.last_row, DRIVER_COL, True, True))
-        where = Call("INDEX", (drivers, Call("MATCH", (sought, column, al.ZERO))))
-        place = Call("IF", (good, Text(""), Call("IFERROR", (where, Text("")))))
-        self.formula(AT_ROW, col, place, self._boxed(styles.decimals(styles.COLUMN, 2)))
-
-    def _boxed(self, style: Style) -> Style:
-        return styles.numbered(styles.RESULT, style.number_format)
-
-    def _within(self, cell: Node, unit: str) -> Node:
-        """TRUE for an error that is rounding; an error value in the column must not pass."""
-        limit: Node = al.ZERO
-        if unit == "length":
-            limit = CellRef(ROUNDING_ROW, VALUE, True, True)
-        elif unit == "angle":
-            limit = Number(ROUNDING_ANGLE)
-        return Call("IF", (Call("ISNUMBER", (cell,)), Binary("<=", cell, limit), Boolean(False)))
-
-    def _group_headings(self) -> None:
-        """A heading over the columns of each link and joint."""
-        start = 0
-        for end in range(1, len(self.checks) + 1):
-            if end < len(self.checks) and self.checks[end].group == self.checks[start].group:
-                continue
-            self.put(GROUP_ROW, DATA + start, self.checks[start].group, styles.SECTION)
-            for other in range(start + 1, end):
-                self.put(GROUP_ROW, DATA + other, None, styles.SECTION)
-            if end - start > 1:
-                self.merges.append(Merge(Area(GROUP_ROW, DATA + start, GROUP_ROW, DATA + end - 1)))
-            start = end
-
-    # --- what holds for the whole table -----------------------------------------------------------------------
-
-    def _whole_table(self) -> None:
-        """The checks that have one value each, four below each other."""
-        for index, check in enumerate(whole_table(self.plan, self.title, CellRef(ROUNDING_ROW, VALUE, True, True))):
-            side, down = divmod(index, LAST_ROW - CLEAR_ROW + 1)
-            row, col = CLEAR_ROW + down, SIDE[side]
-            self.put(row, col, self.text(check.key), styles.LABEL)
-            self.put(row, col + 1, None, styles.LABEL)
-            self.merges.append(Merge(Area(row, col, row, col + 1)))
-            style = styles.decimals(styles.COLUMN, 0) if check.key in ("rows", RECOMPUTED) else styles.ERROR
-            if check.key == RECOMPUTED:
-                self.proven |= {(row, col + 2), (row, col + 3)}
-            self.formula(row, col + 2, check.value(self._joined(check)), self._boxed(style))
-            cell = CellRef(row, col + 2)
-            good: Node = Binary("<=", Call("ABS", (cell,)), check.limit)
-            if check.needs is not None:
-                good = Call("AND", (good, check.needs))
-            self.verdict(row, col + 3, Call("IF", (Call("ISNUMBER", (cell,)), good, Boolean(False))))
-
-    def _joined(self, check: Whole) -> Node:
-        """The largest part, or the sum of the parts. Parts too long for one formula stand in cells of their own."""
-        if not check.parts:
-            return al.ZERO
-        joined = al.total(check.parts) if check.total else al.largest(check.parts)
-        if longest_spelling(joined) <= LIMIT:
-            return joined
-        col = self.parts
-        self.put(HEAD_ROW, col, self.text(check.key), styles.HEAD)
-        chunks = _chunks(check.parts)
-        for index, chunk in enumerate(chunks):
-            node = al.total(chunk) if check.total else al.largest(chunk)
-            self.formula(FIRST + index, col, node, styles.INNER)
-        self.parts += 1
-        cells = RangeRef(CellRef(FIRST, col, True, True), CellRef(FIRST + len(chunks) - 1, col, True, True))
-        return Call("SUM" if check.total else "MAX", (cells,))
-
-    def _top(self) -> None:
-        """The title, the verdict over all, the worst distance, and what counts as rounding."""
-        plan = self.plan
-        self.put(TITLE_ROW, 0, self.text("title"), styles.TITLE)
-        self.put(ABOUT_ROW, 0, self.text("about"), styles.NOTE)
-        self.merges.append(Merge(Area(ABOUT_ROW, 0, ABOUT_ROW, SIDE_END)))
-        blocks = ((CLEAR_ROW, col + 3, LAST_ROW, col + 3) for col in SIDE)
-        places = ((VERDICT_ROW, DATA, VERDICT_ROW, self.last_col), *blocks)
-        good = al.total(
-            Call("COUNTIF", (RangeRef(CellRef(top, left), CellRef(bottom, right)), Text(self.text("ok"))))
-            for top, left, bottom, right in places
+        """The column, its head, its worst value and where it is."""
+        plan, at = self.plan, self.at
+        unit = plan.mechanism.length_unit
+        words = plan.text(f"checks.{check.kind}", number=check.group)
+        self._put(at.head_row, col, words if check.kind == "leap" else f"{words} [{unit}]", styles.HEAD)
+        style = {"gap": styles.ERROR, "margin": styles.decimals(styles.COLUMN, 4)}.get(
+            check.kind, styles.decimals(styles.COLUMN, 0)
         )
-        clear = Binary("=", good, Number(float(self.verdicts)))
-        words = Call("IF", (clear, Text(self.text("clear")), Text(self.text("not_clear"))))
-        worst = [CellRef(MOST_ROW, col) for col, check in enumerate(self.checks, DATA) if check.unit == "length"]
-        rounding = al.mul(al.number(ROUNDING), plan.at.reference(plan.equations.tolerance, self.title, None))
-        entries = (
-            (CLEAR_ROW, "all", words, styles.VERDICT_MIDDLE, "#clear"),
-            (WORST_ROW, "worst", _largest(worst), self._boxed(styles.ERROR), "#worst"),
-            (ROUNDING_ROW, "rounding", rounding, self._boxed(styles.ERROR), ""),
+        skip = 0 if check.kind == "gap" else 1
+        rows = plan.rows - skip - (1 if check.kind == "margin" else 0)
+        if rows > 0:
+            self._formula(at.first + skip, col, shifted(check.formula, skip), style, rows)
+        column = RangeRef(CellRef(at.first, col, True), CellRef(at.last, col, True))
+        most = formula('IF(COUNT(column)=0,"",worst)', column=column, worst=Call(_WORST[check.kind], (column,)))
+        self._formula(at.most_row, col, most, styles.numbered(styles.RESULT, style.number_format))
+        drivers = RangeRef(CellRef(at.first, DRIVER_COL, True, True), CellRef(at.last, DRIVER_COL, True, True))
+        sought: Node = al.ONE if check.kind == "leap" else CellRef(at.most_row, col, True)
+        where = formula(
+            'IFERROR(INDEX(drivers,MATCH(sought,column,0)),"")', drivers=drivers, sought=sought, column=column
         )
-        for row, key, node, style, spot in entries:
-            self.put(row, 0, self.text(key), styles.LABEL)
-            self.put(row, 1, None, styles.LABEL)
-            self.merges.append(Merge(Area(row, 0, row, 1)))
-            self.formula(row, VALUE, node, style)
-            if spot:
-                plan.at.spots[spot] = plan.at.shown[spot] = Spot(self.title, row, VALUE)
-        for col in (VALUE + 1, VALUE + 2):
-            self.put(CLEAR_ROW, col, None, styles.VERDICT_MIDDLE)
-        self.merges.append(Merge(Area(CLEAR_ROW, VALUE, CLEAR_ROW, VALUE + 2)))
-        for row in (WORST_ROW, ROUNDING_ROW):
-            self.put(row, VALUE + 1, plan.mechanism.length_unit, styles.UNIT)
-        leaps = [col for col, check in enumerate(self.checks, DATA) if check.unit == "leap"]
-        if leaps:
-            plan.at.spots["#leaps"] = plan.at.shown["#leaps"] = Spot(self.title, MOST_ROW, leaps[0])
-        shared = [col for col, check in enumerate(self.checks, DATA) if check.unit == "shared"]
-        if shared:  # more than one column only in mechanisms of very many groups: the first sheet reads the first
-            plan.at.spots["#shared"] = plan.at.shown["#shared"] = Spot(self.title, MOST_ROW, shared[0])
-            plan.at.shown["#shared rows"] = Spot(self.title, FIRST, shared[0])
-        area = Area(CLEAR_ROW, VALUE, CLEAR_ROW, VALUE + 2)
-        for key, style in (("clear", styles.GOOD), ("not_clear", styles.BAD)):
-            here = CellRef(CLEAR_ROW, VALUE, True, True)
-            self.conditionals.append(Conditional(area, Binary("=", here, Text(self.text(key))), style))
+        self._formula(at.at_row, col, where, styles.numbered(styles.RESULT, "0.00"))
+
+    def _grey_where_missing(self) -> None:
+        """Rows that do not exist: their gaps are no numbers."""
+        gaps = [DATA + index for index, check in enumerate(self.at.checks) if check.kind == "gap"]
+        if gaps:
+            missing = formula("ISTEXT(gap)", gap=CellRef(self.at.first, gaps[-1], col_abs=True))
+            area = Area(self.at.first, 0, self.at.last, DATA + len(self.at.checks) - 1)
+            self.conditionals.append(Conditional(area, missing, styles.MISSING))
 
 
-def _chunks(parts: Sequence[Node]) -> list[list[Node]]:
-    """The parts in turn, as many together as one formula may hold."""
-    chunks: list[list[Node]] = [[]]
-    room = LIMIT // 2
-    for part in parts:
-        length = longest_spelling(part) + 2
-        if length > room and chunks[-1]:
-            chunks.append([])
-            room = LIMIT // 2
-        chunks[-1].append(part)
-        room -= length
-    return chunks
+_WORST = {"gap": "MAX", "margin": "MIN", "leap": "SUM"}
 
 
-def _largest(nodes: list[CellRef]) -> Node:
-    return al.largest(nodes) if nodes else al.ZERO
+def typed_over(plan: Plan) -> Node:
+    """How many cells of the table of positions hold no formula any more."""
+    listed = plan.mechanism.driver.values
+    cols = (0, len(plan.columns) - 1) if not listed else (STATUS, len(plan.columns) - 1)
+    area = RangeRef(
+        CellRef(plan.at.first, cols[0], True, True, plan.table), CellRef(plan.at.last, cols[1], True, True, plan.table)
+    )
+    # 0 in programs that do not ask a whole range
+    return formula("IFERROR(ROWS(area)*COLUMNS(area)-SUMPRODUCT(--ISFORMULA(area)),0)", area=area)
+
+
+def _least_nearby(margin: str, tolerance: str, plan: Plan) -> Node:
+    """The margin of the second row where the first three have one: of the parabola through them where that dips between.
+
+    m - (c - a)^2 / (8 (a - 2 m + c)), for a > m < c
+    """
+    before, here, after = (plan.at.cell(margin, plan.at.titles["checks"], plan.at.first + step) for step in (-1, 0, 1))
+    return formula(
+        'IFERROR(IF(MIN(before,here,after)<-tolerance,"",IF(AND(before>here,after>here),'
+        "here-(after-before)^2/(8*(before-2*here+after)),here)),\"\")",
+        before=before, here=here, after=after, tolerance=Symbol(tolerance),
+    )  # fmt: skip
+
+
+def _leaps(plan: Plan, sheet: str) -> list[Node]:
+    """1 in a row that some link reaches by turning more than `LEAP` since the row before; written for the first row."""
+    driver = plan.mechanism.driver.symbol
+    angles = (link.angle_symbol for link in plan.mechanism.links[1:])
+    symbols = [name for name in angles if name != driver and plan.equations.of(name).reads]
+    first = plan.at.first
+    turned = [
+        formula("ABS(here-before)", here=plan.at.cell(name, sheet, first), before=plan.at.cell(name, sheet, first - 1))
+        for name in symbols
+    ]
+    most = LEAP if plan.mechanism.angle_unit == "deg" else 1.5708
+    return [
+        formula("IFERROR(IF(largest>most,1,0),0)", largest=Call("MAX", tuple(chunk)), most=most)
+        for chunk in chunks_of(turned)
+    ]

@@ -119,17 +119,16 @@ def _all_points(plan: Plan) -> tuple[str, ...]:
 
 
 def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame:
-    """A window around the points at all positions of the sweep; its sweep columns stand apart from those of paths."""
+    """A window around the points at all positions of the sweep."""
     moving = [name for name in names if name in moving_points(page.plan.mechanism)]
     fixed = [name for name in names if name not in moving]
+    page.section(page.plan.text("drawing.reach"), [page.plan.text("drawing.from"), page.plan.text("drawing.to")])
     extremes = []
     for axis in ("x", "y"):
-        head = plain(f"{moving[0]}.{axis}") if len(moving) == 1 else axis
         constants = tuple(page.at_position(f"{name}.{axis}") for name in fixed)
-        nodes = [page.read(f"{name}.{axis}") for name in moving]
-        low, high = ([node] for node in page.extremes(head, nodes)) if nodes else ([], [])  # a disk alone turns
-        extremes.append((al.smallest((*low, *constants)), al.largest((*high, *constants))))
-    page.apart()
+        low, high = page.extremes(axis, [f"{name}.{axis}" for name in moving])
+        lows, highs = ([low], [high]) if moving else ([], [])  # a disk alone turns
+        extremes.append((al.smallest((*lows, *constants)), al.largest((*highs, *constants))))
     return write_frame(page, title, extremes[0], extremes[1], margin)
 
 
@@ -154,11 +153,13 @@ def _guides(page: Page, frame: Frame, cells: Mapping[str, PointCells]) -> list[G
         return transform(node, lambda part: known[part.name] if isinstance(part, Symbol) else part)
 
     text = page.plan.text
+    page.section(text("drawing.reach"), [text("drawing.from"), text("drawing.to")])
+    reaches = [page.extremes(plain(joint.symbol), [joint.symbol]) for joint, _, _ in lines]
     heads = [text("drawing.direction"), "cos", "X", "Y", "sin", text("drawing.from"), text("drawing.to")]
     page.section(text("drawing.guides"), heads)
     return [
-        write_guide(page, frame, joint, (bound(x), bound(y)), bound(direction), known[joint.symbol])
-        for joint, (x, y), direction in lines
+        write_guide(page, frame, joint, (bound(x), bound(y)), bound(direction), known[joint.symbol], reach)
+        for (joint, (x, y), direction), reach in zip(lines, reaches, strict=True)
     ]
 
 
@@ -174,13 +175,13 @@ def _shown(page: Page, requests: Sequence[ChartRequest], cells: Mapping[str, Poi
         if dot and point in cells:
             cell = cells[point].x if axis == "x" else cells[point].y
             found[name] = page.reference(cell.row, cell.col)
-        elif name not in there and plan.at.shown[name].column:
+        elif name not in there and plan.at.spots[name].column:
             missing.append(name)
     if missing:
         page.section(plan.text("drawing.markers"))
     for name in missing:
         page.put(NAME, rich(name), styles.SYMBOL)
-        page.formula(FIRST, page.indexed(plan.at.shown[name]))
+        page.formula(FIRST, page.indexed(plan.at.spots[name]))
         found[name] = page.reference(page.row, FIRST)
         page.row += 1
     return found
@@ -194,8 +195,6 @@ def _traces(page: Page, frame: Frame, names: Sequence[str], colors: Sequence[str
         y = page.column(f"Y {plain(name)}", frame.chart_y(page.read(f"{name}.y")))
         refs = SeriesRef(page.title, x), SeriesRef(page.title, y)
         found.append(Series(plain(name), *refs, line=colors[index % len(colors)], width=width))
-    if found:
-        page.apart()
     return found
 
 
@@ -249,7 +248,7 @@ def _joint(plan: Plan, name: str) -> Joint:
 
 def _caption(page: Page) -> Series:
     """The driver's value in the upper left corner; a position that does not exist says so."""
-    plan = page.plan
+    plan, text = page.plan, page.plan.text
     driver = plan.mechanism.driver
     row = plan.blocks["position"].rows[driver.symbol]
     value = CellRef(row, VALUE, True, True, plan.main)
@@ -257,10 +256,11 @@ def _caption(page: Page) -> Series:
     words: Node = Call("ROUND", (value, Number(3.0)))
     words = Binary("&", Text(f"{plain(driver.symbol)} = "), words)
     words = Binary("&", words, Text(unit if unit in ("", "°") else f" {unit}"))
-    exists = Binary("=", page.indexed(plan.at.spots["#exists"]), al.ONE)
-    why = Binary("&", Text(" – "), page.indexed(plan.at.spots["#status"]))
+    said = page.indexed(plan.at.spots["#status"])
+    exists = Binary("=", said, Text(text("status.ok")))
+    why = Binary("&", Text(" – "), said)
     note = Call("IFERROR", (Call("IF", (exists, Text(""), why)), Text(f" – {plan.text('drawing.nothing')}")))
-    page.section(plan.text("drawing.caption"), ["", "", "X", "Y"])
+    page.section(text("drawing.caption"), ["", "", "X", "Y"])
     cell = page.formula(NAME, Binary("&", words, note), styles.INNER)
     page.put(CHART_X, -0.97, styles.INNER)
     page.put(CHART_Y, 0.93, styles.INNER)

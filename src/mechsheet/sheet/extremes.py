@@ -1,279 +1,298 @@
-"""Extremes of columns between rows: a parabola through the extreme row and its two neighbours, then trials.
+"""The sheet of extremes: the smallest and the largest value of a quantity over the motion, not only over the rows.
 
-    k        (first) row whose value y, or vertex, is the extreme one;  a, b: the values before and after it
-    offset   (a - b) / (2 (a - 2 y + b))   steps from row k to the vertex, at most one
-    value    y - (a - b)^2 / (8 (a - 2 y + b))
-
-Over a whole turn the last row comes before the first. Where a neighbour does not exist (the end of a sweep, a limit
-position), where row k is no peak (a link that turns on and on), or where the driver's values are listed one by one, the
-extreme is that of the rows. The error of the value is of the fourth order in the step.
-
-From there `refinement` goes on by trials. At a limit between rows the quantity is taken at the limit itself.
-Of mechanisms with very many quantities only the first are refined (`aside.MOST_CELLS`).
+From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row beside it,
+and one at the vertex of the parabola through the row and these two. Where the best row is the last before a limit, the second
+probe is made at the limit. What is given has been attained: the best of the row and the probes. Over a whole turn the rows at its ends
+are neighbours, which is decided by formulas: start and step may change.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from typing import Literal
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Text
+from mechsheet.formula.nodes import CellRef, Node, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.limits import Found
-from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.positions import blank_unit, digits_kept
-from mechsheet.sheet.refinement import Refinement, Tried, as_shown
-from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.trials import Trials
-from mechsheet.sheet.workbook import Cell, Fill, Style
+from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
+from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
+from mechsheet.sheet.positions import heading
+from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 
-ROW, BEFORE, AFTER, VALUE, AT = range(5)
-"""Cells of one extreme, below each other."""
+PROBES = 3
+BESIDE = 0.1
+"""How far beside the first probe the next two are made, in rows."""
 
-HERE, BEND, PEAK, ROWS_VALUE, ROWS_AT, TRIAL_VALUE, TRIAL_AT, LIMITS = range(8)
-"""Further cells of one extreme, in the part of the sheet that scrolls: what rows say, what trials say, then each limit."""
+SETTLED = 1e-4
+"""The last probe may improve a value by this part of its range; more, and the value is said to be about right."""
 
-Sweep = Literal["closed", "open", "part", "list"]
-"""A whole turn with the last row equal to the first; one that stops a step before; less than a turn; listed values."""
+TITLE_ROW, ABOUT_ROW, HEAD_ROW, FIRST = 0, 1, 3, 4
 
-
-def sweep_of(plan: Plan) -> Sweep:
-    """What the description's sweep of the driver covers."""
-    driver = plan.mechanism.driver
-    if driver.values or plan.rows < 4:
-        return "list"
-    if not driver.link or driver.unit not in ("deg", "rad"):
-        return "part"
-    turns = (plan.driver[-1] - plan.driver[0]) / math.tau
-    step = (plan.driver[1] - plan.driver[0]) / math.tau
-    for kind, covered in (("closed", turns), ("open", turns + step)):
-        if round(covered) != 0 and abs(covered - round(covered)) < 1e-9:
-            return "closed" if kind == "closed" else "open"
-    return "part"
+Way = Literal["min", "max"]
 
 
 class Extremes:
-    """The block: a smallest and a largest value of each symbol. `row` is that of its title, `more` the first that scrolls.
+    """The sheet, planned before any formula that reads it is written."""
 
-    Writes down where `#max <symbol>`, `#max at <symbol>` and the same for min stand.
-    """
-
-    def __init__(
-        self, plan: Plan, trials: Trials | None, sheet: str, row: int, more: int, col: int, limits: Sequence[Found]
-    ) -> None:
+    def __init__(self, plan: Plan) -> None:
         self.plan = plan
-        self.trials = trials
-        self.sheet = sheet
-        self.row = row
-        self.more = more
-        self.col = col
-        self.limits = limits
-        self.sweep = sweep_of(plan)
-        self.vertices: dict[str, RangeRef] = {}
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
+        self.probes = Probes(plan, plan.at.titles["extremes"])
+        self.quantities = quantities_of(plan)
+        self.whole_row = FIRST
+        self.limits = Limits(self.probes, FIRST + 2)
+        row = self.limits.end
+        self.gaps: dict[int, Block] = {}
+        for number in plan.equations.margins if self.limits.count else ():
+            self.gaps[number] = Block(row, 2)
+            row += 4
+        self.blocks: dict[tuple[str, Way], Block] = {}
+        for symbol in self.quantities:
+            for way in ("min", "max"):
+                self.blocks[symbol, way] = Block(row, PROBES)
+                row += PROBES + 2
+        self._places()
 
-    def find_vertices(self, symbols: Sequence[str], row: int, col: int) -> None:
-        """A column for each symbol, from `col` on, row by row: the vertex of the parabola through a row and its neighbours
-        where that lies within a step, else the value itself. Its extreme shows which peak is the highest, not which row."""
-        plan, rows = self.plan, self.plan.rows
-        for index, symbol in enumerate(symbols):
-            here = col + index
-            unit = blank_unit(plan, symbol)
-            head = rich(symbol, f" [{unit}] " + plan.text("extremes.vertex"))
-            self.cells.append(Cell(self.row + 1, here, head, styles.HEAD))
-            style = styles.decimals(styles.INNER, 6)
-            column = plan.at.area(plan.at.shown[f"#rounded {symbol}"], self.sheet)
-            y = CellRef(column.start.row, column.start.col, sheet=column.start.sheet)
-            digits = Number(float(max(0, digits_kept(plan, symbol) - 2)))
-            ends = _ends(plan, column, self.sweep, turn_of(plan, symbol))
-            first, last = y, replace(y, row=y.row + rows - 1)
-            nothing: Node = Text("")
-            for cell, at in ((first, 0), (last, rows - 1)) if rows > 1 else ((first, 0),):
-                before = ends[0](cell) if at == 0 else replace(cell, row=cell.row - 1)
-                after = ends[1](cell) if at == rows - 1 else replace(cell, row=cell.row + 1)
-                node = cell if nothing in (before, after) else _row_vertex(before, cell, after, digits)
-                self.fills.append(Fill(row + at, here, node, style))
-            if rows > 2:
-                middle = replace(y, row=y.row + 1)
-                node = middle
-                if self.sweep != "list":
-                    node = _row_vertex(y, middle, replace(y, row=y.row + 2), digits)
-                self.fills.append(Fill(row + 1, here, node, style, rows=rows - 2))
-            self.vertices[symbol] = RangeRef(CellRef(row, here, True, True), CellRef(row + rows - 1, here, True, True))
+    def _places(self) -> None:
+        """Where other sheets find what is here."""
+        spots, title = self.plan.at.spots, self.probes.title
+        whole = self.probes.cell(self.whole_row, 1)
+        spots["#whole"] = Spot(title, whole.row, whole.col)
+        for (symbol, way), block in self.blocks.items():
+            for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
+                cell = self.probes.cell(block.row + 2, SIDE + work - 3)
+                spots[key] = Spot(title, cell.row, cell.col)
+        for number, block in self.gaps.items():
+            for key, work in ((f"#gap_least_{number}", 0), (f"#gap_row_{number}", 1)):
+                cell = self.probes.cell(block.row, SIDE + work)
+                spots[key] = Spot(title, cell.row, cell.col)
 
-    def write(self, symbols: Sequence[str], tried: Mapping[tuple[str, str], Tried]) -> None:
-        """All of it. `tried`: the trials of those extremes, by symbol and "min" or "max", that are refined."""
-        plan, col = self.plan, self.col
-        self._head(self.row, plan.text("extremes.title"), styles.SECTION)
-        self._head(self.row + 1, None, styles.HEAD)
-        for index in range(2 * len(symbols)):
-            self.cells.append(Cell(self.row, col + 1 + index, None, styles.SECTION))
-        for index, name in enumerate(("row", "before", "after", "value", "at")):
-            self._head(self.row + 2 + index, plan.text(f"extremes.{name}"), styles.LABEL)
-        names = ["here", "bend", "peak", "rows.value", "rows.at", *(["trial.value", "trial.at"] if tried else [])]
-        for index, name in enumerate(names):
-            self._head(self.more + index, plan.text(f"extremes.{name}"), styles.LABEL)
-        for index in range(len(self.limits)):
-            self._head(self.more + LIMITS + index, plan.text("extremes.limit", number=index + 1), styles.LABEL)
-        for index, symbol in enumerate(symbols):
-            for side, take in enumerate(("min", "max")):
-                here = col + 1 + 2 * index + side
-                head = rich(symbol, f" [{blank_unit(plan, symbol)}] {plan.text(f'extremes.{take}')}")
-                self.cells.append(Cell(self.row + 1, here, head, styles.HEAD))
-                self._extreme(symbol, take, here, tried.get((symbol, take)))
+    def sheet(self) -> Sheet:
+        """The finished sheet."""
+        plan, probes = self.plan, self.probes
+        probes.put(TITLE_ROW, 0, plan.text("extremes.title"), styles.TITLE)
+        probes.put(ABOUT_ROW, 0, plan.text("extremes.about"), styles.SUBTITLE)
+        for column in plan.columns:
+            if column.col != STATUS:
+                probes.put(HEAD_ROW, column.col, heading(plan, column), styles.HEAD)
+        for work, key in ((AT, "row"), (VALUE, "value")):
+            probes.put(HEAD_ROW, probes.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
+        self._whole()
+        self.limits.write()
+        for number, block in self.gaps.items():
+            self._gap(number, block)
+        for (symbol, way), block in self.blocks.items():
+            self._extreme(symbol, way, block)
+        return Sheet(
+            probes.title,
+            tuple(probes.cells),
+            tuple(probes.fills),
+            columns=(
+                Column(NUMBER, NUMBER, 5), Column(DRIVER, DRIVER, 11), Column(STATUS, STATUS, 14),
+                Column(STATUS + 1, probes.side - 2, 11), Column(probes.side - 1, probes.side - 1, 14),
+                Column(probes.side, probes.side + SIDE + 7, 11),
+            ),
+            row_heights=((TITLE_ROW, 26.0), (HEAD_ROW, 30.0)),
+            freeze=(FIRST, STATUS),
+            gridlines=False,
+            tab_color="B8860B",
+            print_setup=PrintSetup(footer=plan.footer),
+        )  # fmt: skip
 
-    def _head(self, row: int, content: str | None, style: Style) -> None:
-        self.cells.append(Cell(row, self.col, content, style))
+    def _whole(self) -> None:
+        """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out, else 0."""
+        plan, probes = self.plan, self.probes
+        probes.put(self.whole_row, probes.side, plan.text("extremes.whole"), styles.LABEL)
+        driver = plan.mechanism.driver
+        if not driver.link or driver.values or plan.rows < 4:
+            probes.work(self.whole_row, 1, "0")
+            return
+        turn = 360.0 if driver.unit == "deg" else 6.283185307179586
+        probes.work(
+            self.whole_row, 1,
+            "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
+            "IF(ABS(ROUND(more,0)-more)<1E-9,2,0))",
+            covered=formula("ABS(_step)*(rows-1)/turn", rows=plan.rows, turn=turn),
+            more=formula("ABS(_step)*rows/turn", rows=plan.rows, turn=turn),
+        )  # fmt: skip
 
-    def _formula(self, row: int, col: int, node: Node, places: int = 6) -> CellRef:
-        self.fills.append(Fill(row, col, node, styles.decimals(styles.RESULT, places)))
-        return CellRef(row, col, True, True)
+    # --- one extreme ------------------------------------------------------------------------------------------
 
-    def _extreme(self, symbol: str, take: str, col: int, tried: Tried | None) -> None:
-        plan = self.plan
-        column = plan.at.area(plan.at.shown[f"#rounded {symbol}"], self.sheet)
-        drivers = plan.at.column(plan.mechanism.driver.symbol, self.sheet)
-        among = self.vertices[symbol]
-        k = self._formula(self.row + 2 + ROW, col, Call("MATCH", (Call(take.upper(), (among,)), among, al.ZERO)), 0)
-        y = self._formula(self.more + HERE, col, Call("INDEX", (column, k)))
-        neighbours = _neighbours(plan, column, k, y, self.sweep, turn_of(plan, symbol))
-        a, b = (
-            self._formula(self.row + 2 + line, col, node)
-            for line, node in zip((BEFORE, AFTER), neighbours, strict=True)
+    def _extreme(self, symbol: str, way: Way, block: Block) -> None:
+        """The block of the smallest or largest value of a quantity."""
+        plan, probes, row = self.plan, self.probes, block.row
+        column = Symbol(ALL + symbol)
+        name = heading(plan, plan.columns[plan.at.spots[symbol].col])
+        probes.put(row, STATUS, plan.text(f"extremes.{way}"), styles.LABEL)
+        probes.put(row + 1, STATUS, name, styles.LABEL)
+        of_rows = self._best_row(column, way, block)
+        if plan.mechanism.driver.values or plan.rows < 4:
+            probes.work(row, VALUE, "value", value=of_rows)
+            self._result(symbol, way, block)
+            return
+        probes.lay(block, [symbol])
+        self._first_probes(column, symbol, block)
+        self._last_probe(block)
+        for index in range(1, PROBES + 1):
+            cell = CellRef(row + index, plan.at.spots[symbol].col, False, True)
+            probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
+        probes.work(row, VALUE, "best", best=of_rows)
+        self._result(symbol, way, block)
+
+    def _best_row(self, column: Node, way: Way, block: Block) -> CellRef:
+        """The best value of all rows that exist; its row goes to the anchor, the stretch's ends beside it."""
+        probes, row, limits = self.probes, block.row, self.limits
+        for number in range(1, STRETCHES + 1):
+            first, last = limits.of_stretch(number, FIRST_ROW), limits.of_stretch(number, LAST_ROW)
+            probes.work(
+                row, SIDE + number - 1,
+                f'IF(ISNUMBER(first),{way.upper()}(INDEX(column,first):INDEX(column,last)),"")',
+                first=first, last=last, column=column,
+            )  # fmt: skip
+        bests = probes.cells_across(row, SIDE, STRETCHES)
+        most = probes.work(row, SIDE + 3, f"IF(COUNT(bests)=0,NA(),{way.upper()}(bests))", bests=bests)
+        stretch = probes.work(row, SIDE + 4, "MATCH(most,bests,0)", most=most, bests=bests)
+        ends = []
+        for work, key in ((5, FIRST_ROW), (6, LAST_ROW)):
+            cells = probes.cells_down(limits.stretch_rows[0], key, STRETCHES)
+            ends.append(probes.work(row, SIDE + work, "INDEX(cells,stretch)", cells=cells, stretch=stretch))
+        probes.work(
+            row, AT, "first-1+MATCH(most,INDEX(column,first):INDEX(column,last),0)",
+            first=ends[0], last=ends[1], most=most, column=column,
+        )  # fmt: skip
+        return most
+
+    def _first_probes(self, column: Node, symbol: str, block: Block) -> None:
+        """At the vertex of the parabola through three rows of the stretch; then beside it, or at the limit."""
+        plan, probes, row = self.plan, self.probes, block.row
+        here = probes.cell(row, AT)
+        stretch, first, last = (probes.cell(row, SIDE + work) for work in (4, 5, 6))
+        ends = [
+            formula("INDEX(cells,stretch)", stretch=stretch,
+                    cells=probes.cells_down(self.limits.stretch_rows[0], key, STRETCHES))
+            for key in (FROM, TO)
+        ]  # fmt: skip
+        low, high = (probes.work(row + 1, SIDE + index, "end", end=end) for index, end in enumerate(ends))
+        turns = self._half_turn(symbol)
+        near = "ABS(INDEX(column,1)-INDEX(column,rows))<half" if turns else "TRUE"
+        holes: dict[str, Node | float | str] = {"half": turns} if turns else {}
+        # The ends of a whole turn are neighbours where nothing is missing and the quantity has not gone on by a turn.
+        wraps = probes.work(
+            row + 1, SIDE + 2, f"IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0)",
+            first=first, last=last, rows=plan.rows, column=column, **holes,
+        )  # fmt: skip
+        middle = probes.work(
+            row + 1, SIDE + 3, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))",
+            wraps=wraps, here=here, first=first, last=last,
+        )  # fmt: skip
+        turned = formula("IF(wraps=1,rows-1,rows)", wraps=wraps, rows=plan.rows)
+        before, after = (
+            probes.work(row + 1, SIDE + work, f"INDEX(column,1+MOD(middle{sign}1-1,IF(wraps>0,turned,2*rows)))",
+                        column=column, middle=middle, wraps=wraps, turned=turned, rows=plan.rows)
+            for work, sign in ((4, "-"), (6, "+"))
+        )  # fmt: skip
+        value = probes.work(row + 1, SIDE + 5, "INDEX(column,middle)", column=column, middle=middle)
+        vertex = formula(
+            "middle+IFERROR((before-after)/(2*(before-2*value+after)),0)",
+            middle=middle, before=before, value=value, after=after,
+        )  # fmt: skip
+        inside = formula(
+            "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(low,here-1,MIN(high,here+1,vertex)))",
+            wraps=wraps, here=here, vertex=vertex, low=low, high=high,
+        )  # fmt: skip
+        vertex_at = probes.work(row + 1, AT, "inside", inside=inside)
+        beside = formula("middle+IF(middle>here,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
+        probes.work(
+            row + 2, AT,
+            "IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,IF(wraps>0,beside,MAX(low,MIN(high,beside)))))",
+            here=here, first=first, last=last, low=low, high=high, wraps=wraps, beside=beside,
+        )  # fmt: skip
+
+    def _half_turn(self, symbol: str) -> float:
+        """Half a turn in the unit of a quantity that is an angle, else 0."""
+        equation = self.plan.equations.of(symbol)
+        if equation.unit != "angle":
+            return 0.0
+        return 180.0 if self.plan.at.spots[symbol].degrees else 3.141592653589793
+
+    def _last_probe(self, block: Block) -> None:
+        """At the vertex of the parabola through the row and the probes."""
+        probes, row = self.probes, block.row
+        low, high, wraps = (probes.cell(row + 1, SIDE + work) for work in (0, 1, 2))
+        middle = probes.cell(row + 1, AT)
+        points = [(probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(3)]
+        near = formula("MAX(middle-1,MIN(middle+1,vertex))", middle=middle, vertex=vertex_of(points))
+        probes.work(
+            row + 3, AT, "IFERROR(IF(wraps>0,near,MAX(low,MIN(high,near))),middle)",
+            wraps=wraps, near=near, low=low, high=high, middle=middle,
+        )  # fmt: skip
+
+    def _result(self, symbol: str, way: Way, block: Block) -> None:
+        """The best of the row and the probes, where it is, and whether the probes have settled."""
+        plan, probes, row = self.plan, self.probes, block.row
+        count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
+        values = probes.cells_down(row, VALUE, count)
+        value = probes.work(row + 2, SIDE, f"{way.upper()}(values)", styles.RESULT, values=values)
+        places = probes.cells_down(row, AT, count)
+        place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
+        if count == 1:
+            probes.work(row + 2, SIDE + 1, "INDEX(drivers,place)", styles.RESULT, place=place,
+                        drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
+            probes.work(row + 2, SIDE + 2, "FALSE")
+            return
+        wraps = probes.cell(row + 1, SIDE + 2)
+        within = formula(
+            "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=plan.rows
         )
-        known = Binary("=", Call("COUNT", (a, b)), al.TWO)
-        difference = al.add(al.sub(a, al.mul(al.TWO, y)), b)
-        bend = self._formula(self.more + BEND, col, Call("IF", (known, difference, Call("NA"))))
-        peak = self._formula(self.more + PEAK, col, _is_vertex(a, y, b, bend))
-        rows_value = self._formula(self.more + ROWS_VALUE, col, Call("IF", (peak, _vertex(a, y, b, bend), y)))
-        place: Node = Call("INDEX", (drivers, k))
-        if self.sweep != "list":
-            step = plan.at.reading_shown("#step", self.sheet, None)
-            offset = al.div(al.mul(step, al.sub(a, b)), al.mul(al.TWO, bend))
-            place = al.add(place, Call("IF", (peak, offset, al.ZERO)))
-        rows_at = self._formula(self.more + ROWS_AT, col, place)
-        best: Node = rows_value
-        best_at: Node = rows_at
-        if tried is not None and self.trials is not None:
-            value, there = Refinement(plan, self.sheet, self.trials, symbol, k).run(tried, peak, rows_at)
-            trial_value = self._formula(self.more + TRIAL_VALUE, col, value)
-            trial_at = self._formula(self.more + TRIAL_AT, col, there)
-            most: Node = Call(take.upper(), (column,))
-            beyond = Binary(">=" if take == "max" else "<=", trial_value, al.sub(most, _signed(take, _rounding(most))))
-            good = Call("IF", (Call("ISNUMBER", (trial_value,)), beyond, Boolean(False)))
-            best, best_at = Call("IF", (good, trial_value, rows_value)), Call("IF", (good, trial_at, rows_at))
-        if self.limits and self.trials is not None:
-            cells = [self._at_limit(symbol, take, col, index) for index in range(len(self.limits))]
-            ends = RangeRef(cells[0], cells[-1])
-            places = RangeRef(self.limits[0].at, self.limits[-1].at)
-            most = Call(take.upper(), (ends,))
-            beyond = Binary(">" if take == "max" else "<", most, best)
-            outside = Call("IF", (Binary(">", Call("COUNT", (ends,)), al.ZERO), beyond, Boolean(False)))
-            best_at = Call("IF", (outside, _place_of(places, most, ends), best_at))
-            best = Call("IF", (outside, most, best))
-        self._formula(self.row + 2 + VALUE, col, best)
-        self._formula(self.row + 2 + AT, col, best_at)
-        for name, part in ((f"#{take} {symbol}", VALUE), (f"#{take} at {symbol}", AT)):
-            plan.at.spots[name] = plan.at.shown[name] = Spot(self.sheet, self.row + 2 + part, col)
+        probes.work(row + 2, SIDE + 1, "_start+(within-1)*_step", styles.RESULT, within=within)
+        other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
+        probes.work(
+            row + 2, SIDE + 2, f"ABS(value-{way.upper()}(earlier))>settled*ABS(value-other)",
+            value=value, earlier=probes.cells_down(row, VALUE, PROBES), settled=SETTLED, other=other,
+        )  # fmt: skip
 
-    def _at_limit(self, symbol: str, take: str, col: int, index: int) -> CellRef:
-        """The quantity at a limit, rounded lest rounding errors decide between equal ends; the column of the largest value
-        repeats that of the smallest."""
-        row = self.more + LIMITS + index
-        if take == "max":
-            return self._formula(row, col, CellRef(row, col - 1))
-        plan, limit = self.plan, self.limits[index]
-        if self.trials is None or symbol not in self.trials.forms:
-            return self._formula(row, col, Text(""))
-        value = as_shown(plan, symbol, self.trials.value(symbol, limit.trial))
-        rounded = Call("ROUND", (value, Number(float(digits_kept(plan, symbol)))))
-        return self._formula(row, col, Call("IFERROR", (rounded, Text(""))))
+    # --- between the rows -------------------------------------------------------------------------------------
+
+    def _gap(self, number: int, block: Block) -> None:
+        """The least margin of a group between rows that exist: two probes where the parabola through the rows dips lowest."""
+        plan, probes, row = self.plan, self.probes, block.row
+        symbol = plan.equations.margins[number]
+        margins, least = Symbol(ALL + symbol), Symbol(f"{ALL}#least_{number}")
+        probes.put(row, probes.side - 1, plan.text("extremes.gap", number=number), styles.LABEL)
+        here = probes.work(row, AT, "IF(COUNT(least)=0,NA(),MATCH(MIN(least),least,0))", least=least)
+        probes.lay(block, [symbol])
+        before, value, after = (
+            probes.work(row + (0 if index == 1 else 1), VALUE if index == 1 else SIDE + index,
+                        f"INDEX(margins,here{step})", margins=margins, here=here)
+            for index, step in enumerate(("-1", "", "+1"))
+        )  # fmt: skip
+        probes.work(row + 1, AT, "here+IFERROR(MAX(-1,MIN(1,(before-after)/(2*(before-2*value+after)))),0)",
+                    here=here, before=before, value=value, after=after)  # fmt: skip
+        for index in (1, 2):
+            cell = CellRef(row + index, plan.at.spots[symbol].col, False, True)
+            probes.work(row + index, VALUE, "cell", cell=cell)
+        first, there = probes.cell(row + 1, AT), probes.cell(row + 1, VALUE)
+        outer = formula("IF(first>here,here+1,here-1)", first=first, here=here)
+        beyond = formula("IF(first>here,after,before)", first=first, here=here, before=before, after=after)
+        vertex = vertex_of([(here, value), (first, there), (outer, beyond)])
+        probes.work(row + 2, AT, "IFERROR(MAX(here-1,MIN(here+1,vertex)),here)", here=here, vertex=vertex)
+        probes.work(row, SIDE, "MIN(margins)", margins=probes.cells_down(row, VALUE, 3))
+        probes.work(row, SIDE + 1, "first", first=first)
 
 
-def turn_of(plan: Plan, symbol: str) -> Node | None:
-    """A turn in the unit in which an angle is read; None for what is no angle."""
-    if plan.equations.of(symbol).unit != "angle":
-        return None
-    return Number(360.0) if blank_unit(plan, symbol) == "°" else al.mul(al.TWO, al.PI)
+def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:
+    """Where the parabola through three points (u, y) has its vertex."""
+    (one, y_one), (two, y_two), (three, y_three) = points
+    return formula(
+        "two-((two-one)^2*(y_two-y_three)-(two-three)^2*(y_two-y_one))"
+        "/(2*((two-one)*(y_two-y_three)-(two-three)*(y_two-y_one)))",
+        one=one, two=two, three=three, y_one=y_one, y_two=y_two, y_three=y_three,
+    )  # fmt: skip
 
 
-def _signed(take: str, node: Node) -> Node:
-    return node if take == "max" else al.neg(node)
-
-
-def _place_of(places: RangeRef, value: Node, among: RangeRef) -> Node:
-    """Of cells beside each other the one that stands where `value` stands among others below each other."""
-    return Call("INDEX", (places, al.ONE, Call("MATCH", (value, among, al.ZERO))))
-
-
-def _is_vertex(before: Node, here: Node, after: Node, bend: Node) -> Node:
-    """TRUE where both neighbours exist, the three are not in line, and their parabola's vertex lies within a step."""
-    bent = Binary(">", Call("ABS", (bend,)), al.mul(al.number(4), _rounding(here)))
-    within = Binary("<=", Call("ABS", (al.sub(before, after),)), al.mul(al.TWO, Call("ABS", (bend,))))
-    return Call("IF", (Call("ISNUMBER", (bend,)), Call("AND", (bent, within)), Boolean(False)))
-
-
-def _vertex(before: Node, here: Node, after: Node, bend: Node) -> Node:
-    """The value at the vertex."""
-    return al.sub(here, al.div(al.square(al.sub(before, after)), al.mul(al.number(8), bend)))
-
-
-def _row_vertex(before: Node, here: Node, after: Node, digits: Node) -> Node:
-    """The vertex, rounded lest rounding errors decide between equal peaks; or the value itself."""
-    bend = al.add(al.sub(before, al.mul(al.TWO, here)), after)
-    known = Binary("=", Call("COUNT", (before, here, after)), al.number(3))
-    bent = Binary(">", Call("ABS", (bend,)), al.mul(al.number(4), _rounding(here)))
-    within = Binary("<=", Call("ABS", (al.sub(before, after),)), al.mul(al.TWO, Call("ABS", (bend,))))
-    rounded = Call("ROUND", (_vertex(before, here, after, bend), digits))
-    return Call("IF", (known, Call("IF", (Call("AND", (bent, within)), rounded, here)), here))
-
-
-def _rounding(value: Node) -> Node:
-    """Values this near to each other count as equal."""
-    return al.add(al.mul(Number(1e-9), Call("ABS", (value,))), Number(1e-12))
-
-
-def _ends(
-    plan: Plan, column: RangeRef, sweep: Sweep, turn: Node | None
-) -> tuple[Callable[[Node], Node], Callable[[Node], Node]]:
-    """What stands before the first row and after the last, as seen from that row's value y: an empty text where there is
-    nothing. Across the end of a turn, an angle is brought within half a `turn` of y."""
-    rows = plan.rows
-
-    def across(row: int) -> Callable[[Node], Node]:
-        value = Call("INDEX", (column, Number(float(row))))
-
-        def seen(y: Node) -> Node:
-            if turn is None:
-                return value
-            half = al.div(turn, al.TWO)
-            return al.sub(al.add(y, Call("MOD", (al.add(al.sub(value, y), half), turn))), half)
-
-        return seen
-
-    def nothing(_: Node) -> Node:
-        return Text("")
-
-    if sweep == "closed":
-        return across(rows - 1), across(2)
-    if sweep == "open":
-        return across(rows), across(1)
-    return nothing, nothing
-
-
-def _neighbours(plan: Plan, column: RangeRef, k: Node, y: Node, sweep: Sweep, turn: Node | None) -> tuple[Node, Node]:
-    """The values before and after row k; an empty text where there is none."""
-    if sweep == "list":
-        return Text(""), Text("")
-    first, last = _ends(plan, column, sweep, turn)
-    before = Call("INDEX", (column, Binary("-", k, al.ONE)))
-    after = Call("INDEX", (column, Binary("+", k, al.ONE)))
-    return (
-        Call("IF", (Binary("=", k, al.ONE), first(y), before)),
-        Call("IF", (Binary("=", k, Number(float(plan.rows))), last(y), after)),
-    )
+def quantities_of(plan: Plan) -> tuple[str, ...]:
+    """Symbols whose extremes are asked for: by the lines of the first sheet, and by the description's summaries."""
+    wanted = [summary.of for summary in plan.mechanism.summaries if summary.take in ("max", "min", "range")]
+    driver = plan.mechanism.driver.symbol
+    return tuple(dict.fromkeys(name for name in [*plan.found.extremes, *wanted] if name != driver))

@@ -16,10 +16,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.gaps import chunks_of
+from mechsheet.sheet.limits import STRETCHES
 from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
 
 NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH = range(9)
@@ -93,18 +96,18 @@ class Page:
 
         Taken from where people read it: there it is #N/A in rows that do not exist.
         """
-        spot = self.plan.at.shown[symbol]
+        spot = self.plan.at.spots[symbol]
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
         cell: Node = CellRef(self.first, spot.col, sheet=spot.sheet)
         if self.stride > 1:
             number = CellRef(self.first, SWEEP, col_abs=True)
-            cell = Call("INDEX", (self.plan.at.area(spot, self.title), al.add(number, al.ONE)))
+            cell = Call("INDEX", (self.column_at(spot), al.add(number, al.ONE)))
         return Call("RADIANS", (cell,)) if spot.degrees else cell
 
     def at_position(self, symbol: str) -> Node:
         """The quantity (internal units) in the row of the position shown; #N/A where it does not exist."""
-        spot = self.plan.at.shown[symbol]
+        spot = self.plan.at.spots[symbol]
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
         cell = self.indexed(spot)
@@ -113,20 +116,15 @@ class Page:
     def indexed(self, spot: Spot) -> Node:
         """What stands in a column of the table in the row of the position shown."""
         position = self.plan.at.reference("#position", self.title, None)
-        return Call("INDEX", (self.plan.at.area(spot, self.title), al.add(position, al.ONE)))
+        return Call("INDEX", (self.column_at(spot), al.add(position, al.ONE)))
 
-    def where_exists(self, node: Node) -> Node:
-        """The value, or an empty text (which MAX and MIN pass over) where the position does not exist."""
-        return Call("IF", (Binary("=", self.read("#exists"), al.ONE), node, Text("")))
-
-    def apart(self) -> None:
-        """Leave a sweep column empty, between columns that a cell is computed from and columns that read that cell.
-
-        LibreOffice computes neighbouring columns of a hundred rows and more together: without the empty one between them
-        it would find a circle (Err:522) when everything is recalculated.
-        """
-        self.cells.append(Cell(self.first - 1, self.col, None, styles.HEAD))
-        self.col += 1
+    def column_at(self, spot: Spot) -> RangeRef:
+        """A whole column of the table."""
+        plan = self.plan
+        return RangeRef(
+            CellRef(plan.at.first, spot.col, True, True, spot.sheet),
+            CellRef(plan.at.last, spot.col, True, True, spot.sheet),
+        )
 
     def column(self, head: str, node: Node) -> Area:
         """A new sweep column."""
@@ -135,15 +133,29 @@ class Page:
         self.col += 1
         return Area(self.first, self.col - 1, self.first + self.samples - 1, self.col - 1)
 
-    def extremes(self, head: str, nodes: Sequence[Node]) -> tuple[Node, Node]:
-        """Smallest and largest of quantities over the sweep."""
-        if len(nodes) == 1:
-            both = _range(self.column(head, self.where_exists(nodes[0])))
-            return Call("MIN", (both,)), Call("MAX", (both,))
-        text = self.plan.text
-        low = _range(self.column(text("drawing.least", symbol=head), self.where_exists(al.smallest(nodes))))
-        high = _range(self.column(text("drawing.most", symbol=head), self.where_exists(al.largest(nodes))))
-        return Call("MIN", (low,)), Call("MAX", (high,))
+    def extremes(self, name: str, symbols: Sequence[str]) -> tuple[Node, Node]:
+        """Smallest and largest of columns over the rows that exist, a row of cells for each stretch of them."""
+        found: list[tuple[CellRef, CellRef]] = []
+        for number in range(1, STRETCHES + 1):
+            rows = [
+                self.plan.at.bind(
+                    formula(f"INDEX(column,_first_{number}):INDEX(column,_last_{number})", column=Symbol(ALL + symbol)),
+                    self.title,
+                )
+                for symbol in symbols
+            ]
+            for part in chunks_of(rows):
+                self.put(NAME, self.plan.text("drawing.stretch", axis=name, number=number))
+                low, high = (
+                    self.formula(col, formula('IFERROR(found,"")', found=Call(way, tuple(part))))
+                    for col, way in ((FIRST, "MIN"), (SECOND, "MAX"))
+                )
+                found.append((low, high))
+                self.row += 1
+        if not found:
+            return al.ZERO, al.ZERO
+        lows, highs = (RangeRef(found[0][side], found[-1][side]) for side in (0, 1))
+        return Call("MIN", (lows,)), Call("MAX", (highs,))
 
     def _numbers(self) -> None:
         """The table's row numbers that the sweep columns look at; the last one always."""
@@ -166,11 +178,6 @@ def stride_of(plan: Plan) -> int:
         step = max(abs(b - a) for a, b in zip(plan.driver, plan.driver[1:], strict=False))
         stride = min(stride, math.floor(COARSEST / step + 1e-9)) if step > 0 else stride
     return max(1, stride)
-
-
-def _range(area: Area) -> RangeRef:
-    first, last = (area.first_row, area.first_col), (area.last_row, area.last_col)
-    return RangeRef(CellRef(*first, True, True), CellRef(*last, True, True))
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,18 +40,16 @@ NOTES: dict[str, tuple[str, str]] = {
         "değerler değiştirilebilir.",
     ),
     "notes.use.checks": (
-        "The sheet {checks} measures every row anew by geometry. It should say that all is clear; red cells "
-        "show where it is not.",
-        "{checks} sayfası her satırı geometrik olarak yeniden ölçer. Her şeyin yolunda olduğunu söylemelidir; "
-        "kırmızı hücreler sorunun yerini gösterir.",
+        "The sheet {checks} measures every row anew by geometry, and counts the cells of the table that hold no formula any "
+        "more. The line under the title of {mechanism} is red when something is wrong, and says where.",
+        "{checks} sayfası her satırı geometrik olarak yeniden ölçer ve tabloda artık formül olmayan hücreleri sayar. Bir sorun "
+        "varsa {mechanism} sayfasında başlığın altındaki satır kırmızıdır ve yerini söyler.",
     ),
-    "notes.use.recomputed": (
-        "A hidden sheet, {recomputed}, computes a second time what geometry cannot prove: the first sheet, the drawing, "
-        "the outputs. When “{twice}” on {checks} says “look”, a formula was typed over: unhide the sheet (right-click "
-        "any tab); it names the first such cell.",
-        "Gizli {recomputed} sayfası geometriyle denetlenemeyenleri ikinci kez hesaplar: ilk sayfa, çizim, çıktılar. "
-        "{checks} sayfasında “{twice}” için “bakın” yazıyorsa bir formülün üstüne yazılmıştır: sayfayı gösterin (bir "
-        "sekmeye sağ tıklayın); ilk hücreyi adıyla söyler.",
+    "notes.use.extremes": (
+        "The sheet {extremes} computes further positions between the rows: there lie the limits and the smallest and largest "
+        "values that the first sheet names.",
+        "{extremes} sayfası satırların arasındaki konumları hesaplar: ilk sayfadaki sınırlar, en küçük ve en büyük değerler "
+        "oradadır.",
     ),
     "notes.use.missing": (
         "#N/A means that the links cannot be joined at that value of the driver; a column says which of them.",
@@ -90,6 +88,12 @@ NOTES: dict[str, tuple[str, str]] = {
         "in the cells.",
         "Formüller radyanla hesaplar. arctan2(x; y), (x; y) noktasının doğrultusudur: hücrelerdeki gibi önce "
         "x yazılır.",
+    ),
+    "notes.assumptions.cosines": (
+        "Angles of a triangle come from the law of cosines, as written here. The cells hold its half-angle form, "
+        "2·arctan2(√…; √…): the arccosine loses half its digits where the links lie in a line.",
+        "Üçgenin açıları, burada yazıldığı gibi kosinüs teoremindendir. Hücrelerde bunun yarım açı biçimi, 2·arctan2(√…; √…), "
+        "vardır: uzuvlar bir doğru üzerindeyken arkkosinüs basamaklarının yarısını yitirir.",
     ),
     "notes.assumptions.continuous": (
         "An angle goes on without jumps from row to row, through as many turns as the link makes.",
@@ -130,11 +134,9 @@ NOTES: dict[str, tuple[str, str]] = {
     "notes.given": ("given", "verilir"),
     "notes.driver": ("the driver, row by row", "tahrik, satır satır"),
     "notes.column.status": (
-        "a word on the position: which links cannot be joined",
-        "konumun durumu: hangi uzuvlar birleşmiyor",
+        "ok, or which links cannot be joined",
+        "tamam, ya da hangi uzuvların birleşmediği",
     ),
-    "notes.column.exists": ("1 where all groups close, else 0", "bütün gruplar kapanıyorsa 1, yoksa 0"),
-    "notes.first": ("in the first row", "ilk satırda"),
     "notes.above": ("row above", "üst satır"),
     "notes.missing": ("#N/A", "#YOK"),
     "notes.otherwise": ("otherwise", "değilse"),

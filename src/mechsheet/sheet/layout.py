@@ -5,14 +5,14 @@ from __future__ import annotations
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
 from mechsheet.sheet.charts import chart_requests, charts_of, traced_points, with_room
-from mechsheet.sheet.checks import checks_sheet
+from mechsheet.sheet.checks import Checks, checks_sheet
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing import drawing_of
+from mechsheet.sheet.extremes import Extremes
 from mechsheet.sheet.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes import notes_sheet
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.positions import positions_sheet
-from mechsheet.sheet.recomputed import recomputed_sheet
 from mechsheet.sheet.tables import table_sheets
 from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
 
@@ -25,20 +25,17 @@ DESCRIPTION_SHEET = "description"
 def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]:
     """The workbook (its formulas have no values yet) and the plan that it follows."""
     plan = plan_of(mechanism, equations)
-    checks = checks_sheet(plan)  # first: the first sheet reads its verdicts
+    checks, extremes = Checks(plan), Extremes(plan)
     requests = chart_requests(plan)
     drawing = drawing_of(plan, traced_points(plan, requests), requests)
-    computing = (
-        with_room(mechanism_sheet(plan, charts_of(plan, requests, drawing), controls(plan))),
-        positions_sheet(plan),
-        drawing.sheet,
-        *table_sheets(plan),
-        checks,
-    )
     sheets = (
-        *computing,
+        with_room(mechanism_sheet(plan, checks, extremes, charts_of(plan, requests, drawing), controls(plan))),
+        positions_sheet(plan),
+        *table_sheets(plan),
         notes_sheet(plan),
-        recomputed_sheet(plan, computing),
+        drawing.sheet,
+        checks_sheet(plan, checks),
+        extremes.sheet(),
         _description_sheet(plan),
     )
     title = mechanism.title.of(plan.language)

@@ -1,24 +1,27 @@
 """The equations as cells compute them: what is mathematics in `kinematics` becomes formulas of one row and the row above.
 
-    exists, beside an equation      IF(it fails, NA(), the equation): never what a program makes of ACOS(2)
-    Direction(y, x)                 ATAN2 within half a turn, a column that counts the turns gone by, and their sum
-    TriangleAngle(a, b, c)          Heron's area once a triangle, then ATAN2 of the two legs: acos loses half its digits at a
-                                    dead centre, this loses none
+    exists, beside an equation      the group's margin in a column of its own, read as IF(margin < -tol, NA(), the equation):
+                                    never what a program makes of ACOS(2)
+    Direction(y, x)                 ATAN2 and as many turns as bring it within half a turn of the row above
+    TriangleAngle(a, b, c)          2 ATAN2(...) of the half-angle form of the law of cosines: acos loses half its digits at a
+                                    dead centre, this loses none that the sides have
 
-Source of the area's form: W. Kahan, "Miscalculating area and angles of a needle-like triangle".
+    tan(alpha / 2) = sqrt((a^2 - (b - c)^2) / ((b + c)^2 - a^2))        alpha opposite a
+
+Source: W. Kahan, "Miscalculating area and angles of a needle-like triangle".
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import (
+    Binary,
     Call,
     Direction,
     Node,
-    Number,
     Previous,
     Symbol,
     TriangleAngle,
@@ -29,6 +32,7 @@ from mechsheet.formula.nodes import (
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, Role
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
+from mechsheet.sheet.quoted import formula
 
 TURN = al.mul(al.TWO, al.PI)
 
@@ -37,18 +41,18 @@ TURN = al.mul(al.TWO, al.PI)
 class Assignment:
     """One cell, or one column of cells: `symbol = expression`, where `Previous(x)` reads x of the row above.
 
-    first         what stands in the first row instead, where the expression reads the row above
-    counts_turns  True for the column that counts the turns an angle has gone through; fields else as in `Equation`
+    says    the same as mathematics, for people to read
+    first   what stands in the first row instead, where the expression reads the row above; fields else as in `Equation`
     """
 
     symbol: str
     expression: Node
+    says: Node
     role: Role
     unit: str
     label: Words
     group: int = 0
     first: Node | None = None
-    counts_turns: bool = False
 
     @property
     def reads(self) -> tuple[str, ...]:
@@ -68,13 +72,14 @@ class Assignment:
 class Assignments:
     """The equations of a mechanism for cells, constants first, then columns; `equations` are what they say.
 
-    groups  those of the equations; `closes` of each is the column that is #N/A where it cannot be joined
+    margins  by number of a group: the column that says how far it is from coming apart, where it can
     """
 
     equations: Equations
     constants: tuple[Assignment, ...]
     columns: tuple[Assignment, ...]
     groups: tuple[Group, ...]
+    margins: Mapping[int, str]
 
     @property
     def all(self) -> tuple[Assignment, ...]:
@@ -106,8 +111,8 @@ class _Lowering:
         self.equations = equations
         found = [*(equation.symbol for equation in equations.all), *(group.mode for group in equations.groups)]
         self.names = FreshNames([*given_names(mechanism), *found])
-        self.groups = {group.number: group for group in equations.groups}
-        self.areas: dict[frozenset[Node], Node] = {}
+        self.tests: dict[tuple[Condition, ...], Node] = {}
+        self.margins: dict[int, str] = {}
         self.constants: list[Assignment] = []
         self.columns: list[Assignment] = []
 
@@ -115,93 +120,80 @@ class _Lowering:
         """All of them, and the groups."""
         for equation in self.equations.all:
             self._lower(equation)
-        groups = tuple(replace(group, closes=self._closing(group)) for group in self.equations.groups)
-        return Assignments(self.equations, tuple(self.constants), tuple(self.columns), groups)
-
-    def _closing(self, group: Group) -> str:
-        area = self.areas.get(frozenset(group.sides))
-        return area.name if isinstance(area, Symbol) else group.closes
+        return Assignments(
+            self.equations, tuple(self.constants), tuple(self.columns), self.equations.groups, self.margins
+        )
 
     def _lower(self, equation: Equation) -> None:
         match equation.expression:
+            case _ if equation.symbol == self.equations.tolerance:
+                self._add(equation, self._tolerance(equation.expression))
             case Direction(y, x):
                 self._direction(equation, y, x)
             case TriangleAngle(opposite, beside, other):
-                area = self._area(equation, opposite, beside, other)
-                cosine_side = al.sub(al.add(al.square(beside), al.square(other)), al.square(opposite))
-                self._add(equation, al.atan2(cosine_side, al.mul(al.number(4), area)))
+                self._add(equation, self._where_it_exists(equation, half_angle(opposite, beside, other)))
             case expression:
-                self._add(equation, guarded(equation.exists, expression))
+                self._add(equation, self._where_it_exists(equation, expression))
 
     def _add(self, equation: Equation, expression: Node, first: Node | None = None) -> Symbol:
         target = self.constants if equation.role == "constant" else self.columns
         target.append(
-            Assignment(equation.symbol, expression, equation.role, equation.unit, equation.label, equation.group, first)
-        )
+            Assignment(
+                equation.symbol, expression, equation.expression, equation.role, equation.unit, equation.label,
+                equation.group, first,
+            )
+        )  # fmt: skip
         return Symbol(equation.symbol)
 
-    def _help(
-        self, base: str, equation: Equation, expression: Node, unit: str, label: Words, first: Node | None = None
-    ) -> Symbol:
-        """A cell or column that an equation needs besides its own."""
-        role: Role = "constant" if equation.role == "constant" else "intermediate"
-        name = self.names.reserve(base, equation.group)
-        # `Previous("")` is the column itself in the row above, whose name is known only here.
-        expression = transform(expression, lambda part: Previous(name) if part == Previous("") else part)
-        helper = replace(equation, symbol=name, role=role, unit=unit, label=label)
-        return self._add(helper, expression, first)
+    def _tolerance(self, expression: Node) -> Node:
+        """No number while an input is none that a mechanism can have: then no row claims a position."""
+        lengths = tuple(Symbol(name) for name in self.equations.positive)
+        modes = [Symbol(group.mode) for group in self.equations.groups if group.mode]
+        wrong = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
+        wrong += [formula("ABS(mode)<>1", mode=mode) for mode in modes]
+        if not wrong:
+            return expression
+        test = wrong[0] if len(wrong) == 1 else Call("OR", tuple(wrong))
+        return formula("IF(wrong, NA(), least)", wrong=test, least=expression)
 
-    def _area(self, equation: Equation, opposite: Node, beside: Node, other: Node) -> Node:
-        """The area of the triangle, which its angles share; #N/A where its sides do not meet."""
-        key = frozenset((opposite, beside, other))
-        if key not in self.areas:
-            group = self.groups.get(equation.group)
-            in_group = group is not None and frozenset(group.sides) == key
-            sides = group.sides if group is not None and in_group else (beside, other, opposite)
-            label = _area_of_group(group) if group is not None and in_group else _area_beside(equation)
-            base = "Delta" if in_group else f"Delta{_base(equation).removeprefix('gamma')}"
-            form = guarded(equation.exists, _heron(*sides))
-            self.areas[key] = self._help(base, equation, form, "number", label)
-        return self.areas[key]
+    def _where_it_exists(self, equation: Equation, expression: Node) -> Node:
+        """The expression, or #N/A where one of its conditions fails."""
+        if not equation.exists:
+            return expression
+        if equation.role == "constant" or not any(each.reach for each in equation.exists):
+            return guarded(equation.exists, expression)
+        return formula("IF(fails, NA(), value)", fails=self._fails(equation), value=rooted(expression))
+
+    def _fails(self, equation: Equation) -> Node:
+        """Whether a group comes apart, by the column of its margin."""
+        if equation.exists not in self.tests:
+            reaches = next(each for each in equation.exists if each.reach)
+            others = [each for each in equation.exists if each is not reaches]
+            number = equation.group
+            label = Words(
+                "how far from coming apart (not joined below 0)", "ayrılmaya uzaklık (0'ın altında birleşmez)"
+            )
+            name = self.names.reserve("k", number)
+            margin = replace(
+                equation, symbol=name, expression=reaches.margin, role="intermediate", unit="length", label=label
+            )
+            column = self._add(margin, guarded(others, reaches.margin))
+            self.margins.setdefault(number, name)
+            self.tests[equation.exists] = Binary("<", column, reaches.least)
+        return self.tests[equation.exists]
 
     def _direction(self, equation: Equation, y: Node, x: Node) -> None:
-        """ATAN2 plus as many turns as have gone by. Where rows are missing the last direction known is held over them."""
-        base, label = _base(equation), equation.label
-        raw = self._help(
-            f"{base}_0", equation, al.atan2(x, y), "angle", Words(f"{label.en}, within half a turn", label.tr)
-        )
-        if equation.group <= 1:
-            # Nothing before it can be missing. Pins that coincide have no direction: ATAN2(0, 0) is an error in most
-            # programs, which must not spread.
-            last: Node = Previous(raw.name)
-            counted: Node = Call("ISNUMBER", (al.sub(last, raw),))
-        else:
-            counted = Call("ISNUMBER", (raw,))
-            held = self._help(
-                f"{base}_held",
-                equation,
-                Call("IF", (counted, raw, Previous(""))),
-                "angle",
-                Words("last direction known", "bilinen son doğrultu"),
-                first=Call("IF", (counted, raw, al.ZERO)),
-            )
-            last = Previous(held.name)
-        step = Call("IF", (counted, Call("ROUND", (al.div(al.sub(last, raw), TURN), al.ZERO)), al.ZERO))
-        turns = self._help(
-            "turns",
-            equation,
-            al.add(Previous(""), step),
-            "number",
-            Words("turns gone by", "tamamlanan tur sayısı"),
-            first=al.ZERO,
-        )
-        self.columns[-1] = replace(self.columns[-1], counts_turns=True)
-        self._add(equation, al.add(raw, al.mul(TURN, turns)))
+        """ATAN2 and whole turns. After a row without a direction (none is known, or pins coincide) it begins anew."""
+        raw = al.atan2(x, y)
+        turns = formula("IFERROR(ROUND((above-raw)/turn,0),0)", above=Previous(equation.symbol), raw=raw, turn=TURN)
+        self._add(equation, al.add(raw, al.mul(TURN, turns)), first=raw)
 
 
-def _base(equation: Equation) -> str:
-    """The symbol without the number of its group."""
-    return equation.symbol.removesuffix(f"_{equation.group}") if equation.group > 1 else equation.symbol
+def half_angle(opposite: Node, beside: Node, other: Node) -> Node:
+    """The angle of a triangle by its sides; a root of less than 0 is rounding at a dead centre."""
+    across = al.sub(al.square(opposite), al.square(al.sub(beside, other)))
+    along = al.sub(al.square(al.add(beside, other)), al.square(opposite))
+    return formula("2*ATAN2(SQRT(MAX(0,along)),SQRT(MAX(0,across)))", along=along, across=across)
 
 
 def guarded(conditions: Iterable[Condition], value: Node) -> Node:
@@ -218,27 +210,8 @@ def rooted(value: Node) -> Node:
 
     def change(part: Node) -> Node:
         match part:
-            case Call("SQRT", (square,)):
+            case Call("SQRT", (square,)) if not (isinstance(square, Call) and square.name == "MAX"):
                 return Call("SQRT", (Call("MAX", (al.ZERO, square)),))
         return part
 
     return transform(value, change)
-
-
-def _heron(a: Node, b: Node, c: Node) -> Node:
-    """sqrt((a+b+c)(a+b-c)(c+a-b)(c-a+b)) / 4."""
-    product = al.mul(
-        al.mul(al.mul(al.add(al.add(a, b), c), al.sub(al.add(a, b), c)), al.sub(al.add(c, a), b)),
-        al.add(al.sub(c, a), b),
-    )
-    return al.div(Call("SQRT", (product,)), Number(4.0))
-
-
-def _area_of_group(group: Group) -> Words:
-    p, q, r = group.pins
-    return Words(f"area of triangle {p}{q}{r}", f"{p}{q}{r} üçgeninin alanı")
-
-
-def _area_beside(equation: Equation) -> Words:
-    """The area by which an angle of a link's own triangle is found."""
-    return Words(f"area of the triangle of {equation.symbol}", f"{equation.symbol} üçgeninin alanı")

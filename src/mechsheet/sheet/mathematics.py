@@ -5,9 +5,23 @@ SQRT((A.x - a1)^2 + A.y^2)   is written   √((x_A − a_1)² + y_A²), with rea
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Binary, Boolean, Call, Node, Number, Previous, Symbol, Text, Unary
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import (
+    Binary,
+    Boolean,
+    Call,
+    Direction,
+    Node,
+    Number,
+    Previous,
+    Symbol,
+    Text,
+    TriangleAngle,
+    Unary,
+)
 from mechsheet.formula.printer import number_text
 from mechsheet.sheet.language import Language, words
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import parts
 from mechsheet.sheet.workbook import Rich
 
@@ -64,6 +78,10 @@ class _Pen:
                 return [*pieces, *self.inside(right, power + (op in "-/"))], power
             case Call(name, args):
                 return self.call(name, args)
+            case Direction(y, x):
+                return self.write(formula("ATAN(rise/run)", rise=y, run=x))
+            case TriangleAngle(opposite, beside, other):
+                return self.write(law_of_cosines(opposite, beside, other))
             case Text(value):
                 return [(f"“{value}”", "")], _ATOM
             case Boolean(value):
@@ -145,16 +163,10 @@ class _Pen:
         return [*then, (" if ", ""), *condition]
 
 
-def shortened(text: Rich, most: int) -> Rich:
-    """The text cut after `most` characters, an ellipsis in place of the rest."""
-    if len(text.plain) <= most:
-        return text
-    kept: list[Part] = []
-    room = most - 1
-    for piece, kind in text.parts:
-        kept += [(piece[:room], kind)] if room > 0 else []
-        room -= len(piece)
-    return Rich((*kept, ("…", "")))
+def law_of_cosines(opposite: Node, beside: Node, other: Node) -> Node:
+    """The angle between two sides of a triangle as every textbook has it."""
+    squares = al.sub(al.add(al.square(beside), al.square(other)), al.square(opposite))
+    return formula("ACOS(squares/(2*one*another))", squares=squares, one=beside, another=other)
 
 
 def symbol_parts(symbol: str) -> list[Part]:

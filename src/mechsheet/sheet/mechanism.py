@@ -8,24 +8,25 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.checks import Checks
+from mechsheet.sheet.extremes import Extremes
 from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.plan import (
     DRIVER,
+    LEGEND_ROW,
     MEANING,
-    NUMBER,
-    STATUS,
     SYMBOL,
     TOLERANCE,
     UNIT,
     VALUE,
+    VERDICT_ROW,
     Plan,
     unit_text,
 )
 from mechsheet.sheet.positions import shown_number
-from mechsheet.sheet.rows import fixed_column
-from mechsheet.sheet.stands import write_stands
 from mechsheet.sheet.summaries import write_summaries
 from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.verdicts import write_verdicts
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
@@ -47,21 +48,28 @@ CHARTS = MARGIN + 1
 ROW_HEIGHT = 20
 """Pixels."""
 
+LINE_HEIGHT = 34.0
+"""The line under the title may take two lines of text."""
 
-def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[Control, ...] = ()) -> Sheet:
+
+def mechanism_sheet(
+    plan: Plan, checks: Checks, extremes: Extremes, charts: tuple[Chart, ...] = (), controls: tuple[Control, ...] = ()
+) -> Sheet:
     """The sheet, with the charts and controls that others have made for it."""
     writer = Writer(plan)
     mechanism = plan.mechanism
     writer.put(0, 0, mechanism.title.of(plan.language), styles.TITLE)
     source = mechanism.source.of(plan.language)
-    writer.put(1, 0, plan.text("source", source=source) if source else None, styles.SUBTITLE)
+    if source:
+        writer.put(LEGEND_ROW, CHARTS, plan.text("source", source=source), styles.SUBTITLE)
+    _legend(writer)
     _position(writer)
     _dimensions(writer)
     _sweep(writer)
     _assembly(writer)
     _variables(writer)
     write_summaries(writer)
-    write_stands(writer)
+    merges = write_verdicts(writer, checks, extremes)
     _derived(writer)
     return Sheet(
         plan.main,
@@ -76,7 +84,12 @@ def mechanism_sheet(plan: Plan, charts: tuple[Chart, ...] = (), controls: tuple[
             Column(MARGIN, MARGIN, 3),
         ),
         # given, not left to the program: rows with subscripts would be higher than others, and charts hang on rows
-        row_heights=((0, 26.0), *((row, float(ROW_HEIGHT)) for row in range(1, _last_row(plan) + 1))),
+        row_heights=(
+            (0, 26.0),
+            (VERDICT_ROW, LINE_HEIGHT),
+            *((row, float(ROW_HEIGHT)) for row in range(LEGEND_ROW, _last_row(plan) + 1)),
+        ),
+        merges=tuple(merges),
         charts=charts,
         controls=controls,
         validations=tuple(writer.validations),
@@ -95,6 +108,14 @@ def _last_row(plan: Plan) -> int:
 def _first_input(plan: Plan) -> tuple[int, int]:
     rows = plan.blocks["dimensions"].rows.values()
     return (next(iter(rows), plan.blocks["position"].row + 1), VALUE)
+
+
+def _legend(writer: Writer) -> None:
+    """What the colours mean, in one row."""
+    text = writer.plan.text
+    writer.put(LEGEND_ROW, SYMBOL, text("legend.input"), styles.numbered(styles.INPUT, "@"))
+    writer.put(LEGEND_ROW, VALUE, text("legend.result"), styles.RESULT)
+    writer.put(LEGEND_ROW, MEANING, text("legend.missing"), styles.LEGEND)
 
 
 # --- blocks ------------------------------------------------------------------------------------------------------
@@ -226,7 +247,7 @@ def _position(writer: Writer) -> None:
         Validation(
             Area(rows["position"], VALUE, rows["position"], VALUE),
             "list",
-            low=fixed_column(plan, NUMBER),
+            low=plan.at.column("#number", plan.main),
             input_title=plan.text("hint.position.title"),
             input_message=plan.text("hint.position", last=last),
             error_title=plan.text("hint.position.title"),
@@ -242,8 +263,8 @@ def _position(writer: Writer) -> None:
         value_style(plan, unit),
     )
     writer.line(rows["status"], plan.text("head.status"), "", "")
-    column = fixed_column(plan, STATUS)
-    writer.formula(rows["status"], VALUE, _at_position(plan, column), styles.VERDICT)
+    said = _at_position(plan, plan.at.column("#status", plan.main))
+    writer.formula(rows["status"], VALUE, said, styles.VERDICT)
 
 
 def _variables(writer: Writer) -> None:

@@ -12,7 +12,7 @@ from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.mathematics import Part, symbol_parts, written
-from mechsheet.sheet.plan import DRIVER, EXISTS, STATUS, Plan, unit_text
+from mechsheet.sheet.plan import DRIVER, STATUS, Plan, unit_text
 from mechsheet.sheet.positions import group_title, shown_number
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
@@ -33,10 +33,10 @@ PARAGRAPHS = (
     "charts",
     "tables",
     "checks",
-    "recomputed",
+    "extremes",
     "missing",
 )
-ASSUMPTIONS = ("planar", "angles", "radians", "continuous", "constant_mode", "rounding")
+ASSUMPTIONS = ("planar", "angles", "radians", "cosines", "continuous", "constant_mode", "rounding")
 COLOURS: tuple[tuple[str, Style], ...] = (
     ("input", styles.INPUT),
     ("result", styles.RESULT),
@@ -123,8 +123,7 @@ class _Page:
             "driver": plain(plan.mechanism.driver.symbol),
             "unit": plan.mechanism.length_unit,
             "checks": titles["checks"],
-            "recomputed": titles["recomputed"],
-            "twice": plan.text("checks.recomputed"),
+            "extremes": titles["extremes"],
             "positions": titles["positions"],
             "mechanism": titles["mechanism"],
             "table": plan.text("sheet.table"),
@@ -261,18 +260,20 @@ class _Page:
             self._row(dim.symbol, unit_text(dim.unit), content, label)
 
     def _driver(self) -> None:
-        """The table's own columns: the driver, the word on the position, whether it exists."""
+        """The table's own columns: the driver, the word on the position."""
         plan, driver = self.plan, self.plan.mechanism.driver
         self._group(plan.text("group.driver"))
         stepping: Content = self.text("given")
         if not driver.values:
             stepping = f"= {plan.text('name.start')} + n·{plan.text('name.step')}"
         self._row(driver.symbol, unit_text(driver.unit), stepping, self.text("driver"), self._column(DRIVER))
-        for col, key in ((STATUS, "status"), (EXISTS, "exists")):
-            name, words = plan.text(f"head.{key}"), self.text(f"column.{key}")
-            self.line(
-                {SYMBOL: name, UNIT: "", EQUATION: words, MEANING: "", PLACE: self._column(col)}, styles.NOTE_CELL
-            )
+        self.line(
+            {
+                SYMBOL: plan.text("head.status"), UNIT: "", EQUATION: self.text("column.status"), MEANING: "",
+                PLACE: self._column(STATUS),
+            },
+            styles.NOTE_CELL,
+        )  # fmt: skip
 
     def _unit(self, equation: Assignment) -> str:
         """The unit in which people read the column."""
@@ -284,9 +285,7 @@ class _Page:
         return self.plan.unit_shown(equation.unit)
 
     def _equation(self, equation: Assignment, unit: str) -> None:
-        parts: list[Part] = [("= ", ""), *self._written(equation.expression)]
-        if equation.first is not None:
-            parts += [(f";  {self.text('first')} ", ""), *self._written(equation.first)]
+        parts: list[Part] = [("= ", ""), *self._written(equation.says)]
         self._row(equation.symbol, unit, Rich(tuple(parts)), equation.label.of(self.plan.language))
 
     def _written(self, node: Node) -> tuple[Part, ...]:
@@ -298,7 +297,7 @@ class _Page:
 
     def _place(self, symbol: str) -> str:
         """Where people read it: `Positions K`, `Mechanism B12`."""
-        spot = self.plan.at.shown[symbol]
+        spot = self.plan.at.spots[symbol]
         return self._column(spot.col) if spot.column else f"{spot.sheet} {cell_name(spot.row, spot.col)}"
 
     def _column(self, col: int) -> str:

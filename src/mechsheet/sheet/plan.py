@@ -18,7 +18,7 @@ from mechsheet.kinematics.solve import dimension_order, dimension_values, driver
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
-from mechsheet.sheet.findings import findings
+from mechsheet.sheet.classification import Classification, classification
 from mechsheet.sheet.language import Language, words
 from mechsheet.sheet.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Name
@@ -26,14 +26,23 @@ from mechsheet.sheet.workbook import Name
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
 """Columns of the blocks on the first sheet."""
 
+VERDICT_ROW, LEGEND_ROW = 1, 2
+"""Rows of the first sheet under its title: what is to be said of the mechanism, and what the colours mean."""
+
+FIRST_BLOCK = 4
+"""The row of the first block's heading."""
+
+SHEETS = ("mechanism", "positions", "drawing", "checks", "extremes", "notes", "description")
+"""Keys of the sheets that every workbook has."""
+
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""
 
+NUMBER, DRIVER, STATUS = range(3)
+"""First columns of the table: row number, driver as shown, what it says of the row."""
+
 FOOTER_TITLE = 100
 """Characters of the title in the footer, which holds 255 in all."""
-
-NUMBER, DRIVER, STATUS, EXISTS = range(4)
-"""First columns of the table: row number, driver as shown, status word, 1 where the position exists."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,17 +56,14 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """One column of the table.
+    """One column of the table: the row's number, the driver, what it says of the row, or a quantity.
 
-    kind   "number", "driver", "status", "exists" for the fixed ones; "equation" (internal units), "shown" (the same in
-           degrees), "blank" (value or nothing: what summaries read, since MAX must not meet #N/A), "rounded" (the same to
-           twelve digits: of two equal peaks, MATCH must find the same in every program)
-    inner  folded away with the intermediate columns
+    inner  an intermediate quantity, in quieter ink
     """
 
     col: int
     symbol: str
-    kind: Literal["number", "driver", "status", "exists", "equation", "shown", "blank", "rounded"]
+    kind: Literal["number", "driver", "status", "equation"]
     group: int
     inner: bool
     equation: Assignment | None = None
@@ -67,9 +73,8 @@ class TableColumn:
 class Plan:
     """Addresses of everything; see `Addresses` for `at`.
 
+    found   what can be said about the mechanism
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
-    ways    by link and point, the cells of the way from the link's base point to it, once the checks are laid out
-    proven  by sheet, where fills begin (row, column) that need no copy on the sheet "Recomputed": geometry proves them
     """
 
     mechanism: Mechanism
@@ -78,13 +83,12 @@ class Plan:
     at: Addresses
     rows: int
     driver: list[float]
+    found: Classification
     blocks: dict[str, Block] = field(default_factory=dict)
     columns: list[TableColumn] = field(default_factory=list)
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
-    ways: dict[tuple[str, str], tuple[Spot, Spot]] = field(default_factory=dict)
-    proven: dict[str, set[tuple[int, int]]] = field(default_factory=dict)
 
     @cached_property
     def size(self) -> float:
@@ -103,11 +107,6 @@ class Plan:
         for group in self.equations.equations.groups:
             there &= np.isfinite(self.nominal[group.closes])
         return int(np.argmax(there))
-
-    @cached_property
-    def reads(self) -> dict[str, tuple[str, ...]]:
-        """What each column reads of its row."""
-        return {equation.symbol: equation.reads for equation in self.equations.columns}
 
     @property
     def footer(self) -> str:
@@ -141,16 +140,15 @@ class Plan:
 def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     """The plan of a mechanism's workbook."""
     language = mechanism.language
-    titles = {
-        key: words(language, f"sheet.{key}")
-        for key in ("mechanism", "positions", "drawing", "checks", "notes", "recomputed", "description")
-    }
+    titles = {key: words(language, f"sheet.{key}") for key in SHEETS}
     values = driver_values(mechanism, dimension_values(mechanism))
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
-    plan = Plan(mechanism, lowered(mechanism, equations), language, at, rows, [float(value) for value in values])
-    _plan_names_and_blocks(plan)
+    assignments = lowered(mechanism, equations)
+    found = classification(mechanism, assignments)
+    plan = Plan(mechanism, assignments, language, at, rows, [float(value) for value in values], found)
     _plan_columns(plan)
+    _plan_names_and_blocks(plan)
     return plan
 
 
@@ -175,7 +173,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     derived = sorted((dim for dim in mechanism.dimensions if dim.derived), key=lambda dim: order[dim.symbol])
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
     taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
-    plan.next_row = 3
+    plan.next_row = FIRST_BLOCK
     _block(plan, "position", ["position", mechanism.driver.symbol, "status"])
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
     if not mechanism.driver.values:
@@ -187,7 +185,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
-    _block(plan, "stands", findings(mechanism, plan.equations).entries)
+    _block(plan, "verdicts", plan.found.entries)
     _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
     for dim in mechanism.dimensions:
         _place_dimension(plan, dim, taken)
@@ -209,6 +207,12 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _spot(plan, f"#summary {summary.symbol}", row, False, name, taken)
     name = safe_name(plan.text("name.position"), taken)
     _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
+    _spot(plan, "#verdict", VERDICT_ROW, False, safe_name("verdict", taken), taken, SYMBOL)
+    for key in plan.found.entries:
+        row = plan.blocks["verdicts"].rows[key]
+        _spot(plan, f"#{key}", row, False, safe_name(key, taken), taken)
+        if key in plan.found.placed:
+            _spot(plan, f"#{key}_at", row, False, safe_name(f"{key}_at", taken), taken, TOLERANCE)
 
 
 def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
@@ -217,12 +221,10 @@ def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
     _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit == "deg", name, taken)
 
 
-def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str]) -> None:
+def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str], col: int = VALUE) -> None:
     taken.add(folded(name))
-    spot = Spot(plan.main, row, VALUE, degrees=degrees, name=name)
-    plan.at.spots[symbol] = spot
-    plan.at.shown[symbol] = spot
-    plan.names.append(Name(name, plan.main, row, VALUE))
+    plan.at.spots[symbol] = Spot(plan.main, row, col, degrees=degrees, name=name)
+    plan.names.append(Name(name, plan.main, row, col))
 
 
 def _block(plan: Plan, key: str, entries: list[str]) -> Block:
@@ -235,83 +237,29 @@ def _block(plan: Plan, key: str, entries: list[str]) -> Block:
 
 
 def _plan_columns(plan: Plan) -> None:
-    mechanism, equations = plan.mechanism, plan.equations
-    symbol = mechanism.driver.symbol
-    columns = plan.columns
-    columns += [
-        TableColumn(NUMBER, "#number", "number", 0, False),
-        TableColumn(DRIVER, symbol, "driver", 0, False),
-        TableColumn(STATUS, "#status", "status", 0, False),
-        TableColumn(EXISTS, "#exists", "exists", 0, True),
-    ]
-    for column in columns:
-        plan.at.spots[column.symbol] = _table_spot(plan, column.col, mechanism.driver.unit == "deg")
-    plan.at.spots["#number"] = _table_spot(plan, NUMBER, False)
-    plan.at.spots["#exists"] = _table_spot(plan, EXISTS, False)
-    plan.at.shown |= {column.symbol: plan.at.spots[column.symbol] for column in columns}
-    if mechanism.driver.unit == "deg":
-        _add_column(plan, symbol, "equation", 0, inner=True, equation=None)
-        plan.at.shown[symbol] = _table_spot(plan, DRIVER, True)
-    for equation in equations.columns:
-        _plan_equation(plan, equation)
-    for of in dict.fromkeys(summary.of for summary in mechanism.summaries):
-        _add_column(plan, of, "blank", -1, inner=True, equation=None)
-    placed = (summary.of for summary in mechanism.summaries if summary.take in ("max", "min"))
-    for of in dict.fromkeys([*placed, *findings(mechanism, equations).extremes]):
-        _add_column(plan, of, "rounded", -1, inner=True, equation=None)
-
-
-def _plan_equation(plan: Plan, equation: Assignment) -> None:
-    """One column, or two: what formulas read (folded away), and what people read (degrees; #N/A where nothing exists)."""
-    if equation.role == "output":
-        in_degrees = next(out for out in plan.mechanism.outputs if out.symbol == equation.symbol).unit == "deg"
-        col = _add_column(plan, equation.symbol, "equation", -1, False, equation)
-        spot = _table_spot(plan, col, in_degrees)
-        plan.at.spots[equation.symbol] = plan.at.shown[equation.symbol] = spot
-        return
-    inner = equation.role == "intermediate"
-    degrees = plan.shown_in_degrees(equation.unit)
-    if not inner and (degrees or needs_guard(plan, equation.symbol)):
-        _add_column(plan, equation.symbol, "equation", equation.group, True, equation)
-        col = _add_column(plan, equation.symbol, "shown", equation.group, False, equation)
-        plan.at.shown[equation.symbol] = _table_spot(plan, col, degrees)
-        return
-    _add_column(plan, equation.symbol, "equation", equation.group, inner, equation)
-
-
-def needs_guard(plan: Plan, symbol: str) -> bool:
-    """True for a quantity that stays a number where some group cannot be closed: the crank's pin, another branch's points.
-
-    A row that does not exist must show no number at all, so such a column is shown through IF(exists, ...).
-    """
-    missing, reads = {group.closes for group in plan.equations.groups}, plan.reads
-    stack, seen = [symbol], {symbol}
-    while stack:
-        for name in reads.get(stack.pop(), ()):
-            if name not in seen:
-                seen.add(name)
-                stack.append(name)
-    return not missing <= seen
+    """One column a quantity: as people read it, and as formulas do."""
+    driver = plan.mechanism.driver
+    _add_column(plan, "#number", "number", 0, False)
+    _add_column(plan, driver.symbol, "driver", 0, driver.unit == "deg")
+    _add_column(plan, "#status", "status", 0, False)
+    for equation in plan.equations.columns:
+        output = next((out for out in plan.mechanism.outputs if out.symbol == equation.symbol), None)
+        if output is not None:
+            _add_column(plan, equation.symbol, "equation", -1, output.unit == "deg", equation)
+            continue
+        degrees = equation.role != "intermediate" and plan.shown_in_degrees(equation.unit)
+        _add_column(plan, equation.symbol, "equation", equation.group, degrees, equation)
 
 
 def _add_column(
     plan: Plan,
     symbol: str,
-    kind: Literal["equation", "shown", "blank", "rounded"],
+    kind: Literal["number", "driver", "status", "equation"],
     group: int,
-    inner: bool,
-    equation: Assignment | None,
-) -> int:
+    degrees: bool,
+    equation: Assignment | None = None,
+) -> None:
+    inner = equation is not None and equation.role == "intermediate"
     col = len(plan.columns)
     plan.columns.append(TableColumn(col, symbol, kind, group, inner, equation))
-    if kind == "equation":
-        spot = _table_spot(plan, col, False)
-        plan.at.spots[symbol] = spot
-        plan.at.shown[symbol] = spot
-    elif kind in ("blank", "rounded"):
-        plan.at.shown[f"#{kind} {symbol}"] = _table_spot(plan, col, False)
-    return col
-
-
-def _table_spot(plan: Plan, col: int, degrees: bool) -> Spot:
-    return Spot(plan.table, plan.at.first, col, column=True, degrees=degrees)
+    plan.at.spots[symbol] = Spot(plan.table, plan.at.first, col, column=True, degrees=degrees)

@@ -3,17 +3,29 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from collections.abc import Sequence
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, shifted, transform, walk
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import (
+    Binary,
+    Call,
+    CellRef,
+    Node,
+    Number,
+    RangeRef,
+    Symbol,
+    Text,
+    Unary,
+    shifted,
+    transform,
+)
 from mechsheet.formula.parser import parse_description
-from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import body_words
-from mechsheet.model import Quantity, Words
+from mechsheet.model import Quantity
 from mechsheet.sheet import styles
-from mechsheet.sheet.lowering import Assignment
-from mechsheet.sheet.mathematics import shortened, written
-from mechsheet.sheet.plan import DRIVER, EXISTS, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn, needs_guard
+from mechsheet.sheet.mathematics import written
+from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn, unit_text
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import (
     Area,
@@ -25,6 +37,7 @@ from mechsheet.sheet.workbook import (
     Fill,
     Merge,
     PrintSetup,
+    Rich,
     Sheet,
     Style,
 )
@@ -32,12 +45,15 @@ from mechsheet.sheet.workbook import (
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
 COLUMNS_OF_A_PAGE = 17
 """Columns that are still readable on one page of A4, landscape."""
-SERVING = ("blank", "rounded")
-"""The kinds of column that only serve summaries: folded away."""
-TOGETHER = 100
-"""Rows from which on LibreOffice computes columns together."""
-COMMENT_LIMIT = 60
-"""Formulas longer than this are shown shortened in the heading; the Notes sheet has them all."""
+
+CHARACTERS_OF_A_LINE = 15
+"""So many of the small characters of a formula stand in a line of a column of width 11."""
+
+LINE = 9.5
+"""Height of such a line."""
+
+FEWEST_LINES, MOST_LINES = 4, 12
+"""Lines of the row of formulas; a longer one makes its column wider."""
 
 
 def positions_sheet(plan: Plan) -> Sheet:
@@ -45,39 +61,41 @@ def positions_sheet(plan: Plan) -> Sheet:
     cells: list[Cell] = []
     fills: list[Fill] = []
     comments: list[Comment] = []
+    mathematics = {column.col: _mathematics(plan, column) for column in plan.columns}
     for column in plan.columns:
-        label, unit, formula = _heading(plan, column)
-        word = column.kind in ("number", "status", "exists")
-        heading = label if word else rich(label, f" [{unit}]" if unit else "")
-        cells.append(Cell(SYMBOL_ROW, column.col, heading, styles.HEAD))
+        cells.append(Cell(SYMBOL_ROW, column.col, heading(plan, column), styles.HEAD))
         if column.kind == "number":
             # The rules for colours read it here: other programs refuse a rule that reads another sheet.
-            shown = plan.at.reading_shown("#position", plan.table, None)
+            shown = plan.at.cell("#position", plan.table, None)
             fills.append(Fill(FORMULA_ROW, column.col, shown, styles.numbered(styles.FORMULA_TEXT, '"→ "0')))
+            comments.append(Comment(SYMBOL_ROW, column.col, plan.text("column.here")))
         else:
-            cells.append(Cell(FORMULA_ROW, column.col, formula, styles.FORMULA_TEXT))
-        words = _meaning(plan, column)
-        if words:
-            comments.append(Comment(SYMBOL_ROW, column.col, words))
-        column_cells, column_fills = _column(plan, column)
-        cells += column_cells
-        fills += column_fills
-    plan.proven[plan.table] = _proven(plan, fills)
+            cells.append(Cell(FORMULA_ROW, column.col, mathematics[column.col], styles.FORMULA_TEXT))
+        if column.equation is not None:
+            comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
+        if column.kind == "driver" and plan.mechanism.driver.values:
+            listed_cells, listed_fills = _listed_driver(plan)
+            cells += listed_cells
+            fills += listed_fills
+        else:
+            fills += column_fills(plan, column, plan.table, plan.at.first, plan.rows)
     merges = _group_headings(plan, cells)
     first, last, count = plan.at.first, plan.at.last, len(plan.columns)
+    widths = {column.col: _width(column, mathematics[column.col]) for column in plan.columns}
+    lines = max(_lines(mathematics[col], width) for col, width in widths.items())
     return Sheet(
         plan.table,
         tuple(cells),
         tuple(fills),
-        columns=_widths(plan),
-        row_heights=((SYMBOL_ROW, 30.0), (FORMULA_ROW, 48.0)),
+        columns=tuple(Column(col, col, width, level=_level(plan, col)) for col, width in widths.items()),
+        row_heights=((SYMBOL_ROW, 30.0), (FORMULA_ROW, LINE * max(FEWEST_LINES, min(MOST_LINES, lines)))),
         merges=tuple(merges),
-        conditionals=_conditionals(plan, Area(first, 0, last, count - 1)),
+        conditionals=_conditionals(Area(first, 0, last, count - 1), plan.text("status.ok")),
         comments=tuple(comments),
-        freeze=(HEADING_ROWS, EXISTS),
+        freeze=(HEADING_ROWS, STATUS + 1),
         selected=(first, DRIVER),
         print_setup=PrintSetup(
-            fit_width=1 + sum(column.kind not in SERVING for column in plan.columns) // COLUMNS_OF_A_PAGE,
+            fit_width=1 + count // COLUMNS_OF_A_PAGE,
             repeat_rows=(0, HEADING_ROWS - 1),
             repeat_cols=(NUMBER, DRIVER),
             footer=plan.footer,
@@ -86,186 +104,182 @@ def positions_sheet(plan: Plan) -> Sheet:
     )
 
 
-def _proven(plan: Plan, fills: list[Fill]) -> set[tuple[int, int]]:
-    """Where the columns begin that the sheet of checks holds against the geometry.
-
-    Outputs, words and what serves summaries are none of these, nor the start of a column that counts turns.
-    """
-    unproven = {column.col for column in plan.columns if column.kind in ("status", *SERVING)}
-    unproven |= {plan.at.shown[output.symbol].col for output in plan.mechanism.outputs}
-    return {(fill.row, fill.col) for fill in fills if fill.rows > 1 and fill.col not in unproven}
+# --- formulas --------------------------------------------------------------------------------------------------------
 
 
-def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, Content]:
-    """(symbol, unit, formula for people) over a column."""
-    driver = plan.mechanism.driver
-    match column.kind:
-        case "number":
-            return plan.text("head.number"), "", ""
-        case "status":
-            return plan.text("head.status"), "", ""
-        case "exists":
-            return plan.text("head.exists"), "", ""
-        case "driver":
-            stepping = f"{plan.text('name.start')} + n·{plan.text('name.step')}"
-            return column.symbol, _driver_unit(plan), "" if driver.values else stepping
-        case "blank" | "rounded":
-            return column.symbol, blank_unit(plan, column.symbol), plan.text(f"column.{column.kind}")
-        case "shown":
-            unit = _unit_of(plan, column.symbol)
-            key = "column.shown" if plan.at.shown[column.symbol].degrees else "column.guarded"
-            return column.symbol, plan.unit_shown(unit), plan.text(key)
-    if column.equation is None:  # the driver in radians
-        return column.symbol, "rad", plan.text("column.radians")
-    unit = column.equation.unit
-    if column.equation.role == "output":
-        shown = _output_unit(plan, column.symbol)
-    else:
-        shown = "rad" if unit == "angle" else plan.unit_shown(unit)
-    return column.symbol, shown, shortened(written(column.equation.expression, plan.language), COMMENT_LIMIT)
-
-
-def _unit_of(plan: Plan, symbol: str) -> str:
-    found = [equation.unit for equation in plan.equations.columns if equation.symbol == symbol]
-    return found[0] if found else "angle"
-
-
-def blank_unit(plan: Plan, symbol: str) -> str:
-    """The unit of a column that repeats another: radians for an angle that people do not read."""
-    unit = _unit_of(plan, symbol)
-    return "rad" if unit == "angle" and not plan.at.shown[symbol].degrees else plan.unit_shown(unit)
-
-
-def digits_kept(plan: Plan, symbol: str) -> int:
-    """Decimals that leave a column about twelve digits: of a length, twelve digits of the largest length."""
-    unit = blank_unit(plan, symbol)
-    if _unit_of(plan, symbol) == "length":
-        return max(0, 12 - math.ceil(math.log10(plan.size)))
-    return {"°": 9, "rad": 11}.get(unit, 10)
-
-
-def _output_unit(plan: Plan, symbol: str) -> str:
-    unit = next(output.unit for output in plan.mechanism.outputs if output.symbol == symbol)
-    return {"deg": "°", "1": ""}.get(unit, unit)
-
-
-def _driver_unit(plan: Plan) -> str:
-    return {"deg": "°"}.get(plan.mechanism.driver.unit, plan.mechanism.driver.unit)
-
-
-def _meaning(plan: Plan, column: TableColumn) -> str:
-    if column.kind == "number":
-        return plan.text("column.here")
-    if column.equation is None:
-        return ""
-    label: Words = column.equation.label
-    return label.of(plan.language)
-
-
-def _column(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
+def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: int) -> list[Fill]:
+    """The formulas of a column in so many rows of a sheet."""
+    style = _style(plan, column)
     match column.kind:
         case "number":
             # counted from the heading: rows may be inserted above the table
-            heading = Call("ROW", (CellRef(FORMULA_ROW, NUMBER, True, True),))
-            formula = Binary("-", Binary("-", Call("ROW"), heading), Number(1.0))
-            return [], [_fill(plan, NUMBER, formula, _decimals(styles.INNER, 0))]
+            above = CellRef(first - 1, NUMBER, True, True)
+            return [Fill(first, NUMBER, formula("ROW()-ROW(above)-1", above=above), style, rows=rows)]
         case "driver":
-            return _driver_column(plan)
+            number = CellRef(first, NUMBER, col_abs=True)
+            stepped = plan.at.bind(formula("_start+number*_step", number=number), sheet)
+            return [Fill(first, DRIVER, stepped, style, rows=rows)]
         case "status":
-            return [], [_fill(plan, STATUS, _status(plan), styles.STATUS)]
-        case "exists":
-            return [], [_fill(plan, EXISTS, _exists(plan), _decimals(styles.INNER, 0))]
-        case "shown":
-            return [], _guarded_fills(plan, column.col, _shown(plan, column), _shown_style(plan, column))
-        case "blank" | "rounded":
-            value = plan.at.reading_shown(column.symbol, plan.table, plan.at.first)
-            if column.symbol == plan.mechanism.driver.symbol:  # a number in every row
-                value = _guarded(plan, value)
-            digits = Number(float(digits_kept(plan, column.symbol)))
-            kept = Call("ROUND", (value, digits)) if column.kind == "rounded" else value
-            node = Call("IF", (Call("ISNUMBER", (value,)), kept, Text("")))
-            return [], [_fill(plan, column.col, node, styles.INNER)]
+            return [Fill(first, STATUS, plan.at.bind(status(plan), sheet, first), style, rows=rows)]
     if column.equation is None:
-        cell = CellRef(plan.at.first, DRIVER)
-        return [], [_fill(plan, column.col, Call("RADIANS", (cell,)), _decimals(styles.INNER, 4))]
-    return [], _equation_column(plan, column, column.equation)
-
-
-def _shown(plan: Plan, column: TableColumn) -> Node:
-    """What people read: the angle in degrees, and no number in a row that does not exist."""
-    value = plan.at.reference(column.symbol, plan.table, plan.at.first)
-    if plan.at.shown[column.symbol].degrees:
-        value = Call("DEGREES", (value,))
-    return _guarded(plan, value) if needs_guard(plan, column.symbol) else value
-
-
-def _guarded(plan: Plan, value: Node) -> Node:
-    exists = CellRef(plan.at.first, EXISTS, col_abs=True)
-    return Call("IF", (Binary("=", exists, Number(1.0)), value, Call("NA")))
-
-
-def _guarded_fills(plan: Plan, col: int, formula: Node, style: Style) -> list[Fill]:
-    """A column that asks whether the row exists; in long tables its first row does so without `$`.
-
-    LibreOffice computes neighbouring columns of equal formulas together from a hundred rows on. Whether a row exists
-    depends on the columns left and right of this one: it must not be taken together with them (Err:522 in the first row).
-    """
-    exists = CellRef(plan.at.first, EXISTS, col_abs=True)
-    asks = any(part == exists for part in walk(formula))
-    if plan.rows < TOGETHER or not asks:
-        return [_fill(plan, col, formula, style)]
-    apart = transform(formula, lambda part: replace(exists, col_abs=False) if part == exists else part)
-    return [Fill(plan.at.first, col, apart, style), _fill(plan, col, shifted(formula, 1), style, skip=1)]
-
-
-def _shown_style(plan: Plan, column: TableColumn) -> Style:
-    unit = column.equation.unit if column.equation else "angle"
-    return _decimals(styles.COLUMN, places(plan, unit))
-
-
-def _fill(plan: Plan, col: int, formula: Node, style: Style, skip: int = 0) -> Fill:
-    return Fill(plan.at.first + skip, col, formula, style, rows=plan.rows - skip)
-
-
-def _equation_column(plan: Plan, column: TableColumn, equation: Assignment) -> list[Fill]:
-    first = plan.at.first
-    inner = column.inner
-    unit = equation.unit
-    digits = 4 if unit == "angle" and inner else places(plan, unit)
-    style = _decimals(styles.INNER if inner else styles.COLUMN, digits)
-    expression = equation.expression
-    if equation.role == "output" and plan.at.spots[column.symbol].degrees:
-        expression = Call("DEGREES", (expression,))
-    if equation.role == "output" and needs_guard(plan, column.symbol):
-        expression = _guarded(plan, expression)
-    if equation.first is None:
-        return _guarded_fills(plan, column.col, plan.at.bind(expression, plan.table, first), style)
-    start = Fill(first, column.col, plan.at.bind(equation.first, plan.table, first), style)
-    if plan.rows == 1:
+        raise ValueError(f"a column without an equation: {column.symbol}")
+    value = cell_formula(plan, column, column.equation.expression, sheet, first)
+    if column.equation.first is None:
+        return [Fill(first, column.col, value, style, rows=rows)]
+    start = Fill(first, column.col, cell_formula(plan, column, column.equation.first, sheet, first), style)
+    if rows == 1:
         return [start]
-    return [start, _fill(plan, column.col, plan.at.bind(expression, plan.table, first + 1), style, skip=1)]
+    return [start, Fill(first + 1, column.col, shifted(value, 1), style, rows=rows - 1)]
 
 
-def _driver_column(plan: Plan) -> tuple[list[Cell], list[Fill]]:
-    """start + n step, filled down: no drift, as a running sum would have; or the listed values as inputs."""
+def cell_formula(plan: Plan, column: TableColumn, expression: Node, sheet: str, row: int) -> Node:
+    """What a cell of the column holds in a row that stands for one position."""
+    value = transform(plan.at.bind(expression, sheet, row), _degrees_together)
+    return in_degrees(value) if plan.at.spots[column.symbol].degrees else value
+
+
+def _degrees_together(node: Node) -> Node:
+    """RADIANS(a) + RADIANS(b) as RADIANS(a + b)."""
+    match node:
+        case Binary("+" | "-" as sign, Call("RADIANS", (one,)), Call("RADIANS", (other,))):
+            return Call("RADIANS", (Binary(sign, one, other),))
+    return node
+
+
+def in_degrees(node: Node) -> Node:
+    """An angle in degrees: angles that are read in degrees are added as they are."""
+    match node:
+        case Call("RADIANS", (angle,)):
+            return angle
+        case Unary("-", angle):
+            return Unary("-", in_degrees(angle))
+        case Number(value):
+            return Number(float(f"{math.degrees(value):.15g}"))
+        case Call("IF", (test, Call("NA", ()), value)):
+            return Call("IF", (test, Call("NA"), in_degrees(value)))
+        case Binary("+" | "-" as sign, left, right) if _reads_degrees(left) or _reads_degrees(right):
+            return Binary(sign, in_degrees(left), in_degrees(right))
+    return Call("DEGREES", (node,))
+
+
+def _reads_degrees(node: Node) -> bool:
+    match node:
+        case Call("RADIANS", _):
+            return True
+        case Unary("-", angle):
+            return _reads_degrees(angle)
+        case Binary("+" | "-", left, right):
+            return _reads_degrees(left) or _reads_degrees(right)
+    return False
+
+
+def status(plan: Plan) -> Node:
+    """ "ok", or the first group that cannot be joined."""
+    closing = [formula("ISNUMBER(value)", value=Symbol(group.closes)) for group in plan.equations.groups]
+    if not closing:
+        return Text(plan.text("status.ok"))
+    if len(closing) == 1:
+        return formula(
+            "IF(closes,ok,reason)", closes=closing[0], ok=plan.text("status.ok"), reason=status_words(plan)[0]
+        )
+    top, bottom = plan.at.spots["#reason_0"], plan.at.spots[f"#reason_{len(closing)}"]
+    reasons = RangeRef(
+        CellRef(top.row, top.col, True, True, top.sheet), CellRef(bottom.row, bottom.col, True, True, top.sheet)
+    )
+    return formula("INDEX(reasons,first_open)", reasons=reasons, first_open=first_open(closing))
+
+
+def first_open(closing: Sequence[Node]) -> Node:
+    """The number of the first group that is open, from 1; one more than there are where all close.
+
+    1 + c1 (1 + c2 (1 + ...)), each c TRUE or FALSE.
+    """
+    count: Node = al.ONE
+    for closes in reversed(closing):
+        count = formula("1+closes*count", closes=closes, count=count)
+    return count
+
+
+def status_words(plan: Plan) -> list[str]:
+    """What the table says where a group cannot be joined, in order of solution."""
+    found = []
+    for group in plan.equations.groups:
+        links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
+        found.append(plan.text("status.open", links=links))
+    return found
+
+
+def _listed_driver(plan: Plan) -> tuple[list[Cell], list[Fill]]:
+    """The listed values of the driver as inputs."""
     driver = plan.mechanism.driver
-    digits = 6 if driver.values else places(plan, "angle" if driver.unit == "deg" else "length")
-    if not driver.values:
-        start = plan.at.reading_shown("#start", plan.table, None)
-        step = plan.at.reading_shown("#step", plan.table, None)
-        formula = Binary("+", start, Binary("*", CellRef(plan.at.first, NUMBER, col_abs=True), step))
-        return [], [_fill(plan, DRIVER, formula, _decimals(styles.COLUMN, digits))]
     cells: list[Cell] = []
     fills: list[Fill] = []
-    for index, value in enumerate(driver.values):
-        row = plan.at.first + index
+    for row, value in enumerate(driver.values, plan.at.first):
         if isinstance(value, str):
             node = plan.at.bind(parse_description(value), plan.table, row)
-            node = Call("DEGREES", (node,)) if driver.unit == "deg" else node
-            fills.append(Fill(row, DRIVER, node, styles.COLUMN))
+            fills.append(Fill(row, DRIVER, in_degrees(node) if driver.unit == "deg" else node, styles.COLUMN))
         else:
             cells.append(Cell(row, DRIVER, shown_number(value, driver.unit == "deg"), styles.INPUT))
     return cells, fills
+
+
+# --- what stands over the columns ------------------------------------------------------------------------------------
+
+
+def heading(plan: Plan, column: TableColumn) -> Content:
+    """Symbol and unit, or a word."""
+    if column.kind in ("number", "status"):
+        return plan.text(f"head.{column.kind}")
+    unit = column_unit(plan, column)
+    return rich(column.symbol, f" [{unit}]" if unit else "")
+
+
+def column_unit(plan: Plan, column: TableColumn) -> str:
+    """The unit in which a column stands in the table."""
+    if column.equation is None:
+        return unit_text(plan.mechanism.driver.unit)
+    if column.equation.role == "output":
+        return unit_text(next(out.unit for out in plan.mechanism.outputs if out.symbol == column.symbol))
+    if column.equation.unit == "angle":
+        return "°" if plan.at.spots[column.symbol].degrees else "rad"
+    return plan.unit_shown(column.equation.unit)
+
+
+def _mathematics(plan: Plan, column: TableColumn) -> Rich | str:
+    """The formula as people write it."""
+    if column.kind == "driver" and not plan.mechanism.driver.values:
+        return f"{plan.text('name.start')} + n·{plan.text('name.step')}"
+    return "" if column.equation is None else written(column.equation.says, plan.language)
+
+
+def _width(column: TableColumn, mathematics: Rich | str) -> float:
+    """Wide enough for the formula over it in the lines that there are."""
+    fixed = {NUMBER: 5.0, DRIVER: 9.0, STATUS: 16.0}
+    length = len(mathematics.plain if isinstance(mathematics, Rich) else mathematics)
+    return fixed.get(column.col, max(11.0, 11.0 * length / (CHARACTERS_OF_A_LINE * (MOST_LINES - 1))))
+
+
+def _lines(mathematics: Rich | str, width: float) -> int:
+    length = len(mathematics.plain if isinstance(mathematics, Rich) else mathematics)
+    return 1 + math.ceil(length / (CHARACTERS_OF_A_LINE * width / 11.0))
+
+
+def _level(plan: Plan, col: int) -> int:
+    """Intermediate columns can be folded away."""
+    return 1 if plan.columns[col].inner else 0
+
+
+def _style(plan: Plan, column: TableColumn) -> Style:
+    if column.kind == "number":
+        return _decimals(styles.INNER, 0)
+    if column.kind == "status":
+        return styles.STATUS
+    if column.equation is None:
+        return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit == "deg" else "length"))
+    unit = column.equation.unit
+    if column.inner:
+        return _decimals(styles.INNER, 4 if unit == "angle" else places(plan, unit))
+    return _decimals(styles.COLUMN, places(plan, unit))
 
 
 def shown_number(value: Quantity, degrees: bool) -> float:
@@ -294,36 +308,6 @@ def _decimals(style: Style, count: int) -> Style:
     return styles.decimals(style, count)
 
 
-def _closing(plan: Plan, group: Group) -> Node:
-    return Call("ISNUMBER", (plan.at.reference(group.closes, plan.table, plan.at.first),))
-
-
-def _exists(plan: Plan) -> Node:
-    """1 in a row that every group closes, else 0."""
-    tests = tuple(_closing(plan, group) for group in plan.equations.groups)
-    if not tests:
-        return Number(1.0)
-    test = tests[0] if len(tests) == 1 else Call("AND", tests)
-    return Call("IF", (test, Number(1.0), Number(0.0)))
-
-
-def _status(plan: Plan) -> Node:
-    """The first group that does not close, in words; "ok" when all do."""
-    node: Node = Text(plan.text("status.ok"))
-    for group in reversed(plan.equations.groups):
-        node = Call("IF", (_closing(plan, group), node, _status_word(plan, group)))
-    return node
-
-
-def _status_word(plan: Plan, group: Group) -> Node:
-    links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
-    open_ = Text(plan.text("status.open", links=links))
-    if group.degenerate is None:
-        return open_
-    undetermined = Text(plan.text("status.undetermined", links=links))
-    return Call("IF", (plan.at.bind(group.degenerate, plan.table, plan.at.first), undetermined, open_))
-
-
 def _group_headings(plan: Plan, cells: list[Cell]) -> list[Merge]:
     """A heading over the columns of each group."""
     merges = []
@@ -349,25 +333,15 @@ def group_title(plan: Plan, number: int) -> str:
     return f"{plan.text('group')} {number} ({group.kind}): {group.label.of(plan.language)}"
 
 
-def _widths(plan: Plan) -> tuple[Column, ...]:
-    """Widths; intermediate columns can be folded away, those that only serve summaries are folded away."""
-    fixed = {NUMBER: 5.0, DRIVER: 9.0, STATUS: 16.0}
-    widths = []
-    for column in plan.columns:
-        serving = column.kind in SERVING
-        width = fixed.get(column.col, 11.0)
-        widths.append(Column(column.col, column.col, width, level=1 if column.inner else 0, hidden=serving))
-    if plan.columns[-1].kind in SERVING:
-        widths.append(Column(len(plan.columns), len(plan.columns), 3.0, collapsed=True))
-    return tuple(widths)
-
-
-def _conditionals(plan: Plan, area: Area) -> tuple[Conditional, ...]:
+def _conditionals(area: Area, ok: str) -> tuple[Conditional, ...]:
     """The row of the position shown stands out; rows without a position are grey."""
-    row = plan.at.first
-    exists = CellRef(row, EXISTS, col_abs=True)
-    here = Binary("=", CellRef(row, NUMBER, col_abs=True), CellRef(FORMULA_ROW, NUMBER, True, True))
+    row = area.first_row
+    number, shown, status_cell = (
+        CellRef(row, NUMBER, col_abs=True),
+        CellRef(FORMULA_ROW, NUMBER, True, True),
+        CellRef(row, STATUS, col_abs=True),
+    )
     return (
-        Conditional(area, here, styles.CURRENT),
-        Conditional(area, Binary("=", exists, Number(0.0)), styles.MISSING),
+        Conditional(area, formula("number=shown", number=number, shown=shown), styles.CURRENT),
+        Conditional(area, formula("said<>ok", said=status_cell, ok=ok), styles.MISSING),
     )

@@ -17,7 +17,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.frames import CHART_X, CHART_Y, FIRST, INK, NAME, NUMBER_STYLE, SECOND, SIXTH, Frame, Page
 from mechsheet.sheet.outlines import block_has_line, line_end
 from mechsheet.sheet.points import PointCells
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Fill, Series
 
 BLOCK_LENGTH, BLOCK_HEIGHT = 0.075, 0.045
@@ -134,9 +134,10 @@ def slot(page: Page, name: str, guide: Guide, base: PointCells, color: str) -> S
 
 
 def write_guide(
-    page: Page, frame: Frame, joint: Joint, through: tuple[Node, Node], direction: Node, s: CellRef
-) -> Guide:
-    """The row of a sliding joint; its nodes are bound to this sheet already."""
+    page: Page, frame: Frame, joint: Joint, through: tuple[Node, Node], direction: Node, s: CellRef,
+    reach: tuple[Node, Node],
+) -> Guide:  # fmt: skip
+    """The row of a sliding joint; its nodes are bound to this sheet already. `reach`: its least and largest displacement."""
     mechanism = page.plan.mechanism
     page.put(NAME, rich(joint.symbol), styles.SYMBOL)
     angle = page.formula(FIRST, direction)
@@ -144,7 +145,7 @@ def write_guide(
     sine = page.formula(SIXTH, Call("SIN", (angle,)))
     x = page.formula(CHART_X, frame.chart_x(through[0]))
     y = page.formula(CHART_Y, frame.chart_y(through[1]))
-    least, most = page.extremes(plain(joint.symbol), [page.read(joint.symbol)])
+    least, most = reach
     if block_has_line(mechanism, joint):
         least, most = al.sub(s, most), al.sub(s, least)
     start = page.formula(SIXTH + 1, al.sub(al.div(least, frame.half), Number(PAD)))

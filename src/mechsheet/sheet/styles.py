@@ -44,6 +44,11 @@ COLUMN = Style("mechsheet column", color=INK, align="right")
 INNER = Style("mechsheet inner column", color=QUIET, align="right")
 STATUS = Style("mechsheet status", color=INK, align="left", indent=1)
 VERDICT = Style("mechsheet verdict", color=INK, border="thin", border_color=RULE, align="left", indent=1)
+LINE = Style(
+    "mechsheet verdict line", bold=True, color=INK, fill=DERIVED_FILL, border="thin", border_color=RULE, align="left",
+    valign="center", wrap=True, indent=1,
+)  # fmt: skip
+LEGEND = Style("mechsheet legend", color=QUIET, size=8, align="left", indent=1)
 VERDICT_MIDDLE = Style("mechsheet verdict centred", color=INK, border="thin", border_color=RULE, align="center")
 ERROR = Style("mechsheet error", color=INK, align="right", number_format="0.0E+00")
 GOOD = Style("mechsheet good", color="1B5E20", fill=GOOD_FILL, bold=True)

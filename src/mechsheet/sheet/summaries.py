@@ -1,13 +1,14 @@
-"""The block of summaries on the first sheet: one number of a whole sweep, and the driver's value where it occurs."""
+"""The block of summaries on the first sheet: one number of the whole motion, and the driver's value where it occurs."""
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
+from mechsheet.formula.nodes import CellRef, Node, Symbol
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer, shown_unit, value_style
+from mechsheet.sheet.limits import STRETCHES
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
-from mechsheet.sheet.rows import first_row, last_row
+from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Area, Conditional
 
@@ -19,72 +20,71 @@ def write_summaries(writer: Writer) -> None:
         return
     writer.heading("summary", plan.text("head.at"))
     for summary in plan.mechanism.summaries:
-        row = plan.blocks["summary"].rows[summary.symbol]
-        label = (
-            summary.label.of(plan.language)
-            if summary.label
-            else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
-        )
-        writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
-        writer.formula(row, MEANING, _meaning(plan, summary, label), styles.LABEL)
-        partial = Binary("<>", CellRef(row, MEANING, True, True), Text(label))
-        writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
-        driver = plan.mechanism.driver.symbol
-        unit = "angle" if summary.of == driver else plan.equations.of(summary.of).unit
-        writer.formula(row, VALUE, _where_any(plan, summary, _summary(plan, summary)), value_style(plan, unit))
-        where = _where(plan, summary)
-        if where is not None:
-            writer.formula(row, TOLERANCE, _where_any(plan, summary, where), value_style(plan, "angle"))
+        _write(writer, summary)
 
 
-def values_of(plan: Plan, summary: Summary, sheet: str) -> RangeRef:
-    """The column of a summary: values, or empty texts in rows without one, which MAX, MIN and AVERAGE pass over."""
-    return plan.at.area(plan.at.shown[f"#blank {summary.of}"], sheet)
-
-
-def _where_any(plan: Plan, summary: Summary, node: Node) -> Node:
-    """#N/A over nothing: MAX and MIN would say 0, which somebody who looks for the smallest would take."""
-    nothing = Binary("=", Call("COUNT", (values_of(plan, summary, plan.main),)), Number(0.0))
-    return Call("IF", (nothing, Call("NA"), node))
-
-
-def _meaning(plan: Plan, summary: Summary, label: str) -> Node:
-    """What it is; where only a part of the sweep has a value, of how many positions."""
-    count = Call("COUNT", (values_of(plan, summary, plan.main),))
+def _write(writer: Writer, summary: Summary) -> None:
+    plan = writer.plan
+    row = plan.blocks["summary"].rows[summary.symbol]
+    label = (
+        summary.label.of(plan.language)
+        if summary.label
+        else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
+    )
+    closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
     before, after = plan.text("summary.part", count="#", rows=plan.rows).split("#")
-    part = Binary("&", Binary("&", Text(f"{label}: {before}"), count), Text(after))
-    return Call("IF", (Binary("=", count, Number(float(plan.rows))), Text(label), part))
+    part = joined(f"{label}: {before}", closed, after)
+    words = formula("IF(closed=rows,label,part)", closed=closed, rows=plan.rows, label=label, part=part)
+    writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
+    writer.formula(row, MEANING, words, styles.LABEL)
+    partial = formula("words<>label", words=CellRef(row, MEANING, True, True), label=label)
+    writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
+    driver = plan.mechanism.driver.symbol
+    unit = "angle" if summary.of == driver else plan.equations.of(summary.of).unit
+    value, where = _of(plan, summary)
+    # over nothing: no number, and no 0 that somebody who looks for the smallest would take
+    found = formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=closed, value=value)
+    writer.formula(row, VALUE, plan.at.bind(found, plan.main), value_style(plan, unit))
+    if where is not None:
+        found = formula("IF(closed=0,NA(),IFERROR(where,NA()))", closed=closed, where=where)
+        writer.formula(row, TOLERANCE, plan.at.bind(found, plan.main), value_style(plan, "angle"))
 
 
-def _summary(plan: Plan, summary: Summary) -> Node:
-    """The number."""
-    area = values_of(plan, summary, plan.main)
-    shown = plan.at.column(summary.of, plan.main)
+def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
+    """The number, and the driver's value where it occurs."""
+    driver = plan.mechanism.driver.symbol
+    column, drivers = Symbol(ALL + summary.of), Symbol(ALL + driver)
+    extremes = {way: Symbol(f"#{way}_{summary.of}") for way in ("min", "max")}
+    at = {way: Symbol(f"#{way}_at_{summary.of}") for way in ("min", "max")}
+    if summary.of == driver and summary.take in ("min", "max", "range"):
+        extremes = {way: formula(f"{way.upper()}(drivers)", drivers=drivers) for way in ("min", "max")}
+        at = extremes
+    last = formula("MAX(rows)", rows=_ends(plan, "last"))
     match summary.take:
-        case "max":
-            return Call("MAX", (area,))
-        case "min":
-            return Call("MIN", (area,))
+        case "min" | "max" as way:
+            return extremes[way], at[way]
         case "range":
-            return Binary("-", Call("MAX", (area,)), Call("MIN", (area,)))
+            return formula("high-low", high=extremes["max"], low=extremes["min"]), None
         case "mean":
-            return Call("AVERAGE", (area,))
+            return _mean(plan, column), None
         case "first":
-            return Call("INDEX", (shown, first_row(plan)))
+            return (
+                formula("INDEX(column,_first_1)", column=column),
+                formula("INDEX(drivers,_first_1)", drivers=drivers),
+            )
         case "last":
-            return Call("INDEX", (shown, last_row(plan)))
+            return (
+                formula("INDEX(column,last)", column=column, last=last),
+                formula("INDEX(drivers,last)", drivers=drivers, last=last),
+            )
 
 
-def _where(plan: Plan, summary: Summary) -> Node | None:
-    """The driver's value where it occurs."""
-    drivers = plan.at.column(plan.mechanism.driver.symbol, plan.main)
-    match summary.take:
-        case "max" | "min":
-            area = plan.at.area(plan.at.shown[f"#rounded {summary.of}"], plan.main)
-            extreme = Call(summary.take.upper(), (area,))
-            return Call("INDEX", (drivers, Call("MATCH", (extreme, area, Number(0.0)))))
-        case "first":
-            return Call("INDEX", (drivers, first_row(plan)))
-        case "last":
-            return Call("INDEX", (drivers, last_row(plan)))
-    return None
+def _ends(plan: Plan, key: str) -> Node:
+    cells = [plan.at.cell(f"#{key}_{number}", plan.main, None) for number in (1, STRETCHES)]
+    return formula("top:bottom", top=cells[0], bottom=cells[1])
+
+
+def _mean(plan: Plan, column: Node) -> Node:
+    """The mean of the rows that exist."""
+    said, ok = Symbol(f"{ALL}#status"), plan.text("status.ok")
+    return formula("AVERAGEIF(said,ok,column)", said=said, ok=ok, column=column)

@@ -20,9 +20,8 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import input_validation, shown_unit
 from mechsheet.sheet.charts import driver_axis
 from mechsheet.sheet.expansion import Expansion, definitions, expand, needed, varying
-from mechsheet.sheet.plan import Plan, needs_guard, unit_text
+from mechsheet.sheet.plan import Plan, unit_text
 from mechsheet.sheet.positions import places, shown_number
-from mechsheet.sheet.rows import first_row
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.windows import WINDOWED, Window, windows_of, with_continued
 from mechsheet.sheet.workbook import (
@@ -99,7 +98,7 @@ class _Table:
         style = styles.decimals(styles.COLUMN, places(plan, self._unit(self.request.value)))
         value = self._fill(1, expansion.formula, style)
         cells, fills = self._head()
-        driver = plan.at.reading_shown(plan.mechanism.driver.symbol, self.title, plan.at.first)
+        driver = plan.at.cell(plan.mechanism.driver.symbol, self.title, plan.at.first)
         fills.append(Fill(FIRST, 0, driver, styles.decimals(styles.HEAD, self._driver_places()), rows=plan.rows))
         fills.append(value)
         for index, (symbol, formula) in enumerate(expansion.helpers):
@@ -167,25 +166,24 @@ class _Table:
         back to the first row; with no such row what it is with the dimensions as described."""
         plan, window = self.plan, self.windows[symbol]
         driver = plan.mechanism.driver.symbol
-        row = first_row(plan)
-        angle: Node = Call("INDEX", (plan.at.area(plan.at.spots[symbol], self.title), row))
+        row = plan.at.cell("#first_1", self.title, None)
+        angle = self._there(symbol, row)
         if window.slope:
-            there = Call("INDEX", (plan.at.area(plan.at.spots[driver], self.title), row))
+            there = self._there(driver, row)
             way = al.sub(there, self._bound(FIRST_DRIVER))
             angle = al.sub(angle, al.mul(al.number(window.slope), way))
         return Call("IFERROR", (angle, Number(round(window.centre + window.slope * plan.driver[0], 6))))
 
+    def _there(self, symbol: str, row: Node) -> Node:
+        """An angle [rad] in a row of the table of positions."""
+        value = Call("INDEX", (self.plan.at.column(symbol, self.title), row))
+        return Call("RADIANS", (value,)) if self.plan.at.spots[symbol].degrees else value
+
     def _cell(self, rules: Mapping[str, Node]) -> Node:
-        """The value as people read it; no number where a group that it does not depend on cannot be closed."""
+        """The value as people read it."""
         symbol = WINDOWED.format(symbol=self.request.value)
         value: Node = Symbol(symbol if symbol in rules else self.request.value)
-        if self._in_degrees():
-            value = Call("DEGREES", (value,))
-        if not needs_guard(self.plan, self.request.value):
-            return value
-        tests = tuple(Call("ISNUMBER", (Symbol(group.closes),)) for group in self.plan.equations.groups)
-        test = tests[0] if len(tests) == 1 else Call("AND", tests)
-        return Call("IF", (test, value, Call("NA")))
+        return Call("DEGREES", (value,)) if self.plan.at.spots[self.request.value].degrees else value
 
     def _bound(self, symbol: str) -> Node:
         """The cell of a leaf as the top-left cell of a block reads it."""
@@ -208,12 +206,6 @@ class _Table:
 
     def _helper_col(self, index: int) -> int:
         return self.helpers_at + index * (self.count + 1)
-
-    def _in_degrees(self) -> bool:
-        for output in self.plan.mechanism.outputs:
-            if output.symbol == self.request.value:
-                return output.unit == "deg"
-        return self.plan.shown_in_degrees(self._unit(self.request.value))
 
     def _unit(self, symbol: str) -> str:
         if symbol == self.plan.mechanism.driver.symbol:

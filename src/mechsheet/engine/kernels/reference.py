@@ -95,10 +95,22 @@ def _formula_at(ev: Evaluator, span: Span) -> tuple[Node, bool] | None:
     return shifted(block.formula, span.row - block.row, span.col - block.col), False
 
 
-def isformula(ev: Evaluator, args: Args, frame: Frame) -> Cells:
-    """ISFORMULA: whether a cell holds a formula."""
+def isformula(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    """ISFORMULA: whether a cell holds a formula; where arrays are taken, of each cell of a range."""
+    if frame.rows > 1 or frame.cols > 1:
+        raise VaryingSizeError
     span = _first(ev, args[0], frame)
-    return boolean(np.bool_(_formula_at(ev, span) is not None)) if isinstance(span, Span) else span
+    if not isinstance(span, Span):
+        return span
+    if not spread or span.height * span.width == 1:
+        return boolean(np.bool_(_formula_at(ev, span) is not None))
+    found = np.zeros((span.height, span.width), dtype=np.bool_)
+    for block in ev.around.book.sheets[span.sheet].blocks:
+        whole = block.kind in ("fill", "array")  # of others the first cell alone holds the formula
+        rows, cols = (block.rows, block.cols) if whole else (1, 1)
+        top, left = block.row - span.row, block.col - span.col
+        found[max(0, top) : max(0, top + rows), max(0, left) : max(0, left + cols)] = True
+    return boolean(found[:, :, np.newaxis, np.newaxis])
 
 
 def formulatext(ev: Evaluator, args: Args, frame: Frame) -> Cells:
@@ -194,6 +206,6 @@ def info(ev: Evaluator, args: Args, frame: Frame) -> Cells:
 KERNELS: dict[str, Any] = {
     "OFFSET": _region("OFFSET"), "INDIRECT": _region("INDIRECT"), "ANCHORARRAY": _region("ANCHORARRAY"),
     "SINGLE": single, "AREAS": _cell_by_cell(areas), "ISREF": _cell_by_cell(isref),
-    "ISFORMULA": _cell_by_cell(isformula), "FORMULATEXT": _cell_by_cell(formulatext), "SHEET": _cell_by_cell(sheet),
+    "ISFORMULA": isformula, "FORMULATEXT": _cell_by_cell(formulatext), "SHEET": _cell_by_cell(sheet),
     "SHEETS": _cell_by_cell(sheets), "CELL": _cell_by_cell(cell), "INFO": _cell_by_cell(info),
 }  # fmt: skip

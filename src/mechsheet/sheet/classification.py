@@ -1,6 +1,6 @@
 """What the first sheet can say about a mechanism: four-bar loops, links that swing or turn, slides, force transmission.
 
-Found in the mechanism and its groups, before any cell has a place; `stands` writes it down as live formulas.
+Found in the mechanism and its groups, before any cell has a place; `verdicts` writes it down as live formulas.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from itertools import combinations
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Joint, Link, Mechanism
 from mechsheet.sheet.lowering import Assignments
-from mechsheet.sheet.reach import Reach, reach_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,16 +36,14 @@ class FourBar:
 
 
 @dataclass(frozen=True, slots=True)
-class Findings:
+class Classification:
     """All that can be said.
 
     swings        links pivoted to the ground, without the driven one
     strokes       sliding joints on the ground, without the driven one
     returning     symbols of those swings and strokes that move nothing further; they have a time ratio if the driver turns
     transmission  groups that have an angle of transmission
-    reach         what the first group's closing depends on, where that is one length; then the driver's range is known
-    limits        True where some group can stop closing
-    meets         True where some group has two assemblies, which may meet
+    limits        True where some group can come apart
     """
 
     four_bars: tuple[FourBar, ...]
@@ -54,22 +51,24 @@ class Findings:
     strokes: tuple[Joint, ...]
     returning: tuple[str, ...]
     transmission: tuple[Group, ...]
-    reach: Reach | None = None
-    limits: bool = False
-    meets: bool = False
+    limits: bool
 
     @property
     def entries(self) -> list[str]:
-        """Keys of the lines of the block, in order."""
-        lines = ["rows", "missing"]
-        lines += ["limits"] if self.limits else []
-        lines += ["input"] if self.reach else []
-        lines += ["closure", "leaps", *(["shared"] if self.meets else [])]
-        lines += [f"grashof {loop.group}" for loop in self.four_bars]
-        lines += [f"swing {link.angle_symbol}" for link in self.swings]
-        lines += [f"stroke {joint.symbol}" for joint in self.strokes]
-        lines += [f"ratio {symbol}" for symbol in self.returning]
-        return lines + [f"transmission {group.transmission}" for group in self.transmission]
+        """Keys of the lines of the block, in order: the names of their cells, too."""
+        lines = ["rows_closed", *(["limits", "input_from", "input_to", "passes"] if self.limits else [])]
+        lines += ["largest_gap", "leaps"]
+        lines += [f"grashof_{loop.group}" for loop in self.four_bars]
+        lines += [f"swing_{link.angle_symbol}" for link in self.swings]
+        lines += [f"stroke_{joint.symbol}" for joint in self.strokes]
+        lines += [f"time_ratio_{symbol}" for symbol in self.returning]
+        return lines + [f"transmission_{group.number}" for group in self.transmission]
+
+    @property
+    def placed(self) -> frozenset[str]:
+        """Keys of the lines that say where something occurs."""
+        found = {f"transmission_{group.number}" for group in self.transmission}
+        return frozenset({*found, "largest_gap", *(["passes"] if self.limits else [])})
 
     @property
     def extremes(self) -> tuple[str, ...]:
@@ -79,7 +78,7 @@ class Findings:
         return tuple(dict.fromkeys([*swings, *strokes, *(group.transmission for group in self.transmission)]))
 
 
-def findings(mechanism: Mechanism, equations: Assignments) -> Findings:
+def classification(mechanism: Mechanism, equations: Assignments) -> Classification:
     """What can be said about a mechanism."""
     ground = mechanism.ground
     pivoted = [link for link in mechanism.links[1:] if any(point in ground.points for point in link.points)]
@@ -89,15 +88,13 @@ def findings(mechanism: Mechanism, equations: Assignments) -> Findings:
     swings = tuple(link for link in pivoted if link.name != driver.link and equations.of(link.angle_symbol).reads)
     on_ground = (joint for joint in mechanism.joints if ground.name in (joint.on, joint.link))
     strokes = tuple(joint for joint in on_ground if joint.symbol != driver.symbol)
-    return Findings(
+    return Classification(
         tuple(loop for loop in loops if loop is not None),
         swings,
         strokes,
         _returning(mechanism, equations, swings, strokes),
         tuple(group for group in equations.groups if group.transmission in names),
-        reach_of(mechanism, equations),
-        any(group.sides for group in equations.groups),
-        any(group.mode and group.sides for group in equations.groups),
+        bool(equations.margins),
     )
 
 

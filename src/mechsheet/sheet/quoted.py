@@ -1,0 +1,55 @@
+"""Formulas written as they read: `formula("IF(ISNUMBER(low), high - low, NA())", low=..., high=...)`.
+
+A name in the text is a hole when an argument of that name is given, else the symbol of a quantity (`theta14`, `C.x`), which
+`Addresses.bind` turns into a cell. A leading underscore names what is no quantity of the mechanism: `_start` is the cell
+`#start`. `ALL(x)` is the whole column of x, `SHOWN(x)` its cell as people read it (degrees, not radians).
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from mechsheet.formula.nodes import Call, NameRef, Node, Number, Symbol, Text, transform
+from mechsheet.formula.parser import parse_formula
+
+ALL, SHOWN = "ALL ", "SHOWN "
+"""What the names of symbols begin with that stand for a whole column, or for a cell as people read it."""
+
+
+def formula(text: str, **holes: Node | float | str) -> Node:
+    """The tree of a formula in the spreadsheets' English spelling. A hole takes a tree, a number or a text constant."""
+    given = {name: _node(value) for name, value in holes.items()}
+
+    def change(part: Node) -> Node:
+        match part:
+            case NameRef(name, None) if name in given:
+                return given[name]
+            case NameRef(name, None):
+                return Symbol(f"#{name[1:]}" if name.startswith("_") else name)
+            case Call("ALL" | "SHOWN" as way, (Symbol(name),)):
+                return Symbol(f"{way} {name}")
+        return part
+
+    return transform(_parsed(text), change)
+
+
+@cache
+def _parsed(text: str) -> Node:
+    return parse_formula(text)
+
+
+def _node(value: Node | float | str) -> Node:
+    if isinstance(value, str):
+        return Text(value)
+    return Number(float(value)) if isinstance(value, int | float) else value
+
+
+def joined(*parts: Node | str) -> Node:
+    """Texts one after another: `a & "b" & c`; empty ones are left out."""
+    nodes = [_node(part) for part in parts if part != ""]
+    if not nodes:
+        return Text("")
+    result = nodes[0]
+    for node in nodes[1:]:
+        result = formula("a & b", a=result, b=node)
+    return result
