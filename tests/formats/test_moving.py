@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from mechsheet.formats.moving import texts_down
+from mechsheet.formats.fill_down_text import texts_down
 from mechsheet.formats.xml_text import attribute, ooxml_escaped
 from mechsheet.formula.nodes import Binary, Call, CellRef, RangeRef, Text, shifted
 from mechsheet.formula.parser import parse_formula

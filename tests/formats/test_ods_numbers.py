@@ -7,7 +7,7 @@ import csv
 import pytest
 
 from mechsheet.formats import write
-from mechsheet.formats.ods_numbers import number_style
+from mechsheet.formats.ods.number_formats import number_style
 from mechsheet.programs import convert_with_libreoffice, libreoffice_command
 from mechsheet.sheet.workbook import Cell, Sheet, Style, Workbook
 from odf import schema_errors

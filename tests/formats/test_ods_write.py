@@ -10,7 +10,7 @@ from lxml import etree
 from samples import FIRST, FRONT, LEFT_OUT, STEPS, TABLE, sample
 
 from mechsheet.diagnostics import OutputError
-from mechsheet.formats.ods_write import write_ods
+from mechsheet.formats.ods.write import write_ods
 from mechsheet.formula.nodes import Binary, CellRef, ErrorValue, Number, shifted
 from mechsheet.formula.printer import print_formula
 from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Fill, Name, PrintSetup, Sheet, Style, Workbook

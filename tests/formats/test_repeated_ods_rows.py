@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from ods_files import content, table, write_ods
 from test_repeated_rows import alone, everything, rows_taken
 
-from mechsheet.formats import package as package_module
+from mechsheet.formats.reading import package as package_module
 
 ROOT = Path(__file__).parents[2]
 

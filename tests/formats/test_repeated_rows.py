@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from test_xlsx_read import packed, parts_of
 
 from mechsheet.diagnostics import WorkbookError
-from mechsheet.formats import package as package_module
 from mechsheet.formats import read
-from mechsheet.formats.repeated_rows import RepeatedRows
-from mechsheet.formats.xlsx_read import read_xlsx
+from mechsheet.formats.reading import package as package_module
+from mechsheet.formats.reading.repeated_rows import RepeatedRows
+from mechsheet.formats.xlsx.read import read_xlsx
 
 ROOT = Path(__file__).parents[2]
 

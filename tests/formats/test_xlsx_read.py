@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import evaluate
-from mechsheet.formats import refresh
-from mechsheet.formats.fill_runs import FormulaRuns
-from mechsheet.formats.package import MAX_RATIO
-from mechsheet.formats.xlsx_read import read_xlsx
+from mechsheet.formats import update_values
+from mechsheet.formats.reading.fill_runs import FormulaRuns
+from mechsheet.formats.reading.package import MAX_RATIO
+from mechsheet.formats.xlsx.read import read_xlsx
 from mechsheet.formula.nodes import ErrorValue, shifted
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
@@ -388,7 +388,7 @@ def test_part_names_with_backslashes_and_other_letters(read, tmp_path):
     parts = parts_of('<row r="1"><c r="A1"><f>1+1</f></c></row>')
     book = read({name.replace("/", "\\").replace("sheet1", "Sheet1"): text for name, text in parts.items()})
     assert blocks(book) == {"A1": "1+1"}
-    refresh(tmp_path / "book.xlsx", tmp_path / "new.xlsx", book, evaluate(book), {})
+    update_values(tmp_path / "book.xlsx", tmp_path / "new.xlsx", book, evaluate(book), {})
     assert cached(read_xlsx(tmp_path / "new.xlsx")) == {"A1": 2.0}
 
 

@@ -14,8 +14,8 @@ from lxml import etree
 from samples import FIRST, FRONT, LEFT_OUT, STEPS, TABLE, circle, sample
 
 from mechsheet.diagnostics import OutputError
-from mechsheet.formats.xlsx_cells import can_be_shared
-from mechsheet.formats.xlsx_write import write_xlsx
+from mechsheet.formats.xlsx.cells import can_be_shared
+from mechsheet.formats.xlsx.write import write_xlsx
 from mechsheet.formula.nodes import MAX_ROWS, Binary, CellRef, ErrorValue, NameRef, Number, Text, shifted
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula

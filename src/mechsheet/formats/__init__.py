@@ -15,21 +15,21 @@ if TYPE_CHECKING:
     from mechsheet.sheet.workbook import Workbook
 
 READERS = {
-    ".xlsx": "xlsx_read:read_xlsx",
-    ".xlsm": "xlsx_read:read_xlsx",
-    ".ods": "ods_read:read_ods",
-    ".ots": "ods_read:read_ods",
+    ".xlsx": "xlsx.read:read_xlsx",
+    ".xlsm": "xlsx.read:read_xlsx",
+    ".ods": "ods.read:read_ods",
+    ".ots": "ods.read:read_ods",
 }
 """Suffix -> module and function, imported when first used."""
 
-WRITERS = {".xlsx": "xlsx_write:write_xlsx", ".ods": "ods_write:write_ods"}
+WRITERS = {".xlsx": "xlsx.write:write_xlsx", ".ods": "ods.write:write_ods"}
 """Suffix -> module and function; imported when first used, because a writer brings its library along."""
 
-REFRESHERS = {
-    ".xlsx": "xlsx_refresh:refresh_xlsx",
-    ".xlsm": "xlsx_refresh:refresh_xlsx",
-    ".ods": "ods_refresh:refresh_ods",
-    ".ots": "ods_refresh:refresh_ods",
+UPDATERS = {
+    ".xlsx": "xlsx.update_values:update_xlsx",
+    ".xlsm": "xlsx.update_values:update_xlsx",
+    ".ods": "ods.update_values:update_ods",
+    ".ots": "ods.update_values:update_ods",
 }
 """Suffix -> module and function that writes a workbook's file back with other values."""
 
@@ -51,7 +51,7 @@ def write(workbook: Workbook, path: Path, form: str = "") -> None:
     writer(workbook, path)
 
 
-def refresh(source: Path, output: Path, book: Book, values: Any, changes: Mapping[Any, Scalar]) -> None:
+def update_values(source: Path, output: Path, book: Book, values: Any, changes: Mapping[Any, Scalar]) -> None:
     """Copy the workbook file `source` to `output` with the values given and nothing else changed.
 
     book     what was read from `source`
@@ -61,7 +61,7 @@ def refresh(source: Path, output: Path, book: Book, values: Any, changes: Mappin
     Raises WorkbookError, and OutputError when `output` cannot be written or is to have another format.
     """
     suffix = source.suffix.lower()
-    function = _function(REFRESHERS.get(suffix, REFRESHERS[".xlsx"]))
+    function = _function(UPDATERS.get(suffix, UPDATERS[".xlsx"]))
     cast("Callable[[Path, Path, Book, Any, Mapping[Any, Scalar]], None]", function)(
         source, output, book, values, changes
     )
