@@ -3,7 +3,7 @@
 The parser reads row by row until a row makes a pattern; rows that match it are taken whole, the next one that does not goes
 to the parser again. Only bytes that follow a row's end tag at once are matched, and only in parts without comments, CDATA
 sections and processing instructions, so that what looks like a row is one. What a pattern matches, the parser would read
-in the same way: `tests/formats/test_repeated_rows.py` compares.
+in the same way: `test_row_pattern.py` of both formats compares.
 """
 
 from __future__ import annotations

@@ -7,15 +7,14 @@ import pytest
 import xlsxwriter
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_xlsx_read import packed, parts_of
+from row_by_row import alone, everything, rows_taken
+from xlsx_files import packed, parts_of
 
 from mechsheet.diagnostics import WorkbookError
-from mechsheet.formats import read
 from mechsheet.formats.reading import package as package_module
-from mechsheet.formats.reading.repeated_rows import RepeatedRows
 from mechsheet.formats.xlsx.read import read_xlsx
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 STRINGS = "<si><t>one</t></si><si><t>two &amp; three</t></si>"
 
@@ -103,44 +102,6 @@ def rows_of(columns, count, first=5):
             cells.append(text.format(v=f"{row * 0.37 + col}", **places))
         rows.append(f'<row r="{row}" spans="1:9">{"".join(cells)}</row>')
     return rows
-
-
-def everything(path):
-    """All that is read from a file, or why it is not."""
-    try:
-        book = read(path)
-    except WorkbookError as problem:
-        return re.sub(r": line \d+, column \d+", "", str(problem))
-    return [
-        (
-            [(row, col, repr(value)) for row, col, value in sheet.constants.items()],
-            [(row, col, repr(value)) for row, col, value in sheet.cached.items()],
-            sheet.blocks,
-        )
-        for sheet in book.sheets
-    ]
-
-
-def alone(path):
-    """The same by the parser alone."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(RepeatedRows, "through", lambda self, pieces: iter(pieces))
-        return everything(path)
-
-
-def rows_taken(path):
-    """How many rows the parser has not seen."""
-    counts = []
-    through = RepeatedRows.through
-
-    def counted(self, pieces):
-        yield from through(self, pieces)
-        counts.append(self.taken)
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(RepeatedRows, "through", counted)
-        everything(path)
-    return sum(counts)
 
 
 @pytest.fixture(scope="module")

@@ -13,8 +13,6 @@ from samples import sample
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write
-from mechsheet.formats.ods.values import date_text, time_number, time_text
-from mechsheet.formats.reading.numbers import NULL_DATE, day_number
 from mechsheet.formula.book import Block
 from mechsheet.formula.nodes import MAX_COLUMNS, Binary, CellRef, ErrorValue, NameRef, Number, RangeRef, Text, Unary
 from mechsheet.formula.printer import print_formula
@@ -230,12 +228,6 @@ class TestFormulas:
         book = read(write_ods(tmp_path / "a.ods", content(days + table(row(date)))))
         assert book.date1904
         assert constants(book) == {(0, 0): 2.0}
-
-
-@pytest.mark.parametrize("number", [45351.0, 45351.5, 1.25, 60.000011574074074])
-def test_dates_read_back(number):
-    assert day_number(date_text(number, NULL_DATE), NULL_DATE) == pytest.approx(number, abs=1e-8)
-    assert time_number(time_text(number)) == pytest.approx(number, abs=1e-8)
 
 
 class TestFaults:

@@ -24,7 +24,7 @@ from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Name, Sheet, Style, Workbook, with_values
 from random_mechanisms import Grower
 
-TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
+TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 RANDOM = int(os.environ.get("MECHSHEET_RANDOM", "12"))
 """How many random mechanisms CI draws; 300 of them passed when the rules were written."""
 

@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ods_files import content, table, write_ods
-from test_repeated_rows import alone, everything, rows_taken
+from row_by_row import alone, everything, rows_taken
 
 from mechsheet.formats.reading import package as package_module
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 FLOAT = 'office:value-type="float" office:value="{v}"'
 COLUMNS = [

@@ -1,55 +1,22 @@
 """Reading .xlsx files of every origin, and refusing what is none."""
 
-import io
-import zipfile
-
 import openpyxl
 import pytest
 import xlsxwriter
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from xlsx_files import MAIN, packed, parts_of
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import evaluate
 from mechsheet.formats import update_values
-from mechsheet.formats.reading.fill_runs import FormulaRuns
-from mechsheet.formats.reading.package import MAX_RATIO
 from mechsheet.formats.xlsx.read import read_xlsx
-from mechsheet.formula.nodes import ErrorValue, shifted
-from mechsheet.formula.parser import parse_formula
+from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
 from mechsheet.programs import convert_with_libreoffice
 
 NA = ErrorValue("#N/A")
-
-RELS = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
-MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
-PACKAGE = "http://schemas.openxmlformats.org/package/2006/relationships"
-
-
-def parts_of(sheet, strings="", names="", workbook=""):
-    """The parts of a small workbook around the XML of one sheet's data."""
-    return {
-        "_rels/.rels": f'<Relationships xmlns="{PACKAGE}"><Relationship Id="rId1" Type="{RELS}/officeDocument"'
-        ' Target="xl/workbook.xml"/></Relationships>',
-        "xl/workbook.xml": f'<workbook xmlns="{MAIN}" xmlns:r="{RELS}">{workbook}<sheets>'
-        f'<sheet name="S" sheetId="1" r:id="rId1"/></sheets><definedNames>{names}</definedNames></workbook>',
-        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{PACKAGE}"><Relationship Id="rId1" Type="{RELS}/worksheet"'
-        f' Target="worksheets/sheet1.xml"/><Relationship Id="rId2" Type="{RELS}/sharedStrings"'
-        ' Target="/xl/sharedStrings.xml"/></Relationships>',
-        "xl/sharedStrings.xml": f'<sst xmlns="{MAIN}">{strings}</sst>',
-        "xl/worksheets/sheet1.xml": f'<?xml version="1.0" encoding="UTF-8"?><worksheet xmlns="{MAIN}"><sheetData>{sheet}'
-        "</sheetData></worksheet>",
-    }  # fmt: skip
-
-
-def packed(parts):
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as file:
-        for name, text in parts.items():
-            file.writestr(name, text)
-    return stream.getvalue()
 
 
 @pytest.fixture
@@ -160,22 +127,6 @@ def test_shared_formulas(read):
     assert blocks(book) == {"A1:A3": "D1+$E$1", "B1": "E1+$E$1", "B3": "E3+$E$1", "C3": "A3"}
     assert constants(book) == {"B2": 9.0}
     assert cached(book) == {"A1": 1.0, "A2": 3.0, "A3": 4.0, "B1": 2.0, "B3": 5.0}
-
-
-@settings(max_examples=50, deadline=None)
-@given(
-    st.lists(
-        st.sampled_from(["B{r}+C{p}", "SUM(B$1:B{r})", "B{r}*{r}", "$B{r}", "B$3", "LOG10(B{r})", '"B{r}"', "B{r}:B{n}"]),
-        min_size=1, max_size=25,
-    ).map(lambda names: [name.format(r=r, p=r + 1, n=r + 9) for r, name in enumerate(names, 1)])
-)  # fmt: skip
-def test_runs_say_what_each_cell_says(texts):
-    """However the formulas fall into runs, each cell keeps its own."""
-    runs = FormulaRuns(lambda text, area: parse_formula(text))
-    for row, text in enumerate(texts):
-        runs.text(row, 0, text)
-    found = {b.row + down: shifted(b.formula, down) for b in runs.blocks() for down in range(b.rows)}
-    assert found == {row: parse_formula(text) for row, text in enumerate(texts)}
 
 
 # --- the workbook around them ---------------------------------------------------------------------------------------
@@ -392,17 +343,6 @@ def test_part_names_with_backslashes_and_other_letters(read, tmp_path):
     assert cached(read_xlsx(tmp_path / "new.xlsx")) == {"A1": 2.0}
 
 
-@pytest.mark.filterwarnings("ignore:Duplicate name")
-def test_two_parts_of_one_name(tmp_path):
-    """Whoever takes the first sees another workbook than who takes the last."""
-    path = tmp_path / "book.xlsx"
-    path.write_bytes(packed(parts_of("")))
-    with zipfile.ZipFile(path, "a") as file:
-        file.writestr("xl/worksheets/SHEET1.xml", "<worksheet/>")
-    with pytest.raises(WorkbookError, match=r"SHEET1\.xml: two parts have this name"):
-        read_xlsx(path)
-
-
 def test_sheets_without_a_part_of_their_own(read):
     """Excel lists modules of macros among the sheets."""
     parts = parts_of('<row r="1"><c r="A1"><v>1</v></c></row>')
@@ -410,22 +350,6 @@ def test_sheets_without_a_part_of_their_own(read):
         "<sheets>", '<sheets><sheet name="Module1" sheetId="7" state="veryHidden" r:id=""/>'
     )
     assert [sheet.title for sheet in read(parts).sheets] == ["S"]
-
-
-def test_a_zip_that_is_packed_to_burst(read):
-    with pytest.raises(WorkbookError, match=f"more than {MAX_RATIO} to 1"):
-        read({**parts_of(""), "xl/media/big.bin": "\0" * (40 << 20)})
-
-
-def test_sizes_that_are_not_true(tmp_path):
-    """A part that unpacks to more than the zip file says is damaged, and no more of it is read."""
-    data = bytearray(packed(parts_of('<row r="1"><c r="A1"><v>1</v></c></row>' * 500)))
-    place = data.rfind(b"xl/worksheets/sheet1.xml") - 46 + 24  # its size in the central directory
-    data[place : place + 4] = (100).to_bytes(4, "little")
-    path = tmp_path / "book.xlsx"
-    path.write_bytes(data)
-    with pytest.raises(WorkbookError, match="damaged"):
-        read_xlsx(path)
 
 
 @settings(max_examples=150, deadline=None)
