@@ -7,9 +7,9 @@ FONT = "Arial"
 FONT_SIZE = 10
 ROW_PIXELS, COLUMN_PIXELS = 17, 64
 """A row and a column without a size of their own, in that font."""
-DIGIT_PIXELS, PADDING_PIXELS = 7.4, 5
+DIGIT_PIXELS, EXCEL_DIGIT_PIXELS, PADDING_PIXELS = 7.4, 7, 5
 """A column of n characters is n digits and a padding wide. Excel rounds a digit of this font to 7 pixels, LibreOffice not:
-the columns of an .xlsx are as wide there as these."""
+the columns of an .xlsx are as wide there as those of an .ods."""
 
 MARGIN_SIDE, MARGIN_END, MARGIN_HEADER = 0.6, 0.75, 0.3
 """Of printed pages [inches]: left and right, above and below the cells, above and below header and footer."""

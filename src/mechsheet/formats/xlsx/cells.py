@@ -26,12 +26,14 @@ from mechsheet.formula.nodes import (
 )
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name, cell_address, column_letters
-from mechsheet.sheet.workbook import Cell, Fill, Rich, Sheet, Style
+from mechsheet.sheet.workbook import Area, Cell, Fill, Rich, Sheet, Style
 
 from ..bands import Band, bands, column_values
 from ..fill_down_text import ColumnTexts
 from ..xml_text import number, numbers, ooxml_escaped, plain_value
 
+MAX_CACHED_POINTS = 4096
+"""Longer series carry no copy of their values: every program reads them from the cells anyway."""
 MAX_FORMULA = 8192
 """Most characters of a formula in Excel, without the equals sign."""
 MAX_FORMULA_TEXT = 255
@@ -209,3 +211,29 @@ def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
     if faults:
         raise OutputError(faults)
     return texts
+
+
+def cached_values(sheet: Sheet, area: Area) -> list[float | str | None]:
+    """The numbers and texts that stand in a column or row of cells; None where there is none or an error.
+
+    Empty when there are more than MAX_CACHED_POINTS.
+    """
+    first_row, first_col, last_row, last_col = area.first_row, area.first_col, area.last_row, area.last_col
+    if (last_row - first_row + 1) * (last_col - first_col + 1) > MAX_CACHED_POINTS:
+        return []
+    found: dict[tuple[int, int], Scalar] = {}
+    for cell in sheet.cells:
+        if first_row <= cell.row <= last_row and first_col <= cell.col <= last_col:
+            found[cell.row, cell.col] = cell.content.plain if isinstance(cell.content, Rich) else cell.content
+    for fill in sheet.fills:
+        top, bottom = max(first_row, fill.row), min(last_row + 1, fill.row + fill.rows)
+        for col in range(max(first_col, fill.col), min(last_col + 1, fill.col + fill.cols)):
+            if top < bottom:
+                for row, value in enumerate(column_values(fill, col, top, bottom), top):
+                    found[row, col] = value
+    places = [(r, c) for r in range(first_row, last_row + 1) for c in range(first_col, last_col + 1)]
+    return [_cached(found.get(place)) for place in places]
+
+
+def _cached(value: Scalar) -> float | str | None:
+    return value if isinstance(value, (float, int, str)) and not isinstance(value, bool) else None

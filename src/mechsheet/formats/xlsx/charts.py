@@ -1,99 +1,20 @@
-"""Charts of an .xlsx: a workbook's chart in XlsxWriter's terms, and the few elements it writes otherwise than needed."""
+"""Charts of an .xlsx: a workbook's chart in XlsxWriter's terms."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
-from xlsxwriter.chart_scatter import ChartScatter
-from xlsxwriter.drawing import Drawing, DrawingInfo
-
-from mechsheet.formula.nodes import CellRef, Scalar
+from mechsheet.formula.nodes import CellRef
 from mechsheet.formula.printer import quote_sheet
 from mechsheet.formula.references import column_letters
-from mechsheet.sheet.workbook import Area, Axis, Chart, Rich, Series, SeriesRef, Sheet
+from mechsheet.sheet.workbook import Axis, Chart, Series, SeriesRef
 
-from ..bands import column_values
 from ..house_style import AXIS_COLOR, FONT, GRID_COLOR, HAIR_LINE, TEXT_COLOR, TEXT_SIZE, TITLE_SIZE
-from ..xml_text import legal, number
-
-MAX_CACHED_POINTS = 4096
-"""Longer series carry no copy of their values: every program reads them from the cells anyway."""
-
-EMU = 9525
-"""English Metric Units in a pixel at 96 dpi."""
+from ..xml_text import legal
+from .library import StraightScatter
 
 _GRID, _AXIS, _TEXT = f"#{GRID_COLOR}", f"#{AXIS_COLOR}", f"#{TEXT_COLOR}"
 _DASHES = {"solid": "solid", "dash": "dash", "dot": "round_dot"}
-
-
-class OneCellDrawing(Drawing):  # type: ignore[misc]
-    """A drawing whose charts are held by one corner and keep their size: LibreOffice stretches those held by two."""
-
-    def _write_two_cell_anchor(self, index: int, drawing: DrawingInfo) -> None:
-        col, row, dx, dy = drawing._dimensions[:4]
-        self._xml_start_tag("xdr:oneCellAnchor")
-        self._write_from(col, row, dx, dy)
-        self._write_xdr_ext(drawing._width * EMU, drawing._height * EMU)
-        self._write_graphic_frame(index, drawing)
-        self._write_client_data()
-        self._xml_end_tag("xdr:oneCellAnchor")
-
-
-class StraightScatter(ChartScatter):  # type: ignore[misc]
-    """A scatter chart that says of every series that it is not smooth.
-
-    LibreOffice takes a series without the element for a smooth one unless the file says it is Excel 2007's, and one
-    smooth series bends all others of the chart.
-    """
-
-    def __init__(self, language: str) -> None:
-        super().__init__({"subtype": "straight_with_markers"})
-        self.language = language
-
-    def _write_lang(self) -> None:
-        self._xml_empty_tag("c:lang", [("val", self.language)])
-        # Said, because a missing one means square corners to Excel and round ones to readers that follow the schema.
-        self._xml_empty_tag("c:roundedCorners", [("val", 0)])
-
-    def _write_disp_blanks_as(self) -> None:
-        self._xml_empty_tag("c:dispBlanksAs", [("val", "gap")])
-
-    def _write_plot_vis_only(self) -> None:
-        # Folding helper columns away must not empty the charts.
-        self._xml_empty_tag("c:plotVisOnly", [("val", 0)])
-
-    def _write_c_smooth(self, smooth: object) -> None:
-        self._xml_empty_tag("c:smooth", [("val", 0)])
-
-    def _write_number_format(self, axis: dict[str, Any]) -> None:
-        # Never linked to the source: LibreOffice would number the axis with the decimals of the cells.
-        self._xml_empty_tag("c:numFmt", [("formatCode", axis["num_format"] or "General"), ("sourceLinked", 0)])
-
-    def _write_d_lbls(self, labels: dict[str, Any] | None) -> None:
-        # All flags are said: a missing one means yes to some programs and no to others.
-        if not labels:
-            return
-        self._xml_start_tag("c:dLbls")
-        self._write_axis_font(labels["font"])
-        self._write_d_lbl_pos(labels["position"] or "r")
-        for tag in ("LegendKey", "Val", "CatName", "SerName", "Percent", "BubbleSize"):
-            self._xml_empty_tag(f"c:show{tag}", [("val", int(tag == "SerName"))])
-        self._xml_end_tag("c:dLbls")
-
-    def _write_num_cache(self, data: Sequence[float | None]) -> None:
-        points = [f'<c:pt idx="{i}"><c:v>{number(v)}</c:v></c:pt>' for i, v in enumerate(data) if v is not None]
-        self.fh.write(
-            f'<c:numCache><c:formatCode>General</c:formatCode><c:ptCount val="{len(data)}"/>{"".join(points)}'
-            "</c:numCache>"
-        )
-
-    def _write_num_ref(self, formula: str, data: Sequence[float | None], ref_type: str) -> None:
-        self._xml_start_tag("c:numRef")
-        self._write_series_formula(formula)
-        if data:
-            self._write_num_cache(data)
-        self._xml_end_tag("c:numRef")
 
 
 def new_chart(chart: Chart, language: str) -> StraightScatter:
@@ -191,29 +112,3 @@ def area_reference(ref: SeriesRef) -> str:
     first = f"${column_letters(area.first_col)}${area.first_row + 1}"
     last = f"${column_letters(area.last_col)}${area.last_row + 1}"
     return f"{quote_sheet(ref.sheet)}!{first}" + ("" if first == last else f":{last}")
-
-
-def cached_values(sheet: Sheet, area: Area) -> list[float | str | None]:
-    """The numbers and texts that stand in a column or row of cells; None where there is none or an error.
-
-    Empty when there are more than MAX_CACHED_POINTS.
-    """
-    first_row, first_col, last_row, last_col = area.first_row, area.first_col, area.last_row, area.last_col
-    if (last_row - first_row + 1) * (last_col - first_col + 1) > MAX_CACHED_POINTS:
-        return []
-    found: dict[tuple[int, int], Scalar] = {}
-    for cell in sheet.cells:
-        if first_row <= cell.row <= last_row and first_col <= cell.col <= last_col:
-            found[cell.row, cell.col] = cell.content.plain if isinstance(cell.content, Rich) else cell.content
-    for fill in sheet.fills:
-        top, bottom = max(first_row, fill.row), min(last_row + 1, fill.row + fill.rows)
-        for col in range(max(first_col, fill.col), min(last_col + 1, fill.col + fill.cols)):
-            if top < bottom:
-                for row, value in enumerate(column_values(fill, col, top, bottom), top):
-                    found[row, col] = value
-    places = [(r, c) for r in range(first_row, last_row + 1) for c in range(first_col, last_col + 1)]
-    return [_cached(found.get(place)) for place in places]
-
-
-def _cached(value: Scalar) -> float | str | None:
-    return value if isinstance(value, (float, int, str)) and not isinstance(value, bool) else None

@@ -10,8 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from xlsxwriter.vml import Vml
-
 from mechsheet.formula.references import column_letters
 from mechsheet.sheet.workbook import Control
 
@@ -101,37 +99,22 @@ def _whole(vertices: Sequence[float]) -> tuple[int, ...]:
     return tuple(round(value) for value in vertices[:8])
 
 
-class ControlVml(Vml):  # type: ignore[misc]
-    """A VML drawing whose buttons are our controls; comments follow in the same part, as Excel wants it."""
-
-    def _write_anchor(self, vertices: Sequence[float]) -> None:
-        self._xml_data_element("x:Anchor", _anchor(vertices))
-
-    def _write_button_shape(self, shape_id: int, z_index: int, placed: PlacedControl) -> None:
-        left, top, width, height = self._pixels_to_points(placed.vertices)
-        style = (
-            f"position:absolute;margin-left:{left:.15g}pt;margin-top:{top:.15g}pt;"
-            f"width:{width:.15g}pt;height:{height:.15g}pt;z-index:{z_index}"
-        )
-        attributes = [
-            ("id", f"_x0000_s{shape_id}"),
-            ("o:spid", f"_x0000_s{shape_id}"),
-            ("type", "#_x0000_t201"),
-            ("style", style),
-            ("stroked", "f"),
-            ("strokecolor", "windowText [64]"),
-            ("o:insetmode", "auto"),
-        ]
-        self._xml_start_tag("v:shape", attributes)
-        self._write_rotation_lock()
-        self._xml_start_tag("x:ClientData", [("ObjectType", _OBJECT_TYPE[placed.control.kind])])
-        for tag, value in _client_data(placed):
-            self._xml_data_element(tag, value) if value else self._xml_empty_tag(tag)
-        self._xml_end_tag("x:ClientData")
-        self._xml_end_tag("v:shape")
+def control_shape(placed: PlacedControl, shape: int, z_index: int) -> str:
+    """The <v:shape> of a control in the sheet's VML drawing; `shape` is its number there."""
+    left, top, width, height = (0.75 * pixels for pixels in placed.vertices[8:12])
+    style = (
+        f"position:absolute;margin-left:{left:.15g}pt;margin-top:{top:.15g}pt;"
+        f"width:{width:.15g}pt;height:{height:.15g}pt;z-index:{z_index}"
+    )
+    content = "".join(f"<{tag}>{value}</{tag}>" if value else f"<{tag}/>" for tag, value in _client_data(placed))
+    return (
+        f'<v:shape id="_x0000_s{shape}" o:spid="_x0000_s{shape}" type="#_x0000_t201" style="{style}" stroked="f"'
+        ' strokecolor="windowText [64]" o:insetmode="auto"><o:lock v:ext="edit" rotation="t"/>'
+        f'<x:ClientData ObjectType="{_OBJECT_TYPE[placed.control.kind]}">{content}</x:ClientData></v:shape>'
+    )
 
 
-def _anchor(vertices: Sequence[float]) -> str:
+def anchor_text(vertices: Sequence[float]) -> str:
     """What <x:Anchor> holds: eight whole numbers, or strict readers refuse the workbook."""
     col, row, dx, dy, end_col, end_row, end_dx, end_dy = _whole(vertices)
     return f"{col}, {dx}, {row}, {dy}, {end_col}, {end_dx}, {end_row}, {end_dy}"
@@ -141,7 +124,7 @@ def _client_data(placed: PlacedControl) -> list[tuple[str, str]]:
     """The children of <x:ClientData>, in the order Excel writes them."""
     control = placed.control
     return [
-        ("x:Anchor", _anchor(placed.vertices)),
+        ("x:Anchor", anchor_text(placed.vertices)),
         ("x:PrintObject", "False"),
         ("x:FmlaLink", placed.link),
         ("x:Val", str(placed.value)),

@@ -1,77 +1,30 @@
-"""One worksheet of an .xlsx: cells by `xlsx_cells`, everything else by XlsxWriter."""
+"""One worksheet of an .xlsx: everything but its cells, in XlsxWriter's terms."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
-
-from xlsxwriter.worksheet import Worksheet
 
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.printer import print_formula
-from mechsheet.sheet.workbook import Anchor, Area, Control, PrintSetup, Sheet, Validation
+from mechsheet.sheet.workbook import Control, PrintSetup, Sheet, Validation
 
-from ..house_style import MARGIN_END, MARGIN_SIDE, NOTE_PIXELS, TEXT_SIZE, note_height
+from ..house_style import (
+    EXCEL_DIGIT_PIXELS,
+    MARGIN_END,
+    MARGIN_SIDE,
+    NOTE_PIXELS,
+    PADDING_PIXELS,
+    TEXT_SIZE,
+    note_height,
+)
 from ..xml_text import legal
-from .cells import SheetData
-from .charts import OneCellDrawing, cached_values, new_chart
-from .controls import PlacedControl, controls_element
-from .ignored_errors import ignored_errors
+from .charts import new_chart
+from .controls import PlacedControl
+from .library import DataWorksheet
 from .styles import conditional_properties
 
 _A4 = 9
 _TITLE_LENGTH, _MESSAGE_LENGTH = 32, 255
-
-
-class DataWorksheet(Worksheet):  # type: ignore[misc]
-    """A worksheet whose cells come from `data` and whose scroll bars and spin buttons are `controls`."""
-
-    data: SheetData
-    controls: list[PlacedControl]
-    drawing: Any
-
-    def _write_sheet_data(self) -> None:
-        self._xml_start_tag("sheetData")
-        for rows in self.data.rows():
-            self.fh.write(rows)
-        self._xml_end_tag("sheetData")
-
-    def _get_range_data(
-        self, first_row: int, first_col: int, last_row: int, last_col: int
-    ) -> Sequence[float | str | None]:
-        return cached_values(self.data.sheet, Area(first_row, first_col, last_row, last_col))
-
-    def _prepare_formula(self, formula: str, expand_future_functions: bool = False) -> str:
-        # The printer has spelled it as the file wants it.
-        return formula.removeprefix("=")
-
-    def _prepare_chart(self, index: int, chart_id: int, drawing_id: int) -> None:
-        if not self.drawing:
-            self.drawing = OneCellDrawing()
-            self.drawing.embedded = 1
-            self.external_drawing_links.append(["/drawing", f"../drawings/drawing{drawing_id}.xml"])
-        super()._prepare_chart(index, chart_id, drawing_id)
-
-    def _write_legacy_drawing(self) -> None:
-        super()._write_legacy_drawing()
-        if not self.controls:
-            return
-        # The relationships of our parts follow the drawing's: XlsxWriter lists them where those of tables would be.
-        self.fh.write(controls_element(self.controls, self.vml_shape_id + 1, self.rel_count + 1))
-        self.rel_count += len(self.controls)
-        for placed in self.controls:
-            self.external_table_links.append(["/ctrlProp", f"../ctrlProps/ctrlProp{placed.number}.xml"])
-
-    def _write_ignored_errors(self) -> None:
-        ignored = ignored_errors(self.data.sheet)
-        if ignored:
-            self._xml_start_tag("ignoredErrors")
-            for ranges, kinds in ignored:
-                self._xml_empty_tag("ignoredError", [("sqref", ranges), *((kind, 1) for kind in kinds)])
-            self._xml_end_tag("ignoredErrors")
-
-    def _button_vertices(self, placed: PlacedControl) -> tuple[float, ...]:
-        return placed.vertices
 
 
 def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str, author: str) -> None:
@@ -80,7 +33,7 @@ def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str, auth
     _print_setup(page, sheet.print_setup)
     for column in sheet.columns:
         options = {"level": column.level, "hidden": column.hidden, "collapsed": column.collapsed}
-        page.set_column(column.first, column.last, column.width, None, options)
+        page.set_column_pixels(column.first, column.last, _column_pixels(column.width), None, options)
     for row, height in sheet.row_heights:
         page.set_row_pixels(row, height)
     for merge in sheet.merges:
@@ -103,6 +56,11 @@ def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str, auth
         place = {"x_offset": chart.anchor.dx, "y_offset": chart.anchor.dy, "description": legal(chart.alt_text)}
         page.insert_chart(chart.anchor.row, chart.anchor.col, made, place)
     _dimension(page, sheet)
+
+
+def _column_pixels(width: float) -> int:
+    """Width of a column of `width` digits and a padding, to Excel's whole pixels."""
+    return int(width * EXCEL_DIGIT_PIXELS + 0.5) + PADDING_PIXELS
 
 
 def _view(page: DataWorksheet, sheet: Sheet) -> None:
@@ -182,8 +140,4 @@ def _note_look(text: str, author: str) -> dict[str, Any]:
 
 def place_control(page: DataWorksheet, control: Control, value: int, number: int) -> PlacedControl:
     """The control where its anchor says, by the sheet's column widths and row heights."""
-    anchor: Anchor = control.anchor
-    vertices = page._position_object_pixels(
-        anchor.col, anchor.row, anchor.dx, anchor.dy, anchor.width, anchor.height, 0
-    )
-    return PlacedControl(control, value, number, (*vertices, anchor.width, anchor.height))
+    return PlacedControl(control, value, number, page.vertices(control.anchor))
