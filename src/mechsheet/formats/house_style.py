@@ -33,6 +33,11 @@ def note_height(text: str) -> int:
     return (lines + 1) * NOTE_LINE_PIXELS
 
 
+def excel_column_pixels(width: float) -> int:
+    """Width of a column of `width` characters, to Excel's whole pixels."""
+    return int(width * EXCEL_DIGIT_PIXELS + 0.5) + PADDING_PIXELS
+
+
 def locale(language: str) -> str:
     """en-US for en; the language itself where its country is not known."""
     return f"{language}-{COUNTRIES[language]}" if language in COUNTRIES else language

@@ -18,7 +18,7 @@ _VALUE = attributes_named(
     "office:time-value", "calcext:value-type",
 )  # fmt: skip
 COLUMNS_REPEATED, ROWS_REPEATED = "table:number-columns-repeated", "table:number-rows-repeated"
-_COLUMNS, _ROWS = attributes_named(COLUMNS_REPEATED), attributes_named(ROWS_REPEATED)
+_REPEATED = {name: attributes_named(name) for name in (COLUMNS_REPEATED, ROWS_REPEATED)}
 _KIND = re.compile(rb"\soffice:value-type\s*=\s*[\"']([a-z]+)")
 _MARKUP = re.compile(rb"<[^>]*>")
 _SHOWN = re.compile(r"(-?)[0-9]+(?:([.,])([0-9]+))?(%?)")
@@ -93,18 +93,8 @@ def _text(value: Scalar, kind: str, old: bytes | None) -> str:
     return paragraphs(text.replace(".", sign or ".") + percent)
 
 
-def _repeated(element: bytes, attribute: re.Pattern[bytes], name: str, count: int) -> bytes:
-    """An element that stands for `count` of its kind; `name` is the attribute that says so, `attribute` its pattern."""
+def repeated(element: bytes, name: str, count: int) -> bytes:
+    """A cell or row that stands for `count` of its kind; `name` is the attribute that says so."""
     match = TAG.match(element)
     head = element[: match.end() if match else 0]
-    return with_attributes(head, attribute, f' {name}="{count}"' if count > 1 else "") + element[len(head) :]
-
-
-def repeated_columns(element: bytes, count: int) -> bytes:
-    """A cell that stands for `count` cells side by side."""
-    return _repeated(element, _COLUMNS, COLUMNS_REPEATED, count)
-
-
-def repeated_rows(element: bytes, count: int) -> bytes:
-    """A row that stands for `count` rows."""
-    return _repeated(element, _ROWS, ROWS_REPEATED, count)
+    return with_attributes(head, _REPEATED[name], f' {name}="{count}"' if count > 1 else "") + element[len(head) :]

@@ -1,11 +1,12 @@
-"""The small parts of an .ods: pages, properties, view settings, the list of parts."""
+"""The small parts of an .ods: pages, properties, view settings, modules of Basic, the list of parts."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from xml.sax.saxutils import escape
 
-from mechsheet.sheet.workbook import PrintSetup, Properties, Sheet, Workbook
+from mechsheet.sheet.workbook import Module, PrintSetup, Properties, Sheet, Workbook
 
 from ..archive import FIXED_TIME
 from ..house_style import MARGIN_END, MARGIN_HEADER, MARGIN_SIDE
@@ -13,6 +14,8 @@ from ..xml_text import attribute, escaped
 from .styles import FONT_FACES, OdsStyles
 from .text import DECLARATION, VERSION, opened
 
+_DOCTYPE = '<!DOCTYPE {0}:{1} PUBLIC "-//OpenOffice.org//DTD OfficeDocument 1.0//EN" "{2}.dtd">\n'
+_LIBRARY = 'xmlns:library="http://openoffice.org/2000/library"'
 SHEET_TYPE = "application/vnd.oasis.opendocument.spreadsheet"
 _MANIFEST = "urn:oasis:names:tc:opendocument:xmlns:manifest:1.0"
 _SIDES = {"L": "left", "C": "center", "R": "right"}
@@ -169,3 +172,25 @@ def _footer(text: str) -> str:
         f"<style:region-{side}><text:p>{body}</text:p></style:region-{side}>" for side, body in parts.items() if body
     )
     return f"<style:footer>{regions}</style:footer>"
+
+
+def macro_parts(modules: Sequence[Module]) -> dict[str, str]:
+    """Name -> content of every part that modules of Basic need: the library Standard, LibreOffice's own addition."""
+    if not modules:
+        return {}
+    elements = "".join(f'<library:element library:name="{attribute(module.name)}"/>' for module in modules)
+    parts = {
+        "Basic/script-lc.xml": f"{DECLARATION}{_DOCTYPE.format('library', 'libraries', 'libraries')}"
+        f'<library:libraries {_LIBRARY} xmlns:xlink="http://www.w3.org/1999/xlink">'
+        '<library:library library:name="Standard" library:link="false"/></library:libraries>',
+        "Basic/Standard/script-lb.xml": f"{DECLARATION}{_DOCTYPE.format('library', 'library', 'library')}"
+        f'<library:library {_LIBRARY} library:name="Standard" library:readonly="false"'
+        f' library:passwordprotected="false">{elements}</library:library>',
+    }
+    for module in modules:
+        parts[f"Basic/Standard/{module.name}.xml"] = (
+            f"{DECLARATION}{_DOCTYPE.format('script', 'module', 'module')}"
+            f'<script:module xmlns:script="http://openoffice.org/2000/script" script:name="{attribute(module.name)}"'
+            f' script:language="StarBasic">{escape(module.text)}</script:module>'
+        )
+    return parts

@@ -20,7 +20,7 @@ from ..new_values import CellValues, NewValues, Place, check_output, new_values,
 from ..reading.numbers import NULL_DATE, NULL_DATE_1904
 from ..reading.package import Package, open_package
 from ..reading.raw_xml import Edit, RawXml, Span, edited
-from .cell_value import COLUMNS_REPEATED, ROWS_REPEATED, CellXml, repeated_columns, repeated_rows, with_value
+from .cell_value import COLUMNS_REPEATED, ROWS_REPEATED, CellXml, repeated, with_value
 from .scan import CONTENT, is_cache
 from .text import NAMESPACES
 from .words import Words, words_of
@@ -124,7 +124,7 @@ class _ContentUpdate:
         old = self.raw.cut(row.start, stop)
         new = b""
         for changes, group in groupby((run for run in runs if run[1]), key=lambda run: run[0]):
-            new += repeated_rows(edited(old, changes, row.start), sum(count for _, count in group))
+            new += repeated(edited(old, changes, row.start), ROWS_REPEATED, sum(count for _, count in group))
         self.raw.replace(Edit(row.start, stop, new))
 
     def _edits(self, row: _Row, here: int, new: NewValues) -> list[Edit]:
@@ -156,7 +156,7 @@ class _ContentUpdate:
         for new, group in groupby(wanted):
             one = xml.data if new is None else with_value(xml, new.value, self.null_date)
             count = len(list(group))
-            pieces += one if count == len(wanted) else repeated_columns(one, count)
+            pieces += one if count == len(wanted) else repeated(one, COLUMNS_REPEATED, count)
         return Edit(cell.start, stop, pieces)
 
     def _new_cells(self, columns: Iterable[int], row: int, first: int, new: NewValues) -> bytes:
@@ -165,7 +165,7 @@ class _ContentUpdate:
         empty = b"<table:table-cell/>"
         for col in columns:
             if col > first:
-                found += repeated_columns(empty, col - first)
+                found += repeated(empty, COLUMNS_REPEATED, col - first)
             cell = CellXml(empty, (), 0, self.declared)
             found += with_value(cell, new.changes[row, col], self.null_date)
             first = col + 1
@@ -177,7 +177,7 @@ class _ContentUpdate:
         for row in sorted({at for at, _ in new.changes if at >= end}):
             if row > end:
                 gap = b"<table:table-row><table:table-cell/></table:table-row>"
-                found += repeated_rows(gap, row - end)
+                found += repeated(gap, ROWS_REPEATED, row - end)
             columns = sorted(col for at, col in new.changes if at == row)
             found += b"<table:table-row>" + self._new_cells(columns, row, 0, new) + b"</table:table-row>"
             end = row + 1

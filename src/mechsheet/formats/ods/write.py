@@ -13,8 +13,7 @@ from ..seal import seal
 from ..xml_text import attribute
 from .cells import TableRows
 from .charts import MEDIA_TYPE, chart_content, chart_styles
-from .macros import macro_parts
-from .parts import SHEET_TYPE, manifest, meta, settings, styles_part
+from .parts import SHEET_TYPE, macro_parts, manifest, meta, settings, styles_part
 from .rules import content_validations, sheet_rules
 from .sheet import cell_extras, enter_columns, table
 from .styles import FONT_FACES, OdsStyles

@@ -20,6 +20,8 @@ X14 = "http://schemas.microsoft.com/office/spreadsheetml/2009/9/main"
 _MC = "http://schemas.openxmlformats.org/markup-compatibility/2006"
 _XDR = "http://schemas.openxmlformats.org/drawingml/2006/spreadsheetDrawing"
 _OBJECT_TYPE = {"scroll": "Scroll", "spin": "Spin"}
+EMU = 9525
+"""English Metric Units in a pixel at 96 dpi."""
 _BAR_WIDTH = 16
 """Width of the arrows [pixels], Excel's own."""
 
@@ -89,8 +91,8 @@ def _control_element(placed: PlacedControl, shape: int, relationship: int) -> st
 
 
 def _corner(col: int, dx: int, row: int, dy: int) -> str:
-    """A corner as cell and offset, in EMU (9525 to a pixel)."""
-    values = (("col", col), ("colOff", dx * 9525), ("row", row), ("rowOff", dy * 9525))
+    """A corner as cell and offset, in EMU."""
+    values = (("col", col), ("colOff", dx * EMU), ("row", row), ("rowOff", dy * EMU))
     return "".join(f'<xdr:{tag} xmlns:xdr="{_XDR}">{value}</xdr:{tag}>' for tag, value in values)
 
 

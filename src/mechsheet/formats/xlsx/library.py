@@ -28,11 +28,8 @@ from ..archive import Archive
 from ..seal import seal
 from ..xml_text import attribute, number, ooxml_escaped
 from .cells import SheetData, cached_values
-from .controls import CONTENT_TYPE, PlacedControl, anchor_text, control_properties, control_shape, controls_element
+from .controls import CONTENT_TYPE, EMU, PlacedControl, anchor_text, control_properties, control_shape, controls_element
 from .ignored_errors import ignored_errors
-
-EMU = 9525
-"""English Metric Units in a pixel at 96 dpi."""
 
 _BUILTIN_STYLES = {
     "Title": 15, "Heading 1": 16, "Heading 2": 17, "Heading 3": 18, "Heading 4": 19, "Input": 20, "Output": 21,
@@ -219,9 +216,7 @@ class NamedStyles(Styles):  # type: ignore[misc]
     _write_xf                                  one of the former
     """
 
-    def __init__(self, named: list[tuple[str, NamedFormat]]) -> None:
-        super().__init__()
-        self.named = named
+    named: list[tuple[str, NamedFormat]]
 
     def _write_cell_style_xfs(self) -> None:
         self.fh.write(f'<cellStyleXfs count="{1 + len(self.named)}">')
@@ -282,14 +277,10 @@ class CoreProperties(Core):  # type: ignore[misc]
     _write_cp_category  they follow in its place
     """
 
-    def __init__(self, language: str, identifier: str) -> None:
-        super().__init__()
-        self.language = language
-        self.identifier = identifier
+    added: dict[str, str]
 
     def _write_cp_category(self) -> None:
-        language, identifier = ooxml_escaped(self.language), ooxml_escaped(self.identifier)
-        self.fh.write(f"<dc:language>{language}</dc:language><dc:identifier>{identifier}</dc:identifier>")
+        self.fh.write("".join(f"<{tag}>{ooxml_escaped(text)}</{tag}>" for tag, text in self.added.items()))
 
 
 class PartsPackage(Packager):  # type: ignore[misc]
@@ -361,7 +352,8 @@ class PartsPackage(Packager):  # type: ignore[misc]
 
     def _write_styles_file(self) -> None:
         book = self.workbook
-        styles = NamedStyles(book.named_styles)
+        styles = NamedStyles()
+        styles.named = book.named_styles
         styles._set_style_properties(
             [
                 book.xf_formats, book.palette, book.font_count, book.num_formats, book.border_count,
@@ -376,7 +368,8 @@ class PartsPackage(Packager):  # type: ignore[misc]
 
     def _write_properties(self) -> None:
         self._end_part()
-        core = CoreProperties(self.workbook.language, seal(self.archive.contents()))
+        core = CoreProperties()
+        core.added = {"dc:language": self.workbook.language, "dc:identifier": seal(self.archive.contents())}
         core._set_properties(self.workbook.doc_properties)
         self._assemble(core, "docProps/core.xml")
 

@@ -11,8 +11,7 @@ from mechsheet.formula.references import column_index
 
 from ..reading.fill_runs import Run
 from ..reading.repeated_rows import Groups
-from ..reading.row_expression import LEAST, LONGEST, NUMBER, TEXT, RowExpression
-from ..reading.row_values import give_numbers, give_values
+from ..reading.row_matching import LEAST, LONGEST, NUMBER, TEXT, RowExpression, give_numbers, give_values
 
 if TYPE_CHECKING:
     from .scan import SheetScan

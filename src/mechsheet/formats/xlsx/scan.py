@@ -17,8 +17,8 @@ from ..reading.fill_runs import FormulaRuns
 from ..reading.numbers import NULL_DATE, NULL_DATE_1904, day_number, finite
 from ..reading.package import Package, local_name, unescaped
 from ..reading.repeated_rows import RepeatedRows
-from .filters import give_filters
 from .row_pattern import row_pattern
+from .tables import give_filters
 
 
 class SheetScan:

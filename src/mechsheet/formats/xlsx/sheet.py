@@ -8,15 +8,7 @@ from mechsheet.formula.nodes import Node
 from mechsheet.formula.printer import print_formula
 from mechsheet.sheet.workbook import Control, PrintSetup, Sheet, Validation
 
-from ..house_style import (
-    EXCEL_DIGIT_PIXELS,
-    MARGIN_END,
-    MARGIN_SIDE,
-    NOTE_PIXELS,
-    PADDING_PIXELS,
-    TEXT_SIZE,
-    note_height,
-)
+from ..house_style import MARGIN_END, MARGIN_SIDE, NOTE_PIXELS, TEXT_SIZE, excel_column_pixels, note_height
 from ..xml_text import legal
 from .charts import new_chart
 from .controls import PlacedControl
@@ -33,7 +25,7 @@ def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str, auth
     _print_setup(page, sheet.print_setup)
     for column in sheet.columns:
         options = {"level": column.level, "hidden": column.hidden, "collapsed": column.collapsed}
-        page.set_column_pixels(column.first, column.last, _column_pixels(column.width), None, options)
+        page.set_column_pixels(column.first, column.last, excel_column_pixels(column.width), None, options)
     for row, height in sheet.row_heights:
         page.set_row_pixels(row, height)
     for merge in sheet.merges:
@@ -56,11 +48,6 @@ def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str, auth
         place = {"x_offset": chart.anchor.dx, "y_offset": chart.anchor.dy, "description": legal(chart.alt_text)}
         page.insert_chart(chart.anchor.row, chart.anchor.col, made, place)
     _dimension(page, sheet)
-
-
-def _column_pixels(width: float) -> int:
-    """Width of a column of `width` digits and a padding, to Excel's whole pixels."""
-    return int(width * EXCEL_DIGIT_PIXELS + 0.5) + PADDING_PIXELS
 
 
 def _view(page: DataWorksheet, sheet: Sheet) -> None:

@@ -1,10 +1,11 @@
-"""The tables of an .xlsx (`xl/tables/*.xml`), for structured references."""
+"""The tables of an .xlsx (`xl/tables/*.xml`), for structured references; and which hidden rows a filter hides."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from xml.parsers import expat
 
-from mechsheet.formula.book import Table
+from mechsheet.formula.book import BookSheet, Table
 from mechsheet.formula.references import parse_cell
 
 from ..reading.package import Package, local_name, relationships, unescaped
@@ -46,3 +47,24 @@ def _table(package: Package, part: str, title: str, filters: list[str]) -> Table
     if not (headers.isdecimal() and totals.isdecimal() and len(headers + totals) < 9 and rows > 0):
         return None
     return Table(name, title, *corners[0], rows, tuple(columns), int(headers), int(totals))
+
+
+def give_filters(sheet: BookSheet, areas: Iterable[str]) -> None:
+    """Note the hidden rows below the first one of each area ("A1:C9") with a filter that filters.
+
+    SUBTOTAL leaves those out always, the others only if it is asked to.
+    """
+    below: list[tuple[int, int]] = []
+    for area in dict.fromkeys(areas):
+        first, _, last = area.partition(":")
+        corners = parse_cell(first), parse_cell(last or first)
+        if corners[0] is not None and corners[1] is not None:
+            below.append((corners[0][0] + 1, corners[1][0] + 1))
+    sheet.hidden.sort()
+    found = {
+        (max(top, first), min(bottom, end))
+        for top, bottom in below
+        for first, end in sheet.hidden
+        if max(top, first) < min(bottom, end)
+    }
+    sheet.filtered = sorted(found)

@@ -18,7 +18,6 @@ from ..xml_text import number, ooxml_escaped
 from .read import sheet_parts
 
 _TYPE = attributes_named("t")
-_REF = attributes_named("ref")
 _AREA = attributes_named("ref")
 
 
