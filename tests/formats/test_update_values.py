@@ -55,7 +55,7 @@ def raw(path):
     return found
 
 
-def refreshed(source, output, settings=None):
+def updated(source, output, settings=None):
     result = recalc(source, settings)
     result.write(output)
     return read(output)
@@ -90,7 +90,7 @@ class TestOurOwn:
 
     def test_what_is_not_touched_is_copied_as_it_is_packed(self, suffix, yoke, tmp_path):
         output = tmp_path / f"out.{suffix}"
-        refreshed(yoke[suffix], output, {"a_2": 51.5})
+        updated(yoke[suffix], output, {"a_2": 51.5})
         old, new = raw(yoke[suffix]), raw(output)
         changed = changed_parts(yoke[suffix], output)
         assert all("sheet" in name or name == "content.xml" for name in changed)
@@ -100,7 +100,7 @@ class TestOurOwn:
 
     def test_the_new_values_are_right(self, suffix, yoke, tmp_path):
         output = tmp_path / f"out.{suffix}"
-        refreshed(yoke[suffix], output, {"a_2": 51.5})
+        updated(yoke[suffix], output, {"a_2": 51.5})
         report = check(output)
         assert report.agrees
         assert report.comparisons[0].worst == 0
@@ -108,9 +108,9 @@ class TestOurOwn:
 
     def test_back_again(self, suffix, four_bar, tmp_path):
         there, back = tmp_path / f"there.{suffix}", tmp_path / f"back.{suffix}"
-        refreshed(four_bar[suffix], there, {"a_1": 200})  # nothing can be joined: #N/A in most cells
+        updated(four_bar[suffix], there, {"a_1": 200})  # nothing can be joined: #N/A in most cells
         assert ErrorValue("#N/A") in {value for *_, value in read(there).sheets[1].cached.items()}
-        refreshed(there, back, {"a_1": 70})
+        updated(there, back, {"a_1": 70})
         first, last = read(four_bar[suffix]), read(back)
         for mine, theirs in zip(last.sheets, first.sheets, strict=True):
             assert list(mine.cached.items()) == list(theirs.cached.items())
@@ -120,13 +120,13 @@ class TestOurOwn:
     def test_in_its_own_place(self, suffix, yoke, tmp_path):
         path = tmp_path / f"own.{suffix}"
         path.write_bytes(yoke[suffix].read_bytes())
-        refreshed(path, path, {"a_2": 51.5})
+        updated(path, path, {"a_2": 51.5})
         assert check(path).agrees
         assert [left.name for left in tmp_path.iterdir()] == [path.name]
 
     def test_cells_that_had_no_element(self, suffix, yoke, tmp_path):
         settings = {"Mechanism!ZZ3": 5.0, "Mechanism!B3000": "a < b", "mechanism!A3000": 1, "Checks!G1": -1e-9}
-        book = refreshed(yoke[suffix], tmp_path / f"out.{suffix}", settings)
+        book = updated(yoke[suffix], tmp_path / f"out.{suffix}", settings)
         first, checks = book.sheets[0], book.sheet("Checks")
         assert first.constants.get(2, 701) == 5.0
         assert (first.constants.get(2999, 0), first.constants.get(2999, 1)) == (1.0, "a < b")
@@ -177,7 +177,7 @@ class TestXlsx:
             new.writestr("custom/ünbekannt.bin", bytes(range(256)) * 9, compress_type=zipfile.ZIP_STORED)
             new.comment = b"made by hand"
         output = tmp_path / "out.xlsx"
-        refreshed(source, output)
+        updated(source, output)
         assert changed_parts(source, output) == ["xl/worksheets/sheet1.xml"]
         with zipfile.ZipFile(output) as archive:
             assert archive.comment == b"made by hand"
@@ -185,7 +185,7 @@ class TestXlsx:
         assert [c.value for c in found[1]] == [3, 6, "big  ", True, "#DIV/0!", "big  TRUE"]
         assert found["A1"].comment.text == "typed"
 
-        refreshed(output, source, {"Sheet!A1": 1})
+        updated(output, source, {"Sheet!A1": 1})
         found = openpyxl.load_workbook(source, data_only=True).active
         assert [c.value for c in found[1]] == [1, 2, " small <&>", False, -0.5, " small <&>FALSE"]
 
@@ -194,7 +194,7 @@ class TestXlsx:
         book.active.append([3, "=ISNUMBER(A1)"])
         book.active["A2"] = "a shared text"
         book.save(tmp_path / "a.xlsx")
-        refreshed(tmp_path / "a.xlsx", tmp_path / "b.xlsx", {"Sheet!A1": "'x_0041_", "Sheet!A2": 4})
+        updated(tmp_path / "a.xlsx", tmp_path / "b.xlsx", {"Sheet!A1": "'x_0041_", "Sheet!A2": 4})
         found = openpyxl.load_workbook(tmp_path / "b.xlsx", data_only=True).active
         assert read(tmp_path / "b.xlsx").sheets[0].constants.get(0, 0) == "x_0041_"
         assert (found["B1"].value, found["A2"].value) == (False, 4)
@@ -232,9 +232,9 @@ class Pipe(io.RawIOBase):
 class TestOds:
     """Of files as other programs write them."""
 
-    def refreshed(self, tmp_path, rows, settings=None, after=""):
+    def updated(self, tmp_path, rows, settings=None, after=""):
         source = write_ods(tmp_path / "a.ods", content(table(rows + after)))
-        book = refreshed(source, tmp_path / "b.ods", settings)
+        book = updated(source, tmp_path / "b.ods", settings)
         return book, parts(tmp_path / "b.ods")["content.xml"].decode()
 
     def test_a_number_keeps_what_kind_of_number_it_is(self, tmp_path):
@@ -252,7 +252,7 @@ class TestOds:
             result("float", 1, "irgendwas", "[.A1]/3"),
             result("float", 1, "-3.25", "[.A1]/-3"),
         )
-        book, xml = self.refreshed(tmp_path, rows)
+        book, xml = self.updated(tmp_path, rows)
         assert [book.sheets[0].cached.get(0, col) for col in range(1, 7)] == [0.25, 6.0, 45351.5, 2 / 24, 2 / 3, -2 / 3]
         assert 'office:value-type="percentage" office:value="0.25"><text:p>25.00%</text:p>' in xml
         assert 'office:value-type="currency" office:value="6"><text:p>6,0</text:p>' in xml
@@ -269,7 +269,7 @@ class TestOds:
         )
         rows = row(number(2), cell(attributes, f"{note}<text:p>1</text:p><text:p>2</text:p>{shape}"))
         rows += row(cell('table:formula="of:=[.B1]" office:value-type="float" office:value="1"', note + shape))
-        book, xml = self.refreshed(tmp_path, rows)
+        book, xml = self.updated(tmp_path, rows)
         assert (book.sheets[0].cached.get(0, 1), book.sheets[0].cached.get(1, 0)) == ("2!", "2!")
         assert f"{note}<text:p>2!</text:p>{shape}</table:table-cell></table:table-row>" in xml
         assert "table:style-name='a>b' table:formula=" in xml
@@ -279,13 +279,13 @@ class TestOds:
         xml = content(table(row(number(0), number(1, "1/[.A1]"))))
         xml = xml.replace(' xmlns:calcext="urn:org:documentfoundation:names:experimental:calc:xmlns:calcext:1.0"', "")
         source = write_ods(tmp_path / "a.ods", xml)
-        book = refreshed(source, tmp_path / "b.ods")
+        book = updated(source, tmp_path / "b.ods")
         assert book.sheets[0].cached.get(0, 1) == ErrorValue("#DIV/0!")
         assert "xmlns:calcext" in parts(tmp_path / "b.ods")["content.xml"].decode()
 
     def test_repeated_cells_come_apart(self, tmp_path):
         rows = row(number(5, repeated=4), number(1, "SUM([.A1:.D1])"), cell(repeated=100))
-        book, xml = self.refreshed(tmp_path, rows, {"S!B1": 7, "S!AA1": "x"})
+        book, xml = self.updated(tmp_path, rows, {"S!B1": 7, "S!AA1": "x"})
         sheet = book.sheets[0]
         assert [sheet.constants.get(0, col) for col in range(4)] == [5.0, 7.0, 5.0, 5.0]
         assert (sheet.cached.get(0, 4), sheet.constants.get(0, 26)) == (22.0, "x")
@@ -293,7 +293,7 @@ class TestOds:
 
     def test_repeated_rows_come_apart(self, tmp_path):
         rows = row(number(5), number(0, "ROW()"), repeated=4) + row(cell(repeated=3), repeated=1000)
-        book, xml = self.refreshed(tmp_path, rows, {"S!A3": 7, "S!C500": True})
+        book, xml = self.updated(tmp_path, rows, {"S!A3": 7, "S!C500": True})
         sheet = book.sheets[0]
         assert [sheet.constants.get(n, 0) for n in range(5)] == [5.0, 5.0, 7.0, 5.0, None]
         assert [sheet.cached.get(n, 1) for n in range(4)] == [1.0, 2.0, 3.0, 4.0]
@@ -302,7 +302,7 @@ class TestOds:
 
     def test_formulas_that_stay_equal_stay_together(self, tmp_path):
         rows = row(number(5), number(0, "PI()", repeated=3), repeated=4)
-        book, xml = self.refreshed(tmp_path, rows)
+        book, xml = self.updated(tmp_path, rows)
         assert len([1 for *_, value in book.sheets[0].cached.items() if value == pytest.approx(3.14159265)]) == 12
         assert xml.count("<table:table-row") == 1
         assert 'table:number-columns-repeated="3"' in xml
@@ -310,7 +310,7 @@ class TestOds:
     def test_new_rows_stand_before_what_follows_the_rows(self, tmp_path):
         names = '<table:named-expressions><table:named-range table:name="N" table:cell-range-address="$S.$A$1"/>'
         names += "</table:named-expressions>"
-        book, xml = self.refreshed(tmp_path, row(number(5)), {"S!B3": 1.5, "S!A3": "a", "S!C9": 2}, names)
+        book, xml = self.updated(tmp_path, row(number(5)), {"S!B3": 1.5, "S!A3": "a", "S!C9": 2}, names)
         sheet = book.sheets[0]
         assert [sheet.constants.get(*place) for place in ((2, 0), (2, 1), (8, 2))] == ["a", 1.5, 2.0]
         assert xml.index("table:named-expressions") > xml.rindex("table:table-row")
@@ -318,14 +318,14 @@ class TestOds:
     def test_sheets_that_are_copies_of_other_files_stay(self, tmp_path):
         cache = table(row(number(5), number(1, "[.A1]")), "&apos;file:///tmp/other.ods&apos;#$Sheet1")
         source = write_ods(tmp_path / "a.ods", content(cache + table(row(number(2), number(1, "[.A1]"), text("a")))))
-        refreshed(source, tmp_path / "b.ods")
+        updated(source, tmp_path / "b.ods")
         assert cache in parts(tmp_path / "b.ods")["content.xml"].decode()
 
     def test_unusual_prefixes_are_refused(self, tmp_path):
         xml = content(table(row(number(2), number(1, "[.A1]"))))
         xml = xml.replace("xmlns:text=", "xmlns:words=")
         with pytest.raises(WorkbookError, match="can be read, but not written"):
-            refreshed(write_ods(tmp_path / "a.ods", xml), tmp_path / "b.ods")
+            updated(write_ods(tmp_path / "a.ods", xml), tmp_path / "b.ods")
         assert not (tmp_path / "b.ods").exists()
 
 
@@ -345,20 +345,20 @@ class TestArrays:
 
     def test_an_array_formula(self, tmp_path):
         source = self.book(tmp_path / "a.xlsx", "{=A1:A3*B1}", "C1:C3", 0, False)
-        book = refreshed(source, tmp_path / "b.xlsx", {"S!B1": 10})
+        book = updated(source, tmp_path / "b.xlsx", {"S!B1": 10})
         assert [book.sheets[0].cached.get(row, 2) for row in range(3)] == [30.0, 10.0, 20.0]
-        again = refreshed(tmp_path / "b.xlsx", tmp_path / "c.xlsx", {"S!B1": 2})
+        again = updated(tmp_path / "b.xlsx", tmp_path / "c.xlsx", {"S!B1": 2})
         assert [again.sheets[0].cached.get(row, 2) for row in range(3)] == [6.0, 2.0, 4.0]
         sheet = openpyxl.load_workbook(tmp_path / "c.xlsx", data_only=True)["S"]
         assert [[cell.value for cell in row] for row in sheet["A1:C3"]] == [[3, 2, 6], [1, None, 2], [2, None, 4]]
 
     def test_a_dynamic_array_grows_and_shrinks(self, tmp_path):
         source = self.book(tmp_path / "a.xlsx", "=SEQUENCE(B1,2)", "C2:D3", 0, True)
-        grown = refreshed(source, tmp_path / "b.xlsx", {"S!B1": 4})
+        grown = updated(source, tmp_path / "b.xlsx", {"S!B1": 4})
         (block,) = grown.sheets[0].blocks
         assert (block.rows, block.cols, block.kind) == (4, 2, "spill")
         assert [grown.sheets[0].cached.get(row, 3) for row in range(1, 6)] == [2.0, 4.0, 6.0, 8.0, None]
-        shrunk = refreshed(tmp_path / "b.xlsx", tmp_path / "c.xlsx", {"S!B1": 1})
+        shrunk = updated(tmp_path / "b.xlsx", tmp_path / "c.xlsx", {"S!B1": 1})
         (block,) = shrunk.sheets[0].blocks
         assert (block.rows, block.cols) == (1, 2)
         sheet = openpyxl.load_workbook(tmp_path / "c.xlsx", data_only=True)["S"]
@@ -370,7 +370,7 @@ class TestArrays:
         spanned = 'table:number-matrix-columns-spanned="2" table:number-matrix-rows-spanned="1"'
         array = cell(f'table:formula="of:=[.A1]*{{1;2}}" {spanned} office:value-type="float" office:value="3"')
         source = write_ods(tmp_path / "a.ods", content(table(row(number(3), array, number(6)))))
-        book = refreshed(source, tmp_path / "b.ods", {"S!A1": 5})
+        book = updated(source, tmp_path / "b.ods", {"S!A1": 5})
         assert [book.sheets[0].cached.get(0, col) for col in (1, 2)] == [5.0, 10.0]
         assert list(book.sheets[0].constants.items()) == [(0, 0, 5.0)]
 
@@ -383,7 +383,7 @@ def test_cells_out_of_order_are_read_but_not_set(tmp_path):
     with zipfile.ZipFile(tmp_path / "plain.xlsx") as old, zipfile.ZipFile(source, "w") as new:
         for name in old.namelist():
             new.writestr(name, f"{xml}</sheetData></worksheet>" if name.endswith("sheet1.xml") else old.read(name))
-    assert refreshed(source, tmp_path / "b.xlsx").sheets[0].cached.get(1, 0) == 8.0
+    assert updated(source, tmp_path / "b.xlsx").sheets[0].cached.get(1, 0) == 8.0
     with pytest.raises(WorkbookError, match="out of order"):
-        refreshed(source, tmp_path / "c.xlsx", {"S!A1": 5})
+        updated(source, tmp_path / "c.xlsx", {"S!A1": 5})
     assert not (tmp_path / "c.xlsx").exists()

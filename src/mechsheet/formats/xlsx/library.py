@@ -62,10 +62,8 @@ class DataWorksheet(Worksheet):  # type: ignore[misc]
             self.fh.write(rows)
         self.fh.write("</sheetData>")
 
-    def _get_range_data(
-        self, first_row: int, first_col: int, last_row: int, last_col: int
-    ) -> Sequence[float | str | None]:
-        return cached_values(self.data.sheet, Area(first_row, first_col, last_row, last_col))
+    def _get_range_data(self, *corners: int) -> Sequence[float | str | None]:
+        return cached_values(self.data.sheet, Area(*corners))
 
     def _prepare_formula(self, formula: str, expand_future_functions: bool = False) -> str:
         # The printer has spelled it as the file wants it.
@@ -320,7 +318,11 @@ class PartsPackage(Packager):  # type: ignore[misc]
         for page in self.workbook.worksheets():
             for placed in page.controls:
                 self._filename(f"xl/ctrlProps/ctrlProp{placed.number}.xml").write(control_properties(placed))
-        self._write_properties()
+        self._end_part()
+        core = CoreProperties()
+        core.added = {"dc:language": self.workbook.language, "dc:identifier": seal(archive.contents())}
+        core._set_properties(self.workbook.doc_properties)
+        self._assemble(core, "docProps/core.xml")
         self._end_part()
 
     def _write_content_types_file(self) -> None:
@@ -363,15 +365,7 @@ class PartsPackage(Packager):  # type: ignore[misc]
         self._assemble(styles, "xl/styles.xml")
 
     def _write_core_file(self) -> None:
-        # Written last of all: it holds the seal of the others.
-        return
-
-    def _write_properties(self) -> None:
-        self._end_part()
-        core = CoreProperties()
-        core.added = {"dc:language": self.workbook.language, "dc:identifier": seal(self.archive.contents())}
-        core._set_properties(self.workbook.doc_properties)
-        self._assemble(core, "docProps/core.xml")
+        return  # Written last of all, because it holds the seal of the others.
 
     def _assemble(self, part: Any, name: str, *content: Any) -> None:
         part._set_xml_writer(self._filename(name))
