@@ -230,15 +230,14 @@ class _Writer:
         self.jumps = bool(routine.steps)
         for step in routine.steps:
             self.assign(self.called(step.symbol, step.symbol), step)
-        self.assign(self.name, Step(self.name, routine.result))
+        self.assign(self.name, Step(self.name, routine.result, routine.missing))
 
     def assign(self, target: str, step: Step) -> None:
         """`target = expression`; where there is no number, the function ends."""
         expression = step.expression
-        if step.missing is not None and isinstance(expression, Call):
+        if step.missing is not None:
             self.jumps = True
             self.line(f"If {self.said(self.apart(step.missing))} Then GoTo NoPosition")
-            expression = expression.args[2]
         if isinstance(expression, Call) and expression.name in self.fallible:
             call = Call(expression.name, tuple(self.apart(arg) for arg in expression.args))
             self.line(f"{target} = {self.said(call)}")

@@ -92,7 +92,7 @@ def functions_of(source: Source, language: str, taken: Collection[str] = ()) -> 
     main = names.take(prefix) if table else ""
     symbols = tuple(part.symbol for part in source.parameters())
     for symbol in source.variables():
-        about = next(equation.label for equation in source.equations.columns if equation.symbol == symbol)
+        about = source.equations.of(symbol).label
         routine = with_calls(source.routine(variable_key(symbol), symbol, about), patterns())
         found.append(Function(names.take(f"{prefix}_{symbol}".replace(".", "_")), symbols, routine, modes=source.modes))
     if table:
@@ -125,7 +125,7 @@ def table_routine(source: Source, request: TableRequest) -> Routine:
         value = Symbol(IN_RADIANS) if steps else value
     else:
         value = Call(variable_key(request.value), tuple(arguments))
-        unit = next(equation.unit for equation in source.equations.all if equation.symbol == request.value)
+        unit = source.equations.of(request.value).unit
     if in_degrees(source, request.value):
         value, unit = Call("DEGREES", (value,)), "deg"
     title = request.title or Words(f"{request.value}", f"{request.value}")
@@ -140,7 +140,7 @@ def in_degrees(source: Source, symbol: str) -> bool:
     for output in mechanism.outputs:
         if output.symbol == symbol:
             return output.unit == "deg"
-    return source.plan.shown_in_degrees(next(eq.unit for eq in source.equations.all if eq.symbol == symbol))
+    return mechanism.angle_unit == "deg" and source.equations.of(symbol).unit == "angle"
 
 
 def prefix_of(mechanism: Mechanism, language: str) -> str:

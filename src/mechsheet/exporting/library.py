@@ -14,9 +14,9 @@ from mechsheet.exporting import small_mechanisms as small
 from mechsheet.exporting.routines import Parameter, Routine, Source, Step, with_names, with_values
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Number, Symbol
+from mechsheet.kinematics.angle_branch import AngleBranch
 from mechsheet.kinematics.solve import CLOSING
 from mechsheet.model import Words
-from mechsheet.sheet.windows import Window
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +106,7 @@ def _parameters(order: str) -> tuple[Parameter, ...]:
 
 def _elementary() -> list[Basic]:
     """Length, angle, triangle and leg, as the dyads' equations have them."""
-    rrr, rrp = small.rrr().rules, small.rrp().rules
+    rrr, rrp = small.rrr().steps, small.rrp().steps
     rows = (
         ("length", Words("Mag", "Boy"), rrr["s"], "X Y", {"s_x": "X", "s_y": "Y"}, "length",
          Words("Length of the vector (X, Y)", "(X, Y) vektörünün boyu")),
@@ -124,8 +124,8 @@ def _elementary() -> list[Basic]:
                "Hipotenüsü C, bir dik kenarı A olan dik üçgenin öbür dik kenarı")),
     )  # fmt: skip
     found = []
-    for key, name, rule, order, renamed, unit, about in rows:
-        routine = Routine(key, about, _parameters(order), (), rule, unit)
+    for key, name, step, order, renamed, unit, about in rows:
+        routine = Routine(key, about, _parameters(order), (), step.expression, unit, missing=step.missing)
         found.append(Basic(name, with_names(routine, renamed)))
     return found
 
@@ -214,6 +214,6 @@ def _whole_turn() -> Basic:
     source = small.inverted(0.0)
     routine = source.routine("lever", "theta13", about, ("crank", "ground", "theta12", CONFIG), windowed=False)
     routine = with_values(routine, {CONFIG: al.ONE})
-    result = Window(0, math.pi).taken(routine.result, Symbol("theta12"))
+    result = AngleBranch(0, math.pi).taken(routine.result, Symbol("theta12"))
     routine = replace(routine, parameters=_parameters("crank ground theta12"), result=result)
     return Basic(Words("SlottedLever", "KolKızak"), routine)

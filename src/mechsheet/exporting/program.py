@@ -11,6 +11,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from mechsheet.exporting.identifiers import identifiers
+from mechsheet.exporting.routines import missing_where
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
 from mechsheet.formula.parser import parse_description
@@ -19,7 +20,6 @@ from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_order, solve
 from mechsheet.model import Dimension, Mechanism, Quantity
-from mechsheet.sheet.lowering import guarded, rooted
 from mechsheet.sheet.positions import shown_number
 
 WIDTH = 100
@@ -119,7 +119,7 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
     constants = [
         Line(
             eq.symbol,
-            guarded(eq.exists, _with_helpers(eq.expression)),
+            _constant(eq),
             unit_word(mechanism, eq.unit),
             one_line(eq.label.of(language)),
         )
@@ -192,7 +192,7 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
             found.append(line)
         node = _with_helpers(equation.expression)
         if equation.exists:
-            node = Call("IF", (closed[equation.exists], rooted(node), Call("NA")))
+            node = Call("IF", (closed[equation.exists], al.rooted(node), Call("NA")))
             still = False  # the condition has one value per row
         unit, words = unit_word(mechanism, equation.unit), one_line(equation.label.of(mechanism.language))
         found.append(ColumnLine(equation.symbol, node, still, unit, words, equation.group))
@@ -204,6 +204,12 @@ def _closed(equation: Equation, number: int, still: bool) -> ColumnLine:
     tests = tuple(Binary(">=", condition.margin, condition.least) for condition in equation.exists)
     name = f"closed {number + 1}"  # no description can use a name with a blank in it
     return ColumnLine(name, al.all_of(tests), still, "", "", equation.group)
+
+
+def _constant(equation: Equation) -> Node:
+    """A value that all rows share, where it exists."""
+    value = _with_helpers(equation.expression)
+    return value if equation.fails is None else missing_where(equation.fails, al.rooted(value))
 
 
 def _with_helpers(expression: Node) -> Node:

@@ -1,23 +1,24 @@
 """Functions of a mechanism as plain data: parameters, steps in order, a result. Printers spell them out.
 
-A routine is made from the list of equations. What the equations define in the row above is taken as in the first row of a
-sweep, and an angle whose turns a table would count is taken into the turn that it has there (`sheet.tables`): a function
-knows one position only. A step that stands for a missing position (`IF(…, NA(), …)`) ends the function with #N/A.
+A function knows one position only. So the direction of a vector is that within half a turn, and an angle that a table would
+count in turns is taken into the turn that it has there (`kinematics.angle_branch`). A step that has no number ends the
+function with #N/A.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Symbol, symbols, transform, walk
-from mechsheet.kinematics.equations import Equations
+from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, symbols, transform
+from mechsheet.formula.parser import parse_description
+from mechsheet.kinematics.angle_branch import WINDOWED, branches_of, reading_taken
+from mechsheet.kinematics.equations import Equation, Equations
+from mechsheet.kinematics.naming import FreshNames, given_names
+from mechsheet.kinematics.solve import dimension_order
+from mechsheet.kinematics.sweep import nominal
 from mechsheet.model import Mechanism, Words
-from mechsheet.sheet.expansion import definitions, substituted
-from mechsheet.sheet.lowering import Assignments
-from mechsheet.sheet.plan import Plan, plan_of
-from mechsheet.sheet.windows import WINDOWED, with_windows
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,23 +32,19 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """`symbol = expression`, over parameters and the steps before it."""
+    """`symbol = expression`, over parameters and the steps before it; no number where `missing` is true."""
 
     symbol: str
     expression: Node
-
-    @property
-    def missing(self) -> Node | None:
-        """The condition under which the step has no number, where it is written `IF(condition, NA(), value)`."""
-        match self.expression:
-            case Call("IF", (condition, Call("NA", ()), _)):
-                return condition
-        return None
+    missing: Node | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Routine:
-    """A function. `key` is what trees call it; `guards`: steps that must be numbers although the result reads them not."""
+    """A function. `key` is what trees call it; `guards`: steps that must be numbers although the result reads them not.
+
+    missing  true where the result has no number (an elementary function; those with steps end at one of these)
+    """
 
     key: str
     about: Words
@@ -56,17 +53,24 @@ class Routine:
     result: Node
     unit: str
     guards: tuple[str, ...] = ()
+    missing: Node | None = None
 
 
 class Source:
-    """A mechanism with its equations as rules, from which routines are taken."""
+    """A mechanism with its equations as steps, from which routines are taken.
+
+    steps    what every symbol that is not given equals at one position, by symbol, in order of solution
+    closing  the steps that have no number where a group cannot be joined
+    """
 
     def __init__(self, mechanism: Mechanism, equations: Equations) -> None:
         self.mechanism = mechanism
-        self.plan: Plan = plan_of(mechanism, equations)
-        self.equations = self.plan.equations
-        self.rules = with_windows(self.plan, definitions(mechanism, self.equations))
+        self.equations = equations
         self.modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
+        lowering = _Lowering(mechanism, equations)
+        self.steps = lowering.steps
+        closing = [lowering.holders.get(group.closes, group.closes) for group in equations.groups]
+        self.closing = [symbol for symbol in closing if symbol in self.steps and self.steps[symbol].missing is not None]
 
     def parameters(self) -> tuple[Parameter, ...]:
         """The dimensions that are given, the driver, the assembly modes."""
@@ -92,40 +96,106 @@ class Source:
         order     symbols of the parameters, where they are not those of `parameters`: all that the variable depends on
         windowed  an angle comes in the turn in which the table of positions has it; else as its equation gives it
         """
-        window = WINDOWED.format(symbol=symbol)
-        wanted = window if windowed and window in self.rules else symbol
-        closing = [group.closes for group in self.equations.groups if _can_be_missing(self.rules.get(group.closes))]
-        own = _needed([wanted], self.rules)
-        needed = _needed([wanted, *closing], self.rules)
-        rules = {name: rule for name, rule in self.rules.items() if name in needed}
+        taken = WINDOWED.format(symbol=symbol)
+        wanted = taken if windowed and taken in self.steps else symbol
+        own = _needed([wanted], self.steps)
+        needed = _needed([wanted, *self.closing], self.steps)
         parameters = {parameter.symbol: parameter for parameter in self.parameters()}
-        steps, result = tidied(rules, wanted, {name: Symbol(name) for name in parameters})
+        used = [step for name, step in self.steps.items() if name in needed]
+        steps, result = tidied(used, wanted, {name: Symbol(name) for name in parameters})
         return Routine(
             key,
             about,
             tuple(parameters[name] for name in order or parameters),
             steps,
             result,
-            _unit_of(self.equations, symbol),
-            tuple(name for name in closing if name not in own),
+            self.equations.of(symbol).unit,
+            tuple(name for name in self.closing if name not in own),
         )
 
 
-def tidied(rules: Mapping[str, Node], wanted: str, given: Mapping[str, Node]) -> tuple[tuple[Step, ...], Node]:
-    """Steps and result of rules in order: numbers, other names of a symbol and the first row's turns are put in place."""
+class _Lowering:
+    """The equations as steps of a function, in the same order.
+
+    holders  the symbols of equations whose conditions stand beside another step: the area of their triangle
+    """
+
+    def __init__(self, mechanism: Mechanism, equations: Equations) -> None:
+        found = [*(equation.symbol for equation in equations.all), *(group.mode for group in equations.groups)]
+        self.names = FreshNames([*given_names(mechanism), *found])
+        self.groups = {group.number: group for group in equations.groups}
+        self.branches = branches_of(mechanism, equations, nominal(mechanism, equations))
+        self.areas: dict[frozenset[Node], str] = {}
+        self.holders: dict[str, str] = {}
+        self.steps: dict[str, Step] = {}
+        given = {dim.symbol: dim.value for dim in mechanism.dimensions}
+        for symbol in dimension_order(mechanism):
+            if isinstance(value := given[symbol], str):
+                self._add(symbol, parse_description(value))
+        for equation in equations.all:
+            self._lower(equation)
+            if (branch := self.branches.get(equation.symbol)) is not None:
+                taken = branch.taken(Symbol(equation.symbol), Symbol(mechanism.driver.symbol))
+                self._add(WINDOWED.format(symbol=equation.symbol), taken)
+
+    def _add(self, symbol: str, expression: Node, missing: Node | None = None) -> None:
+        self.steps[symbol] = Step(symbol, expression, missing)
+
+    def _lower(self, equation: Equation) -> None:
+        match equation.expression:
+            case Direction(y, x):
+                # within half a turn, and not called phi: PHI is a function of spreadsheets
+                name = self.names.reserve(f"{_base(equation)}_0", equation.group)
+                self._add(name, al.atan2(x, y))
+                self._add(equation.symbol, Symbol(name))
+            case TriangleAngle(opposite, beside, other):
+                area = self._area(equation, (beside, other, opposite))
+                self.holders[equation.symbol] = area
+                self._add(equation.symbol, al.triangle_angle(opposite, beside, other, Symbol(area)))
+            case expression:
+                read = reading_taken(expression, self.branches) if equation.role == "output" else expression
+                self._add(equation.symbol, read if equation.fails is None else al.rooted(read), equation.fails)
+
+    def _area(self, equation: Equation, sides: tuple[Node, ...]) -> str:
+        """The step with the area of a triangle, which its angles share."""
+        key = frozenset(sides)
+        if key not in self.areas:
+            group = self.groups.get(equation.group)
+            base = "Delta"
+            if group is not None and frozenset(group.sides) == key:
+                sides = group.sides
+            else:  # the triangle of a link: of gamma_BC
+                base += _base(equation).removeprefix("gamma")
+            name = self.areas[key] = self.names.reserve(base, equation.group)
+            self._add(name, al.rooted(al.triangle_area(*sides)), equation.fails)
+        return self.areas[key]
+
+
+def tidied(rules: Sequence[Step], wanted: str, given: Mapping[str, Node]) -> tuple[tuple[Step, ...], Node]:
+    """Steps and result of rules in order: numbers and other names of a symbol are put in place."""
     forms = dict(given)
     steps: list[Step] = []
-    last = list(rules)[-1]
-    for symbol, rule in rules.items():
-        expression = _decided(substituted(rule, forms))
-        if al.is_simple(expression):
-            forms[symbol] = expression
-        elif symbol == wanted == last and not _can_be_missing(expression):
+    for rule in rules:
+        expression = _placed(rule.expression, forms)
+        missing = None if rule.missing is None else _placed(rule.missing, forms)
+        if missing is None and al.is_simple(expression):
+            forms[rule.symbol] = expression
+        elif rule.symbol == wanted and rule is rules[-1] and missing is None:
             return tuple(steps), expression
         else:
-            forms[symbol] = Symbol(symbol)
-            steps.append(Step(symbol, expression))
+            forms[rule.symbol] = Symbol(rule.symbol)
+            steps.append(Step(rule.symbol, expression, missing))
     return tuple(steps), forms[wanted]
+
+
+def mapped(routine: Routine, change: Callable[[Node], Node]) -> Routine:
+    """The routine with every expression changed."""
+
+    def condition(missing: Node | None) -> Node | None:
+        return None if missing is None else change(missing)
+
+    steps = tuple(Step(step.symbol, change(step.expression), condition(step.missing)) for step in routine.steps)
+    return replace(routine, steps=steps, result=change(routine.result), missing=condition(routine.missing))
 
 
 def with_names(routine: Routine, renamed: Mapping[str, str]) -> Routine:
@@ -137,13 +207,18 @@ def with_names(routine: Routine, renamed: Mapping[str, str]) -> Routine:
     def name(symbol: str) -> str:
         return renamed.get(symbol, symbol)
 
+    routine = mapped(routine, lambda node: transform(node, change))
     return replace(
         routine,
         parameters=tuple(replace(part, symbol=name(part.symbol)) for part in routine.parameters),
-        steps=tuple(Step(name(step.symbol), transform(step.expression, change)) for step in routine.steps),
-        result=transform(routine.result, change),
+        steps=tuple(replace(step, symbol=name(step.symbol)) for step in routine.steps),
         guards=tuple(name(symbol) for symbol in routine.guards),
     )
+
+
+def missing_where(condition: Node | None, value: Node) -> Node:
+    """The value, or #N/A where the condition is true."""
+    return value if condition is None else Call("IF", (condition, Call("NA"), value))
 
 
 def guarded(routine: Routine, result: Node, forms: Mapping[str, Node]) -> Node:
@@ -154,37 +229,38 @@ def guarded(routine: Routine, result: Node, forms: Mapping[str, Node]) -> Node:
     return Call("IF", (tests[0] if len(tests) == 1 else Call("AND", tests), result, Call("NA")))
 
 
-def _decided(node: Node) -> Node:
-    """ISNUMBER decided (a step that has no number ends the function before another asks for it), 0/2 left out."""
+def _placed(node: Node, forms: Mapping[str, Node]) -> Node:
+    """An expression over its forms: what a form of 0 or 1 makes needless is left out."""
 
     def change(part: Node) -> Node:
         match part:
-            case Call("IF", (Call("ISNUMBER", (Symbol(),)), value, _)):
-                return value
-            case Binary("/", left, right):
-                return al.div(left, right)
-            case Binary("+", left, right):
-                return al.add(left, right)
-            case Binary("-", left, right):
-                return al.sub(left, right)
-        return part
+            case Symbol(name):
+                return forms[name]
+            case Binary("^", Call("SQRT", (square,)), Number(2.0)):
+                return square
+        return al.tidied(part)
 
     return transform(node, change)
 
 
-def _can_be_missing(rule: Node | None) -> bool:
-    return rule is not None and any(isinstance(part, Call) and part.name == "NA" for part in walk(rule))
-
-
-def _needed(wanted: Iterable[str], rules: Mapping[str, Node]) -> set[str]:
+def _needed(wanted: Iterable[str], steps: Mapping[str, Step]) -> set[str]:
+    """The symbols that some depend on, and these themselves."""
     stack = list(wanted)
     found = set(stack)
     while stack:
-        rule = rules.get(stack.pop())
-        fresh = [] if rule is None else [name for name in symbols(rule) if name not in found]
+        step = steps.get(stack.pop())
+        if step is None:
+            continue
+        reads = [*symbols(step.expression), *(symbols(step.missing) if step.missing is not None else ())]
+        fresh = [name for name in reads if name not in found]
         found.update(fresh)
         stack += fresh
     return found
+
+
+def _base(equation: Equation) -> str:
+    """The symbol without the number of its group."""
+    return equation.symbol.removesuffix(f"_{equation.group}") if equation.group > 1 else equation.symbol
 
 
 def _unit(unit: str, mechanism: Mechanism) -> str:
@@ -193,13 +269,9 @@ def _unit(unit: str, mechanism: Mechanism) -> str:
     return "length" if unit == mechanism.length_unit else "number" if unit == "1" else unit
 
 
-def _unit_of(equations: Assignments, symbol: str) -> str:
-    return next(equation.unit for equation in equations.all if equation.symbol == symbol)
-
-
 def with_values(routine: Routine, values: Mapping[str, Node]) -> Routine:
     """The routine with parameters replaced by numbers."""
-    rules = {step.symbol: step.expression for step in routine.steps} | {"result": routine.result}
+    rules = [*routine.steps, Step("result", routine.result)]
     left = tuple(parameter for parameter in routine.parameters if parameter.symbol not in values)
     given = {parameter.symbol: Symbol(parameter.symbol) for parameter in left} | dict(values)
     steps, result = tidied(rules, "result", given)

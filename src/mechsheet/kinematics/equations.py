@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Node, symbols
 from mechsheet.kinematics.closures import Loop
 from mechsheet.model import Words
@@ -55,6 +56,11 @@ class Equation:
     label: Words
     group: int = 0
     exists: tuple[Condition, ...] = ()
+
+    @property
+    def fails(self) -> Node | None:
+        """True where it does not exist, or None when it always does."""
+        return al.any_of([condition.fails for condition in self.exists]) if self.exists else None
 
     @property
     def reads(self) -> tuple[str, ...]:

@@ -1,16 +1,13 @@
 """The equations as cells compute them: what is mathematics in `kinematics` becomes formulas of one row and the row above.
 
-    exists, beside an equation      IF(it fails, NA(), the equation): never what a program makes of ACOS(2)
-    Direction(y, x)                 ATAN2 within half a turn, a column that counts the turns gone by, and their sum
-    TriangleAngle(a, b, c)          Heron's area once a triangle, then ATAN2 of the two legs: acos loses half its digits at a
-                                    dead centre, this loses none
-
-Source of the area's form: W. Kahan, "Miscalculating area and angles of a needle-like triangle".
+exists, beside an equation      IF(it fails, NA(), the equation): never what a program makes of ACOS(2)
+Direction(y, x)                 ATAN2 within half a turn, a column that counts the turns gone by, and their sum
+TriangleAngle(a, b, c)          Heron's area once a triangle, then ATAN2 of the two legs: acos loses half its digits at a
+                                dead centre, this loses none
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from mechsheet.formula import algebra as al
@@ -18,7 +15,6 @@ from mechsheet.formula.nodes import (
     Call,
     Direction,
     Node,
-    Number,
     Previous,
     Symbol,
     TriangleAngle,
@@ -26,7 +22,7 @@ from mechsheet.formula.nodes import (
     transform,
     walk,
 )
-from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, Role
+from mechsheet.kinematics.equations import Equation, Equations, Group, Role
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
 
@@ -128,10 +124,9 @@ class _Lowering:
                 self._direction(equation, y, x)
             case TriangleAngle(opposite, beside, other):
                 area = self._area(equation, opposite, beside, other)
-                cosine_side = al.sub(al.add(al.square(beside), al.square(other)), al.square(opposite))
-                self._add(equation, al.atan2(cosine_side, al.mul(al.number(4), area)))
+                self._add(equation, al.triangle_angle(opposite, beside, other, area))
             case expression:
-                self._add(equation, guarded(equation.exists, expression))
+                self._add(equation, guarded(equation, expression))
 
     def _add(self, equation: Equation, expression: Node, first: Node | None = None) -> Symbol:
         target = self.constants if equation.role == "constant" else self.columns
@@ -160,7 +155,7 @@ class _Lowering:
             sides = group.sides if group is not None and in_group else (beside, other, opposite)
             label = _area_of_group(group) if group is not None and in_group else _area_beside(equation)
             base = "Delta" if in_group else f"Delta{_base(equation).removeprefix('gamma')}"
-            form = guarded(equation.exists, _heron(*sides))
+            form = guarded(equation, al.triangle_area(*sides))
             self.areas[key] = self._help(base, equation, form, "number", label)
         return self.areas[key]
 
@@ -204,34 +199,9 @@ def _base(equation: Equation) -> str:
     return equation.symbol.removesuffix(f"_{equation.group}") if equation.group > 1 else equation.symbol
 
 
-def guarded(conditions: Iterable[Condition], value: Node) -> Node:
-    """The value where all conditions hold, else #N/A; a root of what may be a rounding error below 0 is then 0."""
-    fails = [condition.fails for condition in conditions]
-    if not fails:
-        return value
-    test = fails[0] if len(fails) == 1 else Call("OR", tuple(fails))
-    return Call("IF", (test, Call("NA"), rooted(value)))
-
-
-def rooted(value: Node) -> Node:
-    """The value, where a root of less than 0 is 0: beside a condition that holds, that is rounding."""
-
-    def change(part: Node) -> Node:
-        match part:
-            case Call("SQRT", (square,)):
-                return Call("SQRT", (Call("MAX", (al.ZERO, square)),))
-        return part
-
-    return transform(value, change)
-
-
-def _heron(a: Node, b: Node, c: Node) -> Node:
-    """sqrt((a+b+c)(a+b-c)(c+a-b)(c-a+b)) / 4."""
-    product = al.mul(
-        al.mul(al.mul(al.add(al.add(a, b), c), al.sub(al.add(a, b), c)), al.sub(al.add(c, a), b)),
-        al.add(al.sub(c, a), b),
-    )
-    return al.div(Call("SQRT", (product,)), Number(4.0))
+def guarded(equation: Equation, value: Node) -> Node:
+    """The value where the equation exists, else #N/A; a root of what may be a rounding error below 0 is then 0."""
+    return value if equation.fails is None else Call("IF", (equation.fails, Call("NA"), al.rooted(value)))
 
 
 def _area_of_group(group: Group) -> Words:

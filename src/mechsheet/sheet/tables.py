@@ -2,8 +2,8 @@
 
 The first column reads the driver's values from the table of positions (`$A8`), the head row holds the values of the
 dimension as inputs (`B$7`). Every cell is on its own, but for angles, whose turns the table of positions counts from row
-to row: they stand in blocks of their own beside the table, each within half a turn of the cell above it (`windows`), so that
-no column jumps; and all columns start within half a turn of the angle in the table of positions.
+to row: they stand in blocks of their own beside the table, each within half a turn of the cell above it, so that no column
+jumps; and all columns start within half a turn of the angle in the table of positions.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import quote_sheet
+from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken, taken_near
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import input_validation, shown_unit
@@ -24,7 +25,6 @@ from mechsheet.sheet.plan import Plan, needs_guard, unit_text
 from mechsheet.sheet.positions import places, shown_number
 from mechsheet.sheet.rows import first_row
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.windows import WINDOWED, Window, windows_of, with_continued
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
@@ -87,7 +87,7 @@ class _Table:
         self.title = title
         self.count = len(request.columns)
         self.last = FIRST + plan.rows - 1
-        self.windows: dict[str, Window] = {}
+        self.windows: dict[str, AngleBranch] = {}
         self.angles: list[str] = []
         self.helpers_at = 1 + self.count + 1 + CHART_COLUMNS + 1
         self.column: Dimension = next(dim for dim in plan.mechanism.dimensions if dim.symbol == request.column)
@@ -147,13 +147,23 @@ class _Table:
             for symbol, rule in rules.items()
             if (symbol in free or symbol in columns) and symbol not in (driver, self.request.column)
         }
-        self.windows = windows_of(plan, rules)
-        rules = with_continued(plan, rules, {symbol: self._near(symbol) for symbol in self.windows})
+        self.windows = branches_of(plan.mechanism, equations.equations, plan.nominal)
+        rules = self._continued(rules)
         rules[CELL] = self._cell(rules)
         used = needed(CELL, rules)
         apart = {symbol: WINDOWED.format(symbol=symbol) for symbol in self.windows}
         self.angles = [symbol for symbol, taken in apart.items() if taken in used]
         return expand(CELL, rules, self._bound, self._helper, [apart[symbol] for symbol in self.angles])
+
+    def _continued(self, rules: Mapping[str, Node]) -> dict[str, Node]:
+        """The rules with those of the angles as their columns have them, which outputs read."""
+        outputs = {output.symbol for output in self.plan.mechanism.outputs}
+        found: dict[str, Node] = {}
+        for symbol, rule in rules.items():
+            found[symbol] = reading_taken(rule, self.windows) if symbol in outputs else rule
+            if symbol in self.windows:
+                found[WINDOWED.format(symbol=symbol)] = taken_near(Symbol(symbol), self._near(symbol))
+        return found
 
     def _near(self, symbol: str) -> Node:
         """What an angle is taken within half a turn of: the cell above, or a line from where the columns start."""
