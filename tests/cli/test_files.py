@@ -268,8 +268,8 @@ def test_new_lists_titles():
     ],
 )
 def test_one_line_says_whether_it_closes(tmp_path, settings, said):
-    from mechsheet.building import compile_workbook
-    from mechsheet.verdict import verdict
+    from mechsheet.cli.verdict import verdict
+    from mechsheet.library.building import compile_workbook
 
     text = (Path(__file__).parents[2] / "templates" / "four-bar.toml").read_text(encoding="utf-8")
     overrides = {}

@@ -11,11 +11,11 @@ from exported import TEMPLATES
 from ezdxf.enums import TextEntityAlignment
 from lxml import etree
 
-from mechsheet.building import compile_workbook
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.exporting import export
-from mechsheet.show import variables_of
+from mechsheet.library.building import compile_workbook
+from mechsheet.library.show import variables_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 BY_NAME = {path.stem: path for path in TEMPLATES}

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from mechsheet.building import build
+from mechsheet.checking.programs import answers
 from mechsheet.cli import main
-from mechsheet.compute import computed
+from mechsheet.compiled.engine_values import computed
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import OutputError
 from mechsheet.engine import evaluate
@@ -29,8 +29,8 @@ from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
-from mechsheet.programs import answers
-from mechsheet.recalculation import recalc
+from mechsheet.library.building import build
+from mechsheet.library.recalculation import recalc
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.tables import CHART_COLUMNS, FIRST
 from office_macros import Job as Office

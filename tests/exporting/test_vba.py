@@ -20,7 +20,7 @@ from mechsheet.exporting.vba import write
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
-from mechsheet.show import variables_of
+from mechsheet.library.show import variables_of
 from office_macros import Job as Office
 from office_macros import with_macros
 from random_mechanisms import Grower

@@ -13,7 +13,7 @@ import pytest
 from strict_xlsx import faults
 
 from chosen import IN_CI, part
-from mechsheet.compute import computed
+from mechsheet.compiled.engine_values import computed
 from mechsheet.description import load, loads
 from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formats import write

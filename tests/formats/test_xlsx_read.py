@@ -9,6 +9,7 @@ import xlsxwriter
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import evaluate
 from mechsheet.formats import refresh
@@ -19,7 +20,6 @@ from mechsheet.formula.nodes import ErrorValue, shifted
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
-from mechsheet.programs import convert_with_libreoffice
 
 NA = ErrorValue("#N/A")
 

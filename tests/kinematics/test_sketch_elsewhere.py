@@ -9,8 +9,7 @@ import pytest
 
 from chosen import part, some
 from mechsheet import reference
-from mechsheet.building import compile_workbook
-from mechsheet.checking.sketching import with_modes
+from mechsheet.checking.modes_from_sketch import with_modes
 from mechsheet.description import loads
 from mechsheet.description.source import parse
 from mechsheet.description.templates import template_names, template_text
@@ -19,8 +18,9 @@ from mechsheet.exporting.program import program_of
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.library.building import compile_workbook
+from mechsheet.library.show import overview_text
 from mechsheet.model import Sketch
-from mechsheet.show import overview_text
 
 FOUR_BAR = template_text("four-bar")
 TEMPLATES = [name for name in template_names() if "[assembly]" in template_text(name)]

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from laid import Laid, template_text
 
-from mechsheet.compute import book_of
+from mechsheet.compiled.engine_values import book_of
 from mechsheet.engine import evaluate
 from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formula.nodes import Binary, Call, CellRef, Number, transform, walk

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from mechsheet import reference
 from mechsheet.checking.conditioning import excused
 from mechsheet.checking.inputs import Array, Inputs, inputs_in, plan_inside
-from mechsheet.checking.missing import missing_dimensions, readers
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally
+from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address

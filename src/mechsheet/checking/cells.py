@@ -7,9 +7,9 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import Comparison, Tally, difference
 from mechsheet.checking.rules import Rules, ignored_in
-from mechsheet.checking.sought import names_an_equal_row
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar, shifted
 from mechsheet.formula.references import cell_address

@@ -18,10 +18,10 @@ from typing import Any
 
 import numpy as np
 
-from mechsheet.building import build
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.cells import angles_in, compare_cells
 from mechsheet.checking.inputs import description_in, plan_inside
+from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
 from mechsheet.description import load
 from mechsheet.description.locate import located
@@ -30,7 +30,7 @@ from mechsheet.engine import compile_book
 from mechsheet.formats import read, refresh
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
-from mechsheet.programs import Answers, answers_to_all, names_of, refuse_unknown
+from mechsheet.library.building import build
 from mechsheet.sheet.plan import EXISTS, Plan
 
 Place = tuple[str, int, int]

@@ -10,9 +10,9 @@ from pathlib import Path
 from mechsheet.checking.audit import same
 from mechsheet.checking.changes import Change, changes_in, input_places
 from mechsheet.checking.expected import Expected, expected_for, inside
-from mechsheet.checking.moves import moves_between, undone
+from mechsheet.checking.inserted_rows import moves_between, undone
+from mechsheet.checking.modes_from_sketch import with_modes
 from mechsheet.checking.perturb import description_or_fault
-from mechsheet.checking.sketching import with_modes
 from mechsheet.description.index import Path as Place
 from mechsheet.description.locate import located
 from mechsheet.description.rewrite import number_text, with_number, without_key

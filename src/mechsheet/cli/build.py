@@ -23,7 +23,7 @@ from .common import (
 )
 
 if TYPE_CHECKING:
-    from mechsheet.building import Target
+    from mechsheet.library.building import Target
 
 
 @click.command()
@@ -65,8 +65,8 @@ def build(
 
     A workbook in which somebody has saved changes is left as it is, unless with --force.
     """
-    from mechsheet.building import compile_workbook, refuse_edited, targets, write_all
-    from mechsheet.verdict import verdict
+    from mechsheet.cli.verdict import verdict
+    from mechsheet.library.building import compile_workbook, refuse_edited, targets, write_all
 
     if output == STANDARD_OUTPUT:
         raise OutputError(

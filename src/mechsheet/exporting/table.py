@@ -6,8 +6,8 @@ import csv
 import io
 import math
 
+from mechsheet.compiled.motion import motion_of
 from mechsheet.exporting.job import Job
-from mechsheet.motion import motion_of
 
 PLAIN = {"°": "deg"}
 """Units in letters that every program reads."""

@@ -10,9 +10,9 @@ from typing import Literal
 
 import numpy as np
 
-from mechsheet.compute import computed
+from mechsheet.arguments.numbers import number_given
+from mechsheet.compiled.engine_values import computed
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
-from mechsheet.given import number_given
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Mechanism

@@ -7,7 +7,7 @@ import io
 import json
 import math
 
-from mechsheet.building import compile_workbook
+from mechsheet.compiled.motion import motion_of
 from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
@@ -15,8 +15,8 @@ from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import solve
+from mechsheet.library.building import compile_workbook
 from mechsheet.model import Mechanism
-from mechsheet.motion import motion_of
 from mechsheet.sheet.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
 

@@ -12,8 +12,8 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.arguments.numbers import number_text
 from mechsheet.diagnostics import Fault, MechsheetError, MissingProgramError
-from mechsheet.given import number_text
 from mechsheet.model import Mechanism
 
 Overrides: TypeAlias = Mapping[str, "str | float | Fraction | Decimal | np.number[Any]"]
@@ -84,7 +84,7 @@ class Linkage(Mechanism):
 
         Raises MechanismError when the linkage cannot be solved.
         """
-        from mechsheet.motion import motion_of
+        from mechsheet.compiled.motion import motion_of
 
         return Motion(*motion_of(self))
 
@@ -92,7 +92,7 @@ class Linkage(Mechanism):
         self, output: str | Path = ".", formats: str | Iterable[str] | None = None, force: bool = False
     ) -> list[Path]:
         """Write the workbooks; see `mechsheet.build`."""
-        from mechsheet.building import build
+        from mechsheet.library.building import build
 
         return build(self, output, formats, force=force)
 

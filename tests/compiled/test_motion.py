@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from chosen import IN_CI, some
-from mechsheet.building import compile_workbook
+from mechsheet.compiled.motion import motion_of
 from mechsheet.description import load, loads
-from mechsheet.motion import motion_of
+from mechsheet.library.building import compile_workbook
 from random_mechanisms import Grower
 
-TEMPLATES = sorted((Path(__file__).parent.parent / "templates").glob("*.toml"))
+TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 
 
 def shown_in_cells(workbook, plan, symbol):

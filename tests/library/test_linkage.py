@@ -11,7 +11,7 @@ import pytest
 import mechsheet
 from mechsheet.description.templates import template_text
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parent.parent.parent
 FOUR_BAR = ROOT / "templates" / "four-bar.toml"
 
 

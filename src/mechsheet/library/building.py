@@ -29,7 +29,7 @@ def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
 
     Raises MechanismError when the mechanism cannot be solved.
     """
-    from mechsheet.compute import computed
+    from mechsheet.compiled.engine_values import computed
     from mechsheet.kinematics.sketched import tell
     from mechsheet.kinematics.solve import solve
     from mechsheet.sheet.layout import lay_out
@@ -93,8 +93,8 @@ def targets(
 
 def is_folder(output: str | Path) -> bool:
     """Whether workbooks go into a folder of that name: as for every output, and a new name without an ending."""
+    from mechsheet.arguments.outputs import names_folder
     from mechsheet.formats.archive import is_stream
-    from mechsheet.outputs import names_folder
 
     path = Path(output)
     return names_folder(output) or (not path.suffix and not is_stream(path))
@@ -124,10 +124,10 @@ def write_all(
     mechanism: Mechanism, workbook: Workbook, wanted: Sequence[Target], output: str | Path = "."
 ) -> list[Path]:
     """Write the computed workbook of a mechanism, and those with functions, into the files of `targets`."""
-    from mechsheet.compute import computed
+    from mechsheet.arguments.outputs import folder_ready
+    from mechsheet.compiled.engine_values import computed
     from mechsheet.exporting.workbooks import functions_workbook
     from mechsheet.formats import write
-    from mechsheet.outputs import folder_ready
 
     folder = f"{output}/" if is_folder(output) else output
     with folder_ready(folder):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from mechsheet.compute import column_of
+from mechsheet.compiled.engine_values import column_of
 from mechsheet.kinematics.solve import dimension_values, number
 from mechsheet.model import Mechanism
 from mechsheet.sheet.blocks import shown_unit

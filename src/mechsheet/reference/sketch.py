@@ -30,7 +30,7 @@ class Wish:
     block: int
 
 
-class Wishes:
+class Sketched:
     """A sketch, or rough poses, asked block by block. `at`: the driver value that the sketch shows, as the system has it."""
 
     def __init__(self, system: System, start: Mapping[str, Pose] | None) -> None:
