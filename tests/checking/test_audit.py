@@ -10,7 +10,7 @@ from chosen import IN_CI, part
 from mechsheet.checking import check
 from mechsheet.checking.formula_diff import alike
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.compiled.engine_values import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.diagnostics import MechsheetError, WorkbookError
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Unary

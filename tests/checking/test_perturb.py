@@ -9,7 +9,7 @@ from chosen import IN_CI, part
 from mechsheet.checking import check, perturb
 from mechsheet.checking.perturb import drawn
 from mechsheet.checking.programs import PROGRAMS, stored_values
-from mechsheet.compiled.engine_values import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.formats import read, write
 from mechsheet.formula.nodes import Unary

@@ -16,7 +16,7 @@ from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import difference
 from mechsheet.checking.twins import compare_twins
 from mechsheet.cli import main
-from mechsheet.compiled.engine_values import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write

@@ -10,7 +10,7 @@ from chosen import IN_CI
 from mechsheet.checking import check
 from mechsheet.checking.cells import angles_in, compare_cells
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
-from mechsheet.compiled.engine_values import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write

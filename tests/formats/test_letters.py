@@ -11,7 +11,7 @@ import pytest
 from mechsheet.checking.cells import compare_cells
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.twins import compare_twins
-from mechsheet.compiled.engine_values import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write
 from mechsheet.formula.nodes import Binary, Call, CellRef, NameRef, Number, RangeRef, Text

@@ -10,6 +10,7 @@ import pytest
 from chosen import part, some
 from mechsheet import reference
 from mechsheet.checking.modes_from_sketch import with_modes
+from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.source import parse
 from mechsheet.description.templates import template_names, template_text
@@ -27,7 +28,7 @@ TEMPLATES = [name for name in template_names() if "[assembly]" in template_text(
 
 
 def octave(mechanism):
-    return program_of(mechanism, ())
+    return program_of(Compiled(mechanism), ())
 
 
 def modes_of(mechanism):

@@ -10,7 +10,7 @@ import pytest
 
 from drawn_points import expected, fitted
 from mechsheet import reference
-from mechsheet.compiled.engine_values import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.engine import evaluate

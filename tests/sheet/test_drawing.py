@@ -9,7 +9,7 @@ import pytest
 
 from chosen import IN_CI, some
 from mechsheet import reference
-from mechsheet.compiled.engine_values import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.engine import Live, compile_book
 from mechsheet.engine.layout import Area

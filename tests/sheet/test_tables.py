@@ -9,7 +9,7 @@ import pytest
 
 from chosen import part
 from judging import positions_only
-from mechsheet.compiled.engine_values import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.nodes import CellRef, ErrorValue, shifted, walk

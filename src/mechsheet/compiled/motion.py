@@ -6,32 +6,27 @@ import math
 
 import numpy as np
 
+from mechsheet.compiled.mechanism import Compiled
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
-from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import unit_shown, unit_text
 from mechsheet.sheet.positions import shown_number
 
 SHOWN_ROLES = ("variable", "point", "output")
 
 
-def motion_of(mechanism: Mechanism) -> tuple[dict[str, Array], dict[str, str]]:
+def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
     """Driver, variables, points and outputs, row by row, and the unit of each: "°", "mm", "" for a plain number.
 
     Angles are continuous; NaN in rows in which some group cannot be joined. Raises MechanismError.
     """
-    equations = solve(mechanism)
-    driver = driver_values(mechanism, dimension_values(mechanism))
-    values = sweep(mechanism, equations, driver)
-    exists = np.ones(len(driver), bool)
-    for group in equations.groups:
-        exists &= np.isfinite(values[group.closes])
+    mechanism, values, exists = compiled.mechanism, compiled.values, compiled.closed
     degrees = mechanism.driver.unit == "deg"
-    columns: dict[str, Array] = {mechanism.driver.symbol: np.array([shown_number(value, degrees) for value in driver])}
+    columns: dict[str, Array] = {
+        mechanism.driver.symbol: np.array([shown_number(value, degrees) for value in compiled.driver])
+    }
     units = {mechanism.driver.symbol: unit_text(mechanism.driver.unit)}
     outputs = {output.symbol: unit_text(output.unit) for output in mechanism.outputs}
-    for equation in equations.columns:
+    for equation in compiled.equations.columns:
         symbol = equation.symbol
         if equation.role not in SHOWN_ROLES or symbol in columns:
             continue

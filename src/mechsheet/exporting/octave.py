@@ -40,7 +40,7 @@ def write(job: Job) -> list[bytes]:
         fault = f'"{job.name}" is called by the file itself: a function of that name would stand in its way'
         raise MechsheetError(Fault(fault, key="output", hint=f"for example {job.name}_mechanism.m"))
     reserved = {*re.findall(r"^function (?:\w+ = )?(\w+)", helpers, re.MULTILINE), *_TAKEN.split(), job.name}
-    program = program_of(job.mechanism, reserved)
+    program = program_of(job.compiled, reserved)
     lines = [*_opening(program, job.name), *_given(program), *_driver(program), *_columns(program), *_result(program)]
     lines += [
         "",

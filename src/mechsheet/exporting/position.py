@@ -16,18 +16,18 @@ from mechsheet.sheet.plan import Plan
 class Position:
     """A row of a computed workbook."""
 
-    found: Sample
+    sample: Sample
     row: int
 
     @property
     def plan(self) -> Plan:
         """Where everything stands."""
-        return self.found.plan
+        return self.sample.plan
 
     @property
     def equations(self) -> Assignments:
         """The equations that the workbook was laid out from."""
-        return self.found.plan.equations
+        return self.sample.plan.equations
 
     def value(self, symbol: str) -> float:
         """A quantity in internal units: dimension, constant, mode, driver or column. NaN where it has no number."""
@@ -38,7 +38,7 @@ class Position:
     def number(self, spot: Spot) -> float:
         """What stands in a cell, or in this row of a column; NaN for anything but a number."""
         row = self.plan.at.first + self.row if spot.column else spot.row
-        sheet = self.found.workbook.sheet(spot.sheet)
+        sheet = self.sample.workbook.sheet(spot.sheet)
         for fill in sheet.fills:
             if fill.row <= row < fill.row + fill.rows and fill.col <= spot.col < fill.col + fill.cols:
                 value = fill.value(row, spot.col)

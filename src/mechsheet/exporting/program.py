@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
+from mechsheet.compiled import Compiled
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.routines import missing_where
 from mechsheet.formula import algebra as al
@@ -18,7 +19,7 @@ from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.kinematics.sketched import tell
-from mechsheet.kinematics.solve import dimension_order, solve
+from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Dimension, Mechanism, Quantity
 from mechsheet.sheet.positions import shown_number
 
@@ -109,9 +110,9 @@ def commented(code: str, words: str, mark: str) -> list[str]:
     return [f"{indent}{mark} {words}", code]
 
 
-def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
+def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     """The program of a mechanism; no name in it is one of `reserved`. Raises MechanismError."""
-    equations = solve(mechanism)
+    mechanism, equations = compiled.mechanism, compiled.equations
     tell(mechanism, equations)
     language = mechanism.language
     dimensions = {dim.symbol: dim for dim in mechanism.dimensions}

@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from mechsheet.compiled import Compiled
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, symbols, transform
 from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.angle_branch import WINDOWED, branches_of, reading_taken
-from mechsheet.kinematics.equations import Equation, Equations
+from mechsheet.kinematics.equations import Equation
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.solve import dimension_order
-from mechsheet.kinematics.sweep import nominal
 from mechsheet.model import Mechanism, Words
 
 
@@ -63,11 +63,11 @@ class Source:
     closing  the steps that have no number where a group cannot be joined
     """
 
-    def __init__(self, mechanism: Mechanism, equations: Equations) -> None:
-        self.mechanism = mechanism
-        self.equations = equations
-        self.modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-        lowering = _Lowering(mechanism, equations)
+    def __init__(self, compiled: Compiled) -> None:
+        self.mechanism = compiled.mechanism
+        self.equations = equations = compiled.equations
+        self.modes = compiled.modes
+        lowering = _Lowering(compiled)
         self.steps = lowering.steps
         closing = [lowering.holders.get(group.closes, group.closes) for group in equations.groups]
         self.closing = [symbol for symbol in closing if symbol in self.steps and self.steps[symbol].missing is not None]
@@ -120,11 +120,12 @@ class _Lowering:
     holders  the symbols of equations whose conditions stand beside another step: the area of their triangle
     """
 
-    def __init__(self, mechanism: Mechanism, equations: Equations) -> None:
+    def __init__(self, compiled: Compiled) -> None:
+        mechanism, equations = compiled.mechanism, compiled.equations
         found = [*(equation.symbol for equation in equations.all), *(group.mode for group in equations.groups)]
         self.names = FreshNames([*given_names(mechanism), *found])
         self.groups = {group.number: group for group in equations.groups}
-        self.branches = branches_of(mechanism, equations, nominal(mechanism, equations))
+        self.branches = branches_of(mechanism, equations, compiled.values)
         self.areas: dict[frozenset[Node], str] = {}
         self.holders: dict[str, str] = {}
         self.steps: dict[str, Step] = {}

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 
+from mechsheet.compiled import Compiled
 from mechsheet.exporting.routines import Source
-from mechsheet.kinematics.solve import solve
 from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
 
 
@@ -46,7 +46,7 @@ def _source(
         tuple(joints),
         replace(driver, values=(value,)),
     )
-    return Source(mechanism, solve(mechanism))
+    return Source(Compiled(mechanism))
 
 
 def _guide(name: str, link: str, point: str, through: tuple[Quantity, Quantity], angle: Quantity, symbol: str) -> Joint:

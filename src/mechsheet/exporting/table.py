@@ -15,7 +15,7 @@ PLAIN = {"°": "deg"}
 
 def write(job: Job) -> list[bytes]:
     """The table in UTF-8, every number with all its digits; nothing where the position does not exist."""
-    columns, units = motion_of(job.mechanism)
+    columns, units = motion_of(job.compiled)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_heading(symbol, PLAIN.get(units[symbol], units[symbol])) for symbol in columns)

@@ -7,7 +7,6 @@ from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.functions import Function, functions_of
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.routines import Source
-from mechsheet.kinematics.solve import solve
 from mechsheet.model import Words
 
 INTRODUCTION = Words(
@@ -35,7 +34,7 @@ def write(job: Job) -> list[bytes]:
     """The module: ASCII, lines ended as Windows does. Raises MechanismError for more dimensions than VBA takes arguments."""
     mechanism = job.mechanism
     language = mechanism.language
-    source = Source(mechanism, solve(mechanism))
+    source = Source(job.compiled)
     functions = functions_of(source, language)
     count = len(source.parameters())
     if count > MOST_ARGUMENTS:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from mechsheet.compiled import Compiled
 from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.function_sheet import LIST_TITLE, functions_sheet
 from mechsheet.exporting.functions import TABLE_KEY, Function, functions_of, in_degrees, main_table, variable_key
@@ -17,11 +18,9 @@ from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import introduction
 from mechsheet.formula.names import folded
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Text
-from mechsheet.kinematics.solve import solve
-from mechsheet.model import Mechanism, TableRequest, Words
+from mechsheet.model import TableRequest, Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.recomputed import recomputed_sheet
 from mechsheet.sheet.tables import CHART_COLUMNS, FIRST, HEAD_ROW
@@ -80,20 +79,20 @@ FORMS = {
 """Name of the option -> form."""
 
 
-def functions_workbook(mechanism: Mechanism, form: str) -> tuple[Workbook, Plan]:
-    """The workbook, its formulas without values yet, and its plan. An engine computes functions as LAMBDA in both forms.
+def functions_workbook(compiled: Compiled, form: str) -> Workbook:
+    """The workbook, its formulas without values yet; its plan is the default one's.
+
+    An engine computes functions as LAMBDA in both forms.
 
     form  "basic" or "lambda"
     Raises MechanismError when the mechanism cannot be solved.
     """
-    equations = solve(mechanism)
-    workbook, plan = lay_out(mechanism, equations)
-    source = Source(mechanism, equations)
-    taken = {folded(name.name) for name in workbook.names}
-    functions = functions_of(source, mechanism.language, taken)
+    source = Source(compiled)
+    taken = {folded(name.name) for name in compiled.layout.names}
+    functions = functions_of(source, compiled.mechanism.language, taken)
     names = function_names(functions) if form == "basic" else {function.key: function.name for function in functions}
-    work = _Work(plan, source, form, {function.key: function for function in functions}, names)
-    return with_typed_constants(work.workbook(workbook)), plan
+    work = _Work(compiled.plan, source, form, {function.key: function for function in functions}, names)
+    return with_typed_constants(work.workbook(compiled.layout))
 
 
 class _Work:

@@ -37,11 +37,6 @@ def sweep(mechanism: Mechanism, equations: Equations, driver: Array) -> dict[str
     return {symbol: np.broadcast_to(column, (rows,)) for symbol, column in known.items()}
 
 
-def nominal(mechanism: Mechanism, equations: Equations) -> dict[str, Array]:
-    """Every symbol's values over the mechanism's own sweep."""
-    return sweep(mechanism, equations, driver_values(mechanism, dimension_values(mechanism)))
-
-
 def rough_poses(mechanism: Mechanism, modes: Mapping[str, int]) -> dict[str, tuple[float, float, float]]:
     """(x, y, theta) of each moving link's frame, rounded, in the first row in which every group closes.
 
