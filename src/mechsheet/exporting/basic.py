@@ -12,7 +12,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from mechsheet.exporting.functions import Function
 from mechsheet.exporting.identifiers import ascii_word, identifiers
-from mechsheet.exporting.routines import Parameter, Step
+from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.routines import Parameter
 from mechsheet.formula.nodes import Call, Node, Symbol, transform
 from mechsheet.formula.printer import print_formula
 from mechsheet.model import Words

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mechsheet.exporting.routines import Routine, Step, mapped
+from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.routines import Routine, mapped
 from mechsheet.formula.nodes import Call, Node, Symbol, children, transform
 from mechsheet.formula.written import pairwise
 

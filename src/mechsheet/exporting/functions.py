@@ -9,7 +9,8 @@ from functools import lru_cache
 
 from mechsheet.exporting.calls import with_calls
 from mechsheet.exporting.library import PARAMETERS, basics
-from mechsheet.exporting.routines import Routine, Source, Step
+from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.routines import Routine, Source
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Mechanism, TableRequest, Words

@@ -11,7 +11,8 @@ import math
 from dataclasses import dataclass, replace
 
 from mechsheet.exporting import small_mechanisms as small
-from mechsheet.exporting.routines import Parameter, Routine, Source, Step, with_names, with_values
+from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.routines import Parameter, Routine, Source, with_names, with_values
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Number, Symbol
 from mechsheet.kinematics.angle_branch import AngleBranch

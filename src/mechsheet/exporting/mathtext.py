@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Callable, Iterable
 
-from mechsheet.exporting.position import Position
+from mechsheet.exporting.written_position import WrittenPosition
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from mechsheet.formula.printer import number_text, print_formula
@@ -91,12 +91,8 @@ def packed(terms: Iterable[str], width: int) -> list[str]:
 
 
 def on_paper(node: Node) -> Node:
-    """As a textbook writes it: the value where the position exists, without the guards against its absence."""
+    """As a textbook writes it: 30 degrees, not 30 degrees in radians."""
     match node:
-        case Call("IF", (_, Call("NA"), value)):
-            return value
-        case Call("SQRT", (Call("MAX", (Number(0.0), product)),)):
-            return Call("SQRT", (product,))
         case Call("RADIANS", (Number(value),)):
             return Symbol(f"{RAW}{number_text(value)}^\\circ")
     return node
@@ -105,7 +101,7 @@ def on_paper(node: Node) -> Node:
 class Pen:
     """Writes for one position in its language."""
 
-    def __init__(self, position: Position) -> None:
+    def __init__(self, position: WrittenPosition) -> None:
         self.position = position
         self.language: Language = position.plan.language
         self.degrees = position.plan.mechanism.angle_unit == "deg"
@@ -202,17 +198,17 @@ class Pen:
         return rf"\ \mathrm{{{_plain(word)}}}" if word not in ("", "°") else ""
 
 
-def _units(position: Position) -> dict[str, str]:
+def _units(position: WrittenPosition) -> dict[str, str]:
     """Symbol -> unit of its value: "length", "angle", "mode", "number" or an output's label."""
     mechanism = position.plan.mechanism
     kinds = {"deg": "angle", "rad": "angle", "1": "number"}
     units = {dim.symbol: kinds.get(dim.unit, "length") for dim in mechanism.dimensions}
-    units |= {equation.symbol: equation.unit for equation in position.equations.all}
-    units |= {group.mode: "mode" for group in position.equations.groups if group.mode}
+    units |= {step.symbol: step.unit for steps in position.steps.values() for step in steps}
+    units |= dict.fromkeys(position.sample.modes, "mode")
     return units | {mechanism.driver.symbol: kinds.get(mechanism.driver.unit, "length")}
 
 
-def _places(position: Position, unit: str) -> int:
+def _places(position: WrittenPosition, unit: str) -> int:
     """Decimals that the tolerances justify: of angles by the tolerances of angles, where there are any."""
     mechanism = position.plan.mechanism
     own = "deg" if mechanism.angle_unit == "deg" else "rad"

@@ -11,12 +11,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechsheet.compiled import Compiled
+from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, symbols, transform
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, transform
 from mechsheet.formula.parser import parse_description
-from mechsheet.kinematics.angle_branch import WINDOWED, branches_of, reading_taken
-from mechsheet.kinematics.equations import Equation
-from mechsheet.kinematics.naming import FreshNames, given_names
+from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Mechanism, Words
 
@@ -28,15 +27,6 @@ class Parameter:
     symbol: str
     label: Words
     unit: str
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """`symbol = expression`, over parameters and the steps before it; no number where `missing` is true."""
-
-    symbol: str
-    expression: Node
-    missing: Node | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,10 +57,25 @@ class Source:
         self.mechanism = compiled.mechanism
         self.equations = equations = compiled.equations
         self.modes = compiled.modes
-        lowering = _Lowering(compiled)
-        self.steps = lowering.steps
-        closing = [lowering.holders.get(group.closes, group.closes) for group in equations.groups]
-        self.closing = [symbol for symbol in closing if symbol in self.steps and self.steps[symbol].missing is not None]
+        lowering = Lowering(compiled)
+        self.steps = self._steps(lowering, branches_of(self.mechanism, equations, compiled.values))
+        closing = [lowering.holders[group.closes] for group in equations.groups]
+        self.closing = [symbol for symbol in closing if self.steps[symbol].missing is not None]
+
+    def _steps(self, lowering: Lowering, branches: Mapping[str, AngleBranch]) -> dict[str, Step]:
+        given = {dim.symbol: dim.value for dim in self.mechanism.dimensions}
+        derived = [symbol for symbol in dimension_order(self.mechanism) if isinstance(given[symbol], str)]
+        found = {symbol: Step(symbol, parse_description(str(given[symbol]))) for symbol in derived}
+        for equation in self.equations.all:
+            for step in lowering.steps[equation.symbol]:
+                expression = reading_taken(step.expression, branches) if equation.role == "output" else step.expression
+                expression = expression if step.missing is None else al.rooted(expression)
+                found[step.symbol] = Step(step.symbol, expression, step.missing)
+            if equation.symbol in branches:
+                taken = WINDOWED.format(symbol=equation.symbol)
+                driver = Symbol(self.mechanism.driver.symbol)
+                found[taken] = Step(taken, branches[equation.symbol].taken(Symbol(equation.symbol), driver))
+        return found
 
     def parameters(self) -> tuple[Parameter, ...]:
         """The dimensions that are given, the driver, the assembly modes."""
@@ -112,64 +117,6 @@ class Source:
             self.equations.of(symbol).unit,
             tuple(name for name in self.closing if name not in own),
         )
-
-
-class _Lowering:
-    """The equations as steps of a function, in the same order.
-
-    holders  the symbols of equations whose conditions stand beside another step: the area of their triangle
-    """
-
-    def __init__(self, compiled: Compiled) -> None:
-        mechanism, equations = compiled.mechanism, compiled.equations
-        found = [*(equation.symbol for equation in equations.all), *(group.mode for group in equations.groups)]
-        self.names = FreshNames([*given_names(mechanism), *found])
-        self.groups = {group.number: group for group in equations.groups}
-        self.branches = branches_of(mechanism, equations, compiled.values)
-        self.areas: dict[frozenset[Node], str] = {}
-        self.holders: dict[str, str] = {}
-        self.steps: dict[str, Step] = {}
-        given = {dim.symbol: dim.value for dim in mechanism.dimensions}
-        for symbol in dimension_order(mechanism):
-            if isinstance(value := given[symbol], str):
-                self._add(symbol, parse_description(value))
-        for equation in equations.all:
-            self._lower(equation)
-            if (branch := self.branches.get(equation.symbol)) is not None:
-                taken = branch.taken(Symbol(equation.symbol), Symbol(mechanism.driver.symbol))
-                self._add(WINDOWED.format(symbol=equation.symbol), taken)
-
-    def _add(self, symbol: str, expression: Node, missing: Node | None = None) -> None:
-        self.steps[symbol] = Step(symbol, expression, missing)
-
-    def _lower(self, equation: Equation) -> None:
-        match equation.expression:
-            case Direction(y, x):
-                # within half a turn, and not called phi: PHI is a function of spreadsheets
-                name = self.names.reserve(f"{_base(equation)}_0", equation.group)
-                self._add(name, al.atan2(x, y))
-                self._add(equation.symbol, Symbol(name))
-            case TriangleAngle(opposite, beside, other):
-                area = self._area(equation, (beside, other, opposite))
-                self.holders[equation.symbol] = area
-                self._add(equation.symbol, al.triangle_angle(opposite, beside, other, Symbol(area)))
-            case expression:
-                read = reading_taken(expression, self.branches) if equation.role == "output" else expression
-                self._add(equation.symbol, read if equation.fails is None else al.rooted(read), equation.fails)
-
-    def _area(self, equation: Equation, sides: tuple[Node, ...]) -> str:
-        """The step with the area of a triangle, which its angles share."""
-        key = frozenset(sides)
-        if key not in self.areas:
-            group = self.groups.get(equation.group)
-            base = "Delta"
-            if group is not None and frozenset(group.sides) == key:
-                sides = group.sides
-            else:  # the triangle of a link: of gamma_BC
-                base += _base(equation).removeprefix("gamma")
-            name = self.areas[key] = self.names.reserve(base, equation.group)
-            self._add(name, al.rooted(al.triangle_area(*sides)), equation.fails)
-        return self.areas[key]
 
 
 def tidied(rules: Sequence[Step], wanted: str, given: Mapping[str, Node]) -> tuple[tuple[Step, ...], Node]:
@@ -250,18 +197,10 @@ def _needed(wanted: Iterable[str], steps: Mapping[str, Step]) -> set[str]:
     found = set(stack)
     while stack:
         step = steps.get(stack.pop())
-        if step is None:
-            continue
-        reads = [*symbols(step.expression), *(symbols(step.missing) if step.missing is not None else ())]
-        fresh = [name for name in reads if name not in found]
+        fresh = [] if step is None else [name for name in step.reads if name not in found]
         found.update(fresh)
         stack += fresh
     return found
-
-
-def _base(equation: Equation) -> str:
-    """The symbol without the number of its group."""
-    return equation.symbol.removesuffix(f"_{equation.group}") if equation.group > 1 else equation.symbol
 
 
 def _unit(unit: str, mechanism: Mechanism) -> str:

@@ -11,17 +11,17 @@ from dataclasses import dataclass
 
 from mechsheet.exporting import solution_words as words
 from mechsheet.exporting.job import Job
+from mechsheet.exporting.lowering import TURNS
 from mechsheet.exporting.mathtext import Pen, packed, point_math, seen, symbol_math
-from mechsheet.exporting.position import Position, position_at
 from mechsheet.exporting.program import one_line, quantity
+from mechsheet.exporting.written_position import WrittenPosition
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.model import Words
-from mechsheet.sheet.lowering import Assignment
 
 LINE = 66
 """Characters of LaTeX that numbers and their result may share a line with."""
@@ -79,12 +79,11 @@ Block = Heading | Paragraph | Display | Table
 
 def solution(job: Job) -> list[Block]:
     """The document. Raises MechanismError where there is no position."""
-    position = position_at(job.mechanism, job.at)
-    return [*_Writer(position).document()]
+    return _Writer(WrittenPosition(job.mechanism, job.at)).document()
 
 
 class _Writer:
-    def __init__(self, position: Position) -> None:
+    def __init__(self, position: WrittenPosition) -> None:
         self.position = position
         self.pen = Pen(position)
         self.mechanism = position.plan.mechanism
@@ -141,8 +140,9 @@ class _Writer:
                 unit = self.pen.units[dim.symbol]
                 lines += self.step(dim.symbol, parse_description(dim.value), unit)
         for equation in self.equations.constants:
-            if equation.symbol != self.equations.tolerance and not al.is_simple(equation.expression):
-                lines += self.step(equation.symbol, equation.expression, equation.unit)
+            for step in self.position.steps[equation.symbol]:
+                if step.symbol != self.equations.tolerance and not al.is_simple(step.expression):
+                    lines += self.step(step.symbol, step.expression, step.unit)
         if lines:
             self.paragraph(self.say(words.FOLLOWS) + ":")
             self.blocks.append(Display(tuple(lines)))
@@ -237,18 +237,16 @@ class _Writer:
 
     # --- steps ------------------------------------------------------------------------------------------------
 
-    def steps(self, equations: Iterable[Assignment]) -> None:
+    def steps(self, equations: Iterable[Equation]) -> None:
         """Each equation with what it means, with symbols, with numbers."""
-        for equation in equations:
-            label = one_line(self.say(equation.label))
-            if equation.first is not None:
-                if equation.counts_turns:
-                    name = Math(symbol_math(equation.symbol))
-                    value = Math(self.pen.rounded(self.position.value(equation.symbol), "mode"))
-                    self.paragraph(name, f": {self.say(words.TURNS)} ", value)
+        for step in (step for equation in equations for step in self.position.steps[equation.symbol]):
+            if step.unit == TURNS:
+                value = Math(self.pen.rounded(self.position.value(step.symbol), "mode"))
+                self.paragraph(Math(symbol_math(step.symbol)), f": {self.say(words.TURNS)} ", value)
                 continue
-            self.paragraph(label + ":") if label != equation.symbol else None
-            self.blocks.append(Display(tuple(self.step(equation.symbol, equation.expression, equation.unit))))
+            label = one_line(self.say(step.label))
+            self.paragraph(label + ":") if label != step.symbol else None
+            self.blocks.append(Display(tuple(self.step(step.symbol, step.expression, step.unit))))
 
     def step(self, symbol: str, node: Node, unit: str) -> list[str]:
         """symbol = expression = numbers = value, on one, two or three lines."""

@@ -23,7 +23,7 @@ from mechsheet.formula.nodes import (
     walk,
 )
 from mechsheet.kinematics.equations import Equation, Equations, Group, Role
-from mechsheet.kinematics.naming import FreshNames, given_names
+from mechsheet.kinematics.naming import FreshNames, given_names, without_group
 from mechsheet.model import Mechanism, Words
 
 TURN = al.mul(al.TWO, al.PI)
@@ -153,18 +153,18 @@ class _Lowering:
             group = self.groups.get(equation.group)
             in_group = group is not None and frozenset(group.sides) == key
             sides = group.sides if group is not None and in_group else (beside, other, opposite)
-            label = _area_of_group(group) if group is not None and in_group else _area_beside(equation)
-            base = "Delta" if in_group else f"Delta{_base(equation).removeprefix('gamma')}"
+            label = area_words(equation, group if in_group else None)
+            base = (
+                "Delta" if in_group else f"Delta{without_group(equation.symbol, equation.group).removeprefix('gamma')}"
+            )
             form = guarded(equation, al.triangle_area(*sides))
             self.areas[key] = self._help(base, equation, form, "number", label)
         return self.areas[key]
 
     def _direction(self, equation: Equation, y: Node, x: Node) -> None:
         """ATAN2 plus as many turns as have gone by. Where rows are missing the last direction known is held over them."""
-        base, label = _base(equation), equation.label
-        raw = self._help(
-            f"{base}_0", equation, al.atan2(x, y), "angle", Words(f"{label.en}, within half a turn", label.tr)
-        )
+        base, label = without_group(equation.symbol, equation.group), equation.label
+        raw = self._help(f"{base}_0", equation, al.atan2(x, y), "angle", half_turn_words(label))
         if equation.group <= 1:
             # Nothing before it can be missing. Pins that coincide have no direction: ATAN2(0, 0) is an error in most
             # programs, which must not spread.
@@ -194,21 +194,19 @@ class _Lowering:
         self._add(equation, al.add(raw, al.mul(TURN, turns)))
 
 
-def _base(equation: Equation) -> str:
-    """The symbol without the number of its group."""
-    return equation.symbol.removesuffix(f"_{equation.group}") if equation.group > 1 else equation.symbol
-
-
 def guarded(equation: Equation, value: Node) -> Node:
     """The value where the equation exists, else #N/A; a root of what may be a rounding error below 0 is then 0."""
     return value if equation.fails is None else Call("IF", (equation.fails, Call("NA"), al.rooted(value)))
 
 
-def _area_of_group(group: Group) -> Words:
+def half_turn_words(angle: Words) -> Words:
+    """The direction of which an angle without jumps is made."""
+    return Words(f"{angle.en}, within half a turn", angle.tr)
+
+
+def area_words(equation: Equation, group: Group | None) -> Words:
+    """The area by which an angle is found: of a group's triangle, or of a link's own."""
+    if group is None:
+        return Words(f"area of the triangle of {equation.symbol}", f"{equation.symbol} üçgeninin alanı")
     p, q, r = group.pins
     return Words(f"area of triangle {p}{q}{r}", f"{p}{q}{r} üçgeninin alanı")
-
-
-def _area_beside(equation: Equation) -> Words:
-    """The area by which an angle of a link's own triangle is found."""
-    return Words(f"area of the triangle of {equation.symbol}", f"{equation.symbol} üçgeninin alanı")
