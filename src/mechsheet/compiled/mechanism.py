@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from functools import cached_property
 
@@ -14,6 +15,7 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import EXISTS, Plan
 from mechsheet.sheet.workbook import Workbook
@@ -80,15 +82,24 @@ class Compiled:
 
     def column(self, col: int) -> list[Scalar]:
         """What a column of the table of positions shows, row by row."""
-        first, last = self.plan.at.first, self.plan.at.last
-        sheet = self.workbook.sheet(self.plan.table)
+        return self._shown(self.plan.table, col, range(self.plan.at.first, self.plan.at.last + 1))
+
+    def number(self, spot: Spot, row: int) -> float:
+        """The number in a cell, or in that row (from 0) of a column; NaN for anything but a number."""
+        place = self.plan.at.first + row if spot.column else spot.row
+        (value,) = self._shown(spot.sheet, spot.col, range(place, place + 1))
+        return value if isinstance(value, float) else math.nan
+
+    def _shown(self, title: str, col: int, rows: range) -> list[Scalar]:
+        sheet = self.workbook.sheet(title)
         cells: dict[int, Scalar] = {
             cell.row: cell.content for cell in sheet.cells if cell.col == col and isinstance(cell.content, float | str)
         }
         for fill in sheet.fills:
             if fill.col <= col < fill.col + fill.cols:
-                cells |= {row: fill.value(row, col) for row in range(fill.row, fill.row + fill.rows)}
-        return [cells.get(row) for row in range(first, last + 1)]
+                own = range(max(rows.start, fill.row), min(rows.stop, fill.row + fill.rows))
+                cells |= {row: fill.value(row, col) for row in own}
+        return [cells.get(row) for row in rows]
 
     @cached_property
     def exists(self) -> tuple[bool, ...]:

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Callable, Iterable
 
-from mechsheet.exporting.written_position import WrittenPosition
+from mechsheet.exporting.position import Position
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from mechsheet.formula.printer import number_text, print_formula
@@ -101,7 +101,7 @@ def on_paper(node: Node) -> Node:
 class Pen:
     """Writes for one position in its language."""
 
-    def __init__(self, position: WrittenPosition) -> None:
+    def __init__(self, position: Position) -> None:
         self.position = position
         self.language: Language = position.plan.language
         self.degrees = position.plan.mechanism.angle_unit == "deg"
@@ -198,7 +198,7 @@ class Pen:
         return rf"\ \mathrm{{{_plain(word)}}}" if word not in ("", "°") else ""
 
 
-def _units(position: WrittenPosition) -> dict[str, str]:
+def _units(position: Position) -> dict[str, str]:
     """Symbol -> unit of its value: "length", "angle", "mode", "number" or an output's label."""
     mechanism = position.plan.mechanism
     kinds = {"deg": "angle", "rad": "angle", "1": "number"}
@@ -208,7 +208,7 @@ def _units(position: WrittenPosition) -> dict[str, str]:
     return units | {mechanism.driver.symbol: kinds.get(mechanism.driver.unit, "length")}
 
 
-def _places(position: WrittenPosition, unit: str) -> int:
+def _places(position: Position, unit: str) -> int:
     """Decimals that the tolerances justify: of angles by the tolerances of angles, where there are any."""
     mechanism = position.plan.mechanism
     own = "deg" if mechanism.angle_unit == "deg" else "rad"

@@ -13,8 +13,8 @@ from mechsheet.exporting import solution_words as words
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.lowering import TURNS
 from mechsheet.exporting.mathtext import Pen, packed, point_math, seen, symbol_math
+from mechsheet.exporting.position import Position
 from mechsheet.exporting.program import one_line, quantity
-from mechsheet.exporting.written_position import WrittenPosition
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from mechsheet.formula.parser import parse_description
@@ -79,11 +79,11 @@ Block = Heading | Paragraph | Display | Table
 
 def solution(job: Job) -> list[Block]:
     """The document. Raises MechanismError where there is no position."""
-    return _Writer(WrittenPosition(job.mechanism, job.at)).document()
+    return _Writer(Position(job.mechanism, job.at)).document()
 
 
 class _Writer:
-    def __init__(self, position: WrittenPosition) -> None:
+    def __init__(self, position: Position) -> None:
         self.position = position
         self.pen = Pen(position)
         self.mechanism = position.plan.mechanism
