@@ -67,10 +67,10 @@ class Entry:
         return np.sqrt(sum((gap / size) ** 2 for gap in gaps))
 
 
-def tell(mechanism: Mechanism, equations: Equations) -> None:
-    """Warn (DescriptionWarning) of every doubt about the mechanism's sketch."""
+def tell(mechanism: Mechanism, equations: Equations, stacklevel: int = 3) -> None:
+    """Warn (DescriptionWarning) of every doubt about the mechanism's sketch; `stacklevel` as in `warnings.warn`."""
     for fault in doubts(mechanism, equations):
-        warnings.warn(DescriptionWarning(fault), stacklevel=3)
+        warnings.warn(DescriptionWarning(fault), stacklevel=stacklevel)
 
 
 def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:

@@ -43,7 +43,7 @@ def told(mechanism: Mechanism) -> Compiled:
     from mechsheet.kinematics.sketched import tell
 
     compiled = compiled_of(mechanism)
-    tell(mechanism, compiled.equations)
+    tell(mechanism, compiled.equations, stacklevel=4)  # whoever called the library
     return compiled
 
 
