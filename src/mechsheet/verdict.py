@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from mechsheet.compute import column_of
-from mechsheet.kinematics.solve import dimension_values, number
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.blocks import shown_unit
 from mechsheet.sheet.plan import EXISTS, Plan

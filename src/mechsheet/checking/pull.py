@@ -20,7 +20,8 @@ from mechsheet.description.source import Source, parse, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, readable_name
 from mechsheet.formats import read
 from mechsheet.formula.nodes import Scalar
-from mechsheet.kinematics.solve import dimension_values, number
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Mechanism
 
 LANDS = 1e-9

@@ -14,7 +14,8 @@ from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 from mechsheet.description.index import Path
 from mechsheet.description.report import BAD
-from mechsheet.description.scope import Scope, circle_message, cycles, words
+from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import Dimension
 
@@ -30,8 +31,9 @@ def read(data: dict[str, Any], scope: Scope) -> tuple[Dimension, ...]:
         value = entry.get("value", BAD) if isinstance(entry, dict) else entry
         if value is not BAD:
             scope.numbers[symbol] = math.radians(value) if scope.units[symbol] == "deg" else value
-    _compute(_formulas(data, scope), scope)
-    return tuple(_dimension(symbol, entry, scope) for symbol, entry in data.items() if entry is not BAD)
+    trees = _formulas(data, scope)
+    _compute(trees, scope)
+    return tuple(_dimension(symbol, entry, trees, scope) for symbol, entry in data.items() if entry is not BAD)
 
 
 def _formulas(data: dict[str, Any], scope: Scope) -> dict[str, Node]:
@@ -58,20 +60,19 @@ def _compute(trees: dict[str, Node], scope: Scope) -> None:
             scope.numbers[symbol] = value
 
 
-def _dimension(symbol: str, entry: Any, scope: Scope) -> Dimension:
+def _dimension(symbol: str, entry: Any, trees: Mapping[str, Node], scope: Scope) -> Dimension:
     path: Path = ("dimensions", symbol)
     unit = scope.units[symbol]
     if not isinstance(entry, dict):
         return Dimension(symbol, entry, unit, shown=entry)
     derived = "formula" in entry
-    tolerance = entry.get("tolerance")
     return Dimension(
         symbol=symbol,
-        value=entry["formula"] if derived else scope.numbers.get(symbol, math.nan),
+        value=trees[symbol] if symbol in trees else scope.numbers.get(symbol, REPORTED),
         unit=unit,
-        derived=derived,
         label=words(entry.get("label")),
         cell=scope.cell(entry, path),
-        tolerance=tolerance,
+        tolerance=entry.get("tolerance"),
         shown=None if derived else entry.get("value"),
+        written=entry["formula"] if derived else "",
     )

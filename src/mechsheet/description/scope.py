@@ -16,9 +16,9 @@ from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import Node, children, symbols
-from mechsheet.formula.parser import parse_description
+from mechsheet.formula.parser import RESERVED, parse_description
 from mechsheet.formula.scalar import evaluate
-from mechsheet.model import FUNCTIONS, Quantity, Words
+from mechsheet.model import Quantity, Words
 
 DEEPEST = 200
 """Operators below one another in one expression; a workbook formula of more would not fit a cell anyway."""
@@ -76,7 +76,6 @@ class Scope:
     complete: bool = True
     symbols: Space = field(init=False)
     cells: Space = field(init=False)
-    trees: dict[str, Node] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.symbols = Space(self.report)
@@ -183,17 +182,14 @@ class Scope:
         if not self.fits(tree, value, wanted, path):
             return REPORTED
         known = all(name in self.numbers for name in symbols(tree))
-        if known and self.value(tree, path) is None:
-            return REPORTED
-        self.trees[value] = tree
-        return value
+        return REPORTED if known and self.value(tree, path) is None else tree
 
     def number(self, quantity: Quantity) -> float:
         """The value of what `quantity` returned; nan where it is not known."""
-        if not isinstance(quantity, str):
+        if isinstance(quantity, float):
             return quantity
-        tree = self.trees[quantity]
-        return evaluate(tree, self.numbers) if all(name in self.numbers for name in symbols(tree)) else REPORTED
+        known = all(name in self.numbers for name in symbols(quantity))
+        return evaluate(quantity, self.numbers) if known else REPORTED
 
     def unit(self, table: dict[str, Any], path: Path) -> str:
         """The unit of a dimension: "deg", "rad", "1" or the length unit (the default)."""
@@ -218,7 +214,7 @@ def symbol_fault(name: str) -> str:
         return "must begin with a letter and go on with letters, digits and _"
     if len(name) > 60:
         return "is longer than 60 characters"
-    if name in FUNCTIONS or name == "pi":
+    if name in RESERVED:
         return "means something else in expressions"
     return ""
 

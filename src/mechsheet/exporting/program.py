@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.kinematics.sketched import tell
@@ -163,8 +162,8 @@ def _dimension(mechanism: Mechanism, dim: Dimension) -> Line:
 
 def quantity(value: Quantity, degrees: bool) -> Node:
     """A quantity of the model; a plain number of degrees as RADIANS(30), which a person can read."""
-    if isinstance(value, str):
-        return parse_description(value)
+    if not isinstance(value, float):
+        return value
     number = al.number(shown_number(value, degrees))
     return Call("RADIANS", (number,)) if degrees and not al.is_zero(number) else number
 

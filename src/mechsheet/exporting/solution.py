@@ -16,7 +16,6 @@ from mechsheet.exporting.position import Position, position_at
 from mechsheet.exporting.program import one_line, quantity
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import Group
@@ -137,9 +136,9 @@ class _Writer:
             self.table((words.SYMBOL, words.VALUE, words.MEANING), rows, (1,))
         lines = []
         for dim in self.mechanism.dimensions:
-            if isinstance(dim.value, str):
+            if not isinstance(dim.value, float):
                 unit = self.pen.units[dim.symbol]
-                lines += self.step(dim.symbol, parse_description(dim.value), unit)
+                lines += self.step(dim.symbol, dim.value, unit)
         for equation in self.equations.constants:
             if equation.symbol != self.equations.tolerance and not al.is_simple(equation.expression):
                 lines += self.step(equation.symbol, equation.expression, equation.unit)

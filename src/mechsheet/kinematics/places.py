@@ -6,12 +6,13 @@ noted as such (the workbook insists on it), anything else gets a derived constan
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, TriangleAngle
-from mechsheet.formula.parser import parse_description
+from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.naming import link_words
@@ -20,12 +21,17 @@ from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words
 
 def length_node(quantity: Quantity) -> Node:
     """A length of the model as a formula."""
-    return parse_description(quantity) if isinstance(quantity, str) else al.number(quantity)
+    return al.number(quantity) if isinstance(quantity, float) else quantity
 
 
 def angle_of(quantity: Quantity) -> Angle:
     """An angle of the model as a formula."""
-    return Angle(parse_description(quantity)) if isinstance(quantity, str) else al.right_angle(quantity)
+    return al.right_angle(quantity) if isinstance(quantity, float) else Angle(quantity)
+
+
+def number(quantity: Quantity, dimensions: Mapping[str, float]) -> float:
+    """The value of a quantity of the model."""
+    return quantity if isinstance(quantity, float) else evaluate(quantity, dimensions)
 
 
 @dataclass(frozen=True, slots=True)

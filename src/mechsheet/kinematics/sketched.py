@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from mechsheet.diagnostics import DescriptionWarning, Fault
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve_unpicked
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

@@ -10,7 +10,8 @@ import numpy as np
 
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
-from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Cartesian, Link, Mechanism, Polar
 
 CHUNKS = (200, 4_000)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
-from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
@@ -104,7 +103,7 @@ def _dimensions(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("dimensions", plan.text("head.tolerance"))
     for dim in plan.mechanism.dimensions:
-        if dim.derived:
+        if not isinstance(dim.value, float):
             continue
         row = plan.blocks["dimensions"].rows[dim.symbol]
         writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim))
@@ -123,10 +122,10 @@ def _derived(writer: Writer) -> None:
     writer.heading("derived")
     rows = plan.blocks["derived"].rows
     for dim in plan.mechanism.dimensions:
-        if dim.derived and isinstance(dim.value, str):
+        if not isinstance(dim.value, float):
             row = rows[dim.symbol]
-            writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim) or dim.value)
-            _result(writer, row, parse_description(dim.value), dim.unit == "deg", value_style(plan, _kind_of(dim.unit)))
+            writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim) or dim.written)
+            _result(writer, row, dim.value, dim.unit == "deg", value_style(plan, _kind_of(dim.unit)))
     for equation in plan.equations.constants:
         row = rows[equation.symbol]
         unit = plan.unit_shown(equation.unit)
@@ -156,11 +155,11 @@ def _sweep(writer: Writer) -> None:
     degrees = driver.unit == "deg"
     for key, quantity in (("start", driver.start), ("step", driver.step)):
         writer.line(rows[key], plan.text(f"name.{key}"), unit, plan.text(f"sweep.{key}"))
-        if isinstance(quantity, str):
-            _result(writer, rows[key], parse_description(quantity), degrees, styles.RESULT)
-        else:
+        if isinstance(quantity, float):
             writer.put(rows[key], VALUE, shown_number(quantity, degrees), styles.INPUT)
-    if not isinstance(driver.start, str) and driver.symbol in plan.equations.positive:
+        else:
+            _result(writer, rows[key], quantity, degrees, styles.RESULT)
+    if isinstance(driver.start, float) and driver.symbol in plan.equations.positive:
         start = rows["start"]
         writer.validations.append(input_validation(plan, Area(start, VALUE, start, VALUE), driver.symbol))
     writer.line(rows["stop"], plan.text("name.stop"), unit, plan.text("sweep.stop", rows=plan.rows))

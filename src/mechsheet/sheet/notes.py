@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from mechsheet.formula.nodes import Node
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.references import cell_name, column_letters
 from mechsheet.kinematics.naming import body_words, link_words
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
@@ -178,8 +177,8 @@ class _Page:
         self.line(contents, styles.NOTE_CELL)
 
     def _quantity(self, quantity: Quantity, angle: bool = False) -> list[Part]:
-        if isinstance(quantity, str):
-            return list(written(parse_description(quantity), self.plan.language).parts)
+        if not isinstance(quantity, float):
+            return list(written(quantity, self.plan.language).parts)
         number = f"{shown_number(quantity, angle):.10g}".replace("-", "−")
         if self.plan.language == "tr":
             number = number.replace(".", ",")
@@ -255,8 +254,8 @@ class _Page:
         self._group(plan.text("block.dimensions"))
         for dim in plan.mechanism.dimensions:
             content: Content = self.text("given")
-            if isinstance(dim.value, str):
-                content = Rich((("= ", ""), *written(parse_description(dim.value), plan.language).parts))
+            if not isinstance(dim.value, float):
+                content = Rich((("= ", ""), *written(dim.value, plan.language).parts))
             label = dim.label.of(plan.language) if dim.label else ""
             self._row(dim.symbol, unit_text(dim.unit), content, label)
 

@@ -6,10 +6,9 @@ import math
 from dataclasses import replace
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, shifted, transform, walk
-from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import body_words
-from mechsheet.model import Quantity, Words
+from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.mathematics import shortened, written
@@ -259,18 +258,17 @@ def _driver_column(plan: Plan) -> tuple[list[Cell], list[Fill]]:
     fills: list[Fill] = []
     for index, value in enumerate(driver.values):
         row = plan.at.first + index
-        if isinstance(value, str):
-            node = plan.at.bind(parse_description(value), plan.table, row)
+        if isinstance(value, float):
+            cells.append(Cell(row, DRIVER, shown_number(value, driver.unit == "deg"), styles.INPUT))
+        else:
+            node = plan.at.bind(value, plan.table, row)
             node = Call("DEGREES", (node,)) if driver.unit == "deg" else node
             fills.append(Fill(row, DRIVER, node, styles.COLUMN))
-        else:
-            cells.append(Cell(row, DRIVER, shown_number(value, driver.unit == "deg"), styles.INPUT))
     return cells, fills
 
 
-def shown_number(value: Quantity, degrees: bool) -> float:
+def shown_number(number: float, degrees: bool) -> float:
     """A number of the model as a person wrote it: 30 for the 0.5235987755982988 that 30 degrees became."""
-    number = float(value)
     if not degrees:
         return number
     shown = math.degrees(number)

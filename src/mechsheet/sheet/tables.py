@@ -13,7 +13,6 @@ from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import quote_sheet
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
@@ -253,11 +252,11 @@ class _Table:
         fills = [Fill(NAME_ROW, 1, label, styles.HEAD, cols=self.count)]
         degrees = self.column.unit == "deg"
         for index, quantity in enumerate(request.columns):
-            if isinstance(quantity, str):
-                node = plan.at.bind(parse_description(quantity), self.title, None)
-                fills.append(Fill(HEAD_ROW, 1 + index, Call("DEGREES", (node,)) if degrees else node, styles.INPUT))
-            else:
+            if isinstance(quantity, float):
                 cells.append(Cell(HEAD_ROW, 1 + index, shown_number(quantity, degrees), styles.INPUT))
+            else:
+                node = plan.at.bind(quantity, self.title, None)
+                fills.append(Fill(HEAD_ROW, 1 + index, Call("DEGREES", (node,)) if degrees else node, styles.INPUT))
         return cells, fills
 
     def _about(self) -> str:
