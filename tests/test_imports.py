@@ -10,14 +10,15 @@ SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
 EVERYBODY = {"diagnostics", "given"}
 ALLOWED = {
     "diagnostics": set(),
-    "model": {"formula.nodes"},
+    "units": set(),
+    "model": {"formula.nodes", "units"},
     "formula": set(),
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
     "reference": {"model", "formula.nodes"},
     "engine": {"formula"},
-    "description": {"model", "formula"},
-    "kinematics": {"model", "formula"},
-    "sheet": {"model", "formula", "kinematics"},
+    "description": {"model", "formula", "units"},
+    "kinematics": {"model", "formula", "units"},
+    "sheet": {"model", "formula", "kinematics", "units"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
@@ -25,6 +26,7 @@ ALLOWED = {
     # exporting prints the equations, draws what plotting draws, and tabulates what the engine computes
     "exporting": {
         "model",
+        "units",
         "formula",
         "kinematics",
         "sheet",

@@ -8,6 +8,7 @@ from mechsheet.description import loads
 from mechsheet.formula.nodes import Symbol
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import Dimension, Link, Words
+from mechsheet.units import RAD
 
 TEXT = """
 format = 1
@@ -56,4 +57,4 @@ def test_files_are_called_after_the_description(crank):
 
 
 def test_an_input_is_a_number():
-    assert not Dimension("a", 30.0, "mm").derived
+    assert not Dimension("a", 30.0, RAD).derived

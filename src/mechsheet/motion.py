@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
-from mechsheet.sheet.plan import unit_shown, unit_text
 from mechsheet.sheet.positions import shown_number
 
 SHOWN_ROLES = ("variable", "point", "output")
@@ -27,15 +24,14 @@ def motion_of(mechanism: Mechanism) -> tuple[dict[str, Array], dict[str, str]]:
     exists = np.ones(len(driver), bool)
     for group in equations.groups:
         exists &= np.isfinite(values[group.closes])
-    degrees = mechanism.driver.unit == "deg"
+    degrees = mechanism.driver.unit.in_degrees
     columns: dict[str, Array] = {mechanism.driver.symbol: np.array([shown_number(value, degrees) for value in driver])}
-    units = {mechanism.driver.symbol: unit_text(mechanism.driver.unit)}
-    outputs = {output.symbol: unit_text(output.unit) for output in mechanism.outputs}
+    units = {mechanism.driver.symbol: mechanism.driver.unit.text}
     for equation in equations.columns:
         symbol = equation.symbol
         if equation.role not in SHOWN_ROLES or symbol in columns:
             continue
-        units[symbol] = outputs.get(symbol, unit_shown(mechanism, equation.unit))
-        factor = math.degrees(1.0) if units[symbol] == "°" else 1.0
-        columns[symbol] = np.where(exists & np.isfinite(values[symbol]), values[symbol] * factor, np.nan)
+        unit = mechanism.shown(equation.unit)
+        units[symbol] = unit.text
+        columns[symbol] = np.where(exists & np.isfinite(values[symbol]), unit.to_shown(values[symbol]), np.nan)
     return columns, units

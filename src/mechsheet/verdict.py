@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from mechsheet.compute import column_of
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values
@@ -77,7 +75,7 @@ def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
     start, stop, step = (number(part, values) for part in (driver.start, driver.stop, driver.step))
     if abs((stop - start) / step - (rows - 1)) < _LANDS:
         return None
-    return math.degrees(stop) if driver.unit == "deg" else stop
+    return driver.unit.to_shown(stop)
 
 
 def _shown(value: object, unit: str) -> str:

@@ -26,9 +26,11 @@ from mechsheet.model import (
     TableRequest,
     Words,
 )
+from mechsheet.units import DEG, NUMBER, RAD, unit_of
 
 DATA = Path(__file__).parents[1] / "data"
 ORIGIN = Cartesian(0.0, 0.0)
+MM, CM = unit_of("mm", "mm"), unit_of("cm", "cm")
 
 
 def derived(symbol, formula, unit, **more):
@@ -48,8 +50,8 @@ def test_four_bar() -> None:
         title=Words("four-bar", "four-bar"),
         source=Words("", ""),
         length_unit="mm",
-        angle_unit="deg",
-        dimensions=tuple(Dimension(name, value, "mm", shown=value) for name, value in values.items()),
+        angle_unit=DEG,
+        dimensions=tuple(Dimension(name, value, MM, shown=value) for name, value in values.items()),
         links=(
             Link("ground", 1, {"A0": ORIGIN, "B0": Cartesian(Symbol("a1"), 0.0)}),
             Link("crank", 2, {"A0": ORIGIN, "A": Cartesian(Symbol("a2"), 0.0)}),
@@ -57,9 +59,9 @@ def test_four_bar() -> None:
             Link("rocker", 4, {"B0": ORIGIN, "B": Cartesian(Symbol("a4"), 0.0)}),
         ),
         joints=(),
-        driver=Driver("theta12", "deg", "crank", "ground", "", 0.0, math.radians(360), math.radians(15), values=()),
+        driver=Driver("theta12", DEG, "crank", "ground", "", 0.0, math.radians(360), math.radians(15), values=()),
         sketch=Sketch({"B": (50.0, 55.0)}, {}),
-        outputs=(Output("mu", parse_description("theta14 - theta13"), "deg"),),
+        outputs=(Output("mu", parse_description("theta14 - theta13"), DEG),),
         text=path.read_text(encoding="utf-8"),
     )
 
@@ -68,7 +70,7 @@ def test_slider_crank() -> None:
     mechanism = load(DATA / "slider-crank.toml")
     joint = Joint("s14", "prismatic", "piston", "ground", "B", (0.0, Symbol("a1")), 0.0, 0.0, "s14")
     assert mechanism.joints == (joint,)
-    assert mechanism.dimensions[-1] == Dimension("gamma3", math.radians(30), "deg", shown=30.0)
+    assert mechanism.dimensions[-1] == Dimension("gamma3", math.radians(30), DEG, shown=30.0)
     assert mechanism.links[2].points["C"] == Polar(Symbol("b3"), Unary("-", Symbol("gamma3")))
 
 
@@ -83,7 +85,7 @@ def test_adjustable_pump() -> None:
 def test_six_link_dwell() -> None:
     mechanism = load(DATA / "six-link-dwell.toml")
     alpha3 = mechanism.dimensions[-1]
-    assert (alpha3.derived, alpha3.unit, alpha3.shown) == (True, "deg", None)
+    assert (alpha3.derived, alpha3.unit, alpha3.shown) == (True, DEG, None)
     assert alpha3.written == "acos((AC^2 + AB^2 - BC^2) / (2*AC*AB))"
     assert alpha3.value == parse_description(alpha3.written)
     assert [link.number for link in mechanism.links] == [1, 2, 3, 4, 5, 6]
@@ -99,21 +101,21 @@ def test_every_key_head(everything: Mechanism) -> None:
     assert everything.name == "every-key_1"
     assert everything.title == Words("Every key", "Her anahtar")
     assert everything.source == Words("first line\nsecond line", "first line\nsecond line")
-    assert (everything.length_unit, everything.angle_unit) == ("cm", "rad")
+    assert (everything.length_unit, everything.angle_unit) == ("cm", RAD)
     assert (everything.language, everything.references) == ("tr", "anchors")
 
 
 def test_every_key_dimensions(everything: Mechanism) -> None:
     label = Words("crank A0A", "krank A0A")
     assert everything.dimensions == (
-        Dimension("a1", 7.0, "cm", shown=7.0),
-        Dimension("a2", 3.5, "cm", label=label, cell="Krank", tolerance=0.1, shown=3.5),
-        Dimension("phi0", math.radians(30), "deg", tolerance=0.5, shown=30.0),
-        Dimension("half", 0.5, "1", shown=0.5),
-        Dimension("turn", 1.5, "rad", shown=1.5),
-        derived("late", "2*early", "cm", label=Words("late", "late")),
-        derived("early", "a1*half", "cm"),
-        derived("gamma3", "acos(half)", "deg", cell="Gama.3"),
+        Dimension("a1", 7.0, CM, shown=7.0),
+        Dimension("a2", 3.5, CM, label=label, cell="Krank", tolerance=0.1, shown=3.5),
+        Dimension("phi0", math.radians(30), DEG, tolerance=0.5, shown=30.0),
+        Dimension("half", 0.5, NUMBER, shown=0.5),
+        Dimension("turn", 1.5, RAD, shown=1.5),
+        derived("late", "2*early", CM, label=Words("late", "late")),
+        derived("early", "a1*half", CM),
+        derived("gamma3", "acos(half)", DEG, cell="Gama.3"),
     )
 
 
@@ -139,11 +141,11 @@ def test_every_key_joints(everything: Mechanism) -> None:
 
 
 def test_every_key_results(everything: Mechanism) -> None:
-    assert everything.driver == Driver("theta62", "rad", "crank", "coupler", values=(0.0, 1.5, Symbol("phi0")))
+    assert everything.driver == Driver("theta62", RAD, "crank", "coupler", values=(0.0, 1.5, Symbol("phi0")))
     assert everything.sketch == Sketch({"B": (50.0, Symbol("a1"))}, {"theta16": 0.75, "s17": parse_description("2*a1")})
     assert everything.outputs == (
-        Output("mu", parse_description("theta12 - theta16"), "deg", Words("angle", "angle"), "Mu_1"),
-        Output("xc", parse_description("C.x + B0.y"), "cm"),
+        Output("mu", parse_description("theta12 - theta16"), DEG, Words("angle", "angle"), "Mu_1"),
+        Output("xc", parse_description("C.x + B0.y"), CM),
     )
     assert everything.summaries == (
         Summary("stroke", "s17", "range", Words("stroke", "kurs"), "Kurs"),
@@ -179,7 +181,7 @@ def test_driven_displacement() -> None:
     driver_at, assembly_at = source.index("[driver]"), source.index("[assembly]")
     source = source[:driver_at] + "[driver]\n" + text + source[assembly_at:]
     source = source.replace('type = "prismatic"', 'type = "prismatic"\nname = "guide"')
-    expected = Driver("s14", "mm", joint="guide", start=230.0, stop=280.0, step=0.5)
+    expected = Driver("s14", MM, joint="guide", start=230.0, stop=280.0, step=0.5)
     assert loads(source).driver == expected
     assert loads(source.replace('joint = "guide"', 'joint = "guide"\nsymbol = "s14"')).driver == expected
 

@@ -9,21 +9,22 @@ from mechsheet.formula.parser import parse_description
 from mechsheet.model import Dimension, Distances, Driver, Link
 from mechsheet.reference import dimension_values, driver_values
 from mechsheet.reference.geometry import link_places, places, size
+from mechsheet.units import DEG, unit_of
 
 
 def with_driver(**keys):
     return replace(
-        read("drag-link"), driver=Driver(symbol="theta12", unit="deg", link="crank", relative_to="ground", **keys)
+        read("drag-link"), driver=Driver(symbol="theta12", unit=DEG, link="crank", relative_to="ground", **keys)
     )
 
 
 def derived(symbol, formula):
-    return Dimension(symbol, parse_description(formula), "mm", written=formula)
+    return Dimension(symbol, parse_description(formula), unit_of("mm", "mm"), written=formula)
 
 
 def test_dimensions_in_any_order():
     four_bar = read("drag-link")
-    dims = (derived("c", "2*b"), derived("b", "a + 1"), Dimension("a", 3.0, "mm"))
+    dims = (derived("c", "2*b"), derived("b", "a + 1"), Dimension("a", 3.0, unit_of("mm", "mm")))
     values = dimension_values(replace(four_bar, dimensions=dims))
     assert list(values.items()) == [("c", 8.0), ("b", 4.0), ("a", 3.0)]
     assert dimension_values(replace(four_bar, dimensions=dims), {"a": 5.0})["c"] == 12.0

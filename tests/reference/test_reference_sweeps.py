@@ -9,6 +9,7 @@ from reference_cases import CASES, EXAMPLES, read
 from mechsheet.diagnostics import MechanismError
 from mechsheet.model import Cartesian, Driver, Joint, Link
 from mechsheet.reference import dimension_values, driver_values, residuals, solve, variables, worst
+from mechsheet.units import DEG
 
 EVERY = sorted(path.stem for path in CASES.glob("*.toml") if path.stem != "expressions")
 
@@ -138,7 +139,7 @@ def test_driven_by_a_cylinder():
 def test_driver_between_moving_links():
     found = solve(read("relative-driver"))
     assert np.abs(found.poses["coupler"][:, 2] - found.poses["crank"][:, 2] - found.driver).max() < 1e-13
-    forward = replace(found.mechanism, driver=Driver(symbol="theta12", unit="deg", link="crank", relative_to="ground"))
+    forward = replace(found.mechanism, driver=Driver(symbol="theta12", unit=DEG, link="crank", relative_to="ground"))
     start = {link: tuple(pose[0]) for link, pose in found.poses.items()}
     again = solve(forward, start=start, values=found.poses["crank"][:, 2])
     assert again.exists.all()
@@ -151,7 +152,7 @@ def test_group_of_class_three_is_followed():
     assert easy.exists.all()
     turning = easy.poses["output"][:, 2]
     assert (np.diff(turning) > 0).all() or (np.diff(turning) < 0).all()
-    hard = replace(easy.mechanism, driver=Driver(symbol="theta16", unit="deg", link="output", relative_to="ground"))
+    hard = replace(easy.mechanism, driver=Driver(symbol="theta16", unit=DEG, link="output", relative_to="ground"))
     start = {link: tuple(pose[0]) for link, pose in easy.poses.items()}
     found = solve(hard, start=start, values=turning)
     assert found.exists.all()

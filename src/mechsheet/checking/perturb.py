@@ -271,13 +271,13 @@ def drawn(plan: Plan, draw: random.Random) -> dict[str, float]:
     """
     spread = draw.choice(SPREADS)
     inputs = [(dim, dim.value) for dim in plan.mechanism.dimensions if isinstance(dim.value, float)]
-    size = max((abs(value) for dim, value in inputs if dim.unit not in ("deg", "rad", "1")), default=1.0) or 1.0
+    size = max((abs(value) for dim, value in inputs if dim.unit.kind == "length"), default=1.0) or 1.0
     found: dict[str, float] = {}
     for dim, value in inputs:
         change = draw.uniform(-spread, spread)
-        if dim.unit in ("deg", "rad"):
+        if dim.unit.kind == "angle":
             value = value + change
-            value = math.degrees(value) if dim.unit == "deg" else value
+            value = dim.unit.to_shown(value)
         elif value == 0:
             value = 0.0 if draw.random() < 0.5 else change * size
             value = abs(value) if dim.symbol in plan.equations.positive else value

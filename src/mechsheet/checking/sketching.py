@@ -93,9 +93,9 @@ def _symbol_value(
 ) -> float:
     """An angle or a displacement as a description writes it, rounded."""
     value = float(values[name][row])
-    if equations.of(name).unit != "angle":
+    if equations.of(name).unit.kind != "angle":
         return _rough(value, gap * max([abs(value), *_lengths(mechanism)]))
-    if mechanism.angle_unit == "deg":
+    if mechanism.angle_unit.in_degrees:
         return _rough(math.degrees(value), math.degrees(gap))
     return _rough(value, gap)
 
@@ -133,7 +133,7 @@ def _gaps(
             point = equation.symbol.rpartition(".")[0]
             found[point] = np.hypot(found.get(point, np.zeros_like(apart)), apart / size)
         elif equation.role == "variable":
-            found[equation.symbol] = 2 * np.abs(np.sin(apart / 2)) if equation.unit == "angle" else apart / size
+            found[equation.symbol] = 2 * np.abs(np.sin(apart / 2)) if equation.unit.kind == "angle" else apart / size
     return found
 
 

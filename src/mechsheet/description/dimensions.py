@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
 from mechsheet.description.index import Path
+from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
 from mechsheet.formula.nodes import Node, symbols
@@ -19,8 +19,8 @@ def declare(data: dict[str, Any], scope: Scope) -> None:
         path: Path = ("dimensions", symbol)
         scope.symbol_is_good(symbol, path)
         scope.symbols.claim(symbol, "dimension", path)
-        scope.units[symbol] = scope.unit(entry, path) if isinstance(entry, dict) else scope.length_unit
-        scope.kinds[symbol] = scope.kind_of_unit(scope.units[symbol])
+        scope.units[symbol] = scope.unit(entry if isinstance(entry, dict) else {}, path)
+        scope.kinds[symbol] = unit_kind(scope.units[symbol])
         if not (isinstance(entry, dict) and "formula" in entry):
             scope.inputs.append(symbol)
 
@@ -30,7 +30,7 @@ def read(data: dict[str, Any], scope: Scope) -> tuple[Dimension, ...]:
     for symbol, entry in data.items():
         value = entry.get("value", BAD) if isinstance(entry, dict) else entry
         if value is not BAD:
-            scope.numbers[symbol] = math.radians(value) if scope.units[symbol] == "deg" else value
+            scope.numbers[symbol] = scope.units[symbol].to_internal(value)
     trees = _formulas(data, scope)
     _compute(trees, scope)
     return tuple(_dimension(symbol, entry, trees, scope) for symbol, entry in data.items() if entry is not BAD)

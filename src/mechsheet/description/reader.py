@@ -19,6 +19,7 @@ from mechsheet.description.shape import fit
 from mechsheet.description.source import Source, parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Words
+from mechsheet.units import unit_of
 
 LANGUAGES = ("en", "tr")
 _DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
@@ -80,7 +81,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     scope = Scope(report)
     head = _part(data, "mechanism", {})
     scope.length_unit = _length_unit(head, report)
-    scope.angle_unit = _choice(head, "angle_unit", "deg")
+    scope.angle_unit = unit_of(_choice(head, "angle_unit", "deg"), scope.length_unit)
     given, bodies = _part(data, "dimensions", {}), _part(data, "links", {})
     outputs, summary = _part(data, "outputs", {}), _part(data, "summary", {})
 
@@ -114,7 +115,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         title=words(head.get("title")) or Words(name, name),
         source=words(head.get("source")) or Words("", ""),
         length_unit=scope.length_unit,
-        angle_unit="rad" if scope.angle_unit == "rad" else "deg",
+        angle_unit=scope.angle_unit,
         dimensions=table,
         links=made,
         joints=sliding,

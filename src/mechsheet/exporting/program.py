@@ -20,6 +20,7 @@ from mechsheet.kinematics.solve import dimension_order, solve
 from mechsheet.model import Dimension, Mechanism, Quantity
 from mechsheet.sheet.lowering import guarded, rooted
 from mechsheet.sheet.positions import shown_number
+from mechsheet.units import Unit
 
 WIDTH = 100
 """Characters of a line of a program that has a comment."""
@@ -79,11 +80,14 @@ class Program:
         """The symbols that have one value per row."""
         return frozenset((self.mechanism.driver.symbol, *(column.symbol for column in self.columns)))
 
+    def unit_shown(self, symbol: str) -> Unit:
+        """The unit in which people read a symbol's value."""
+        driver = self.mechanism.driver
+        return self.mechanism.shown(driver.unit if symbol == driver.symbol else self.equations.of(symbol).unit)
+
     def unit_of(self, symbol: str) -> str:
         """The unit of a shown symbol's value: "rad", the length unit, an output's own label, or ""."""
-        if symbol == self.mechanism.driver.symbol:
-            return "rad" if self.mechanism.driver.unit in ("deg", "rad") else self.mechanism.length_unit
-        return unit_word(self.mechanism, self.equations.of(symbol).unit)
+        return self.unit_shown(symbol).internal.text
 
     def print(self, node: Node, dialect: str, calls: Mapping[str, str]) -> str:
         """The text of an expression; `calls` spell the helpers, `{0}` being the first argument."""
@@ -119,7 +123,7 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
         Line(
             eq.symbol,
             guarded(eq.exists, _with_helpers(eq.expression)),
-            unit_word(mechanism, eq.unit),
+            mechanism.shown(eq.unit.internal).text,
             one_line(eq.label.of(language)),
         )
         for eq in equations.constants
@@ -131,7 +135,7 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
         for plus, minus in [group.assemblies]
     )
     driver = mechanism.driver
-    degrees = driver.unit == "deg"
+    degrees = driver.unit.in_degrees
     sweep = (
         None if driver.values else tuple(quantity(part, degrees) for part in (driver.start, driver.stop, driver.step))
     )
@@ -155,9 +159,8 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
 
 
 def _dimension(mechanism: Mechanism, dim: Dimension) -> Line:
-    unit = {"deg": "rad", "1": ""}.get(dim.unit, dim.unit)
     words = one_line(dim.label.of(mechanism.language)) if dim.label else ""
-    return Line(dim.symbol, quantity(dim.value, dim.unit == "deg"), unit, words)
+    return Line(dim.symbol, quantity(dim.value, dim.unit.in_degrees), dim.unit.internal.text, words)
 
 
 def quantity(value: Quantity, degrees: bool) -> Node:
@@ -166,11 +169,6 @@ def quantity(value: Quantity, degrees: bool) -> Node:
         return value
     number = al.number(shown_number(value, degrees))
     return Call("RADIANS", (number,)) if degrees and not al.is_zero(number) else number
-
-
-def unit_word(mechanism: Mechanism, unit: str) -> str:
-    """The unit of an equation's value in internal units, as a word."""
-    return {"length": mechanism.length_unit, "angle": "rad", "number": ""}.get(unit, unit)
 
 
 def one_line(text: str) -> str:
@@ -193,7 +191,7 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
         if equation.exists:
             node = Call("IF", (closed[equation.exists], rooted(node), Call("NA")))
             still = False  # the condition has one value per row
-        unit, words = unit_word(mechanism, equation.unit), one_line(equation.label.of(mechanism.language))
+        unit, words = mechanism.shown(equation.unit.internal).text, one_line(equation.label.of(mechanism.language))
         found.append(ColumnLine(equation.symbol, node, still, unit, words, equation.group))
     return tuple(found)
 

@@ -15,18 +15,18 @@ from mechsheet.formula.nodes import Binary, Call, Node, Symbol, symbols, transfo
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.expansion import definitions, substituted
-from mechsheet.sheet.lowering import Assignments
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.windows import WINDOWED, with_windows
+from mechsheet.units import NUMBER, Unit
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """An argument. `unit`: "length", "angle" (radians), "mode" (+1 or -1), or another dimension's unit."""
+    """An argument, in `unit`: angles mostly in radians, whatever people read."""
 
     symbol: str
     label: Words
-    unit: str
+    unit: Unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,7 @@ class Routine:
     parameters: tuple[Parameter, ...]
     steps: tuple[Step, ...]
     result: Node
-    unit: str
+    unit: Unit
     guards: tuple[str, ...] = ()
 
 
@@ -71,14 +71,14 @@ class Source:
     def parameters(self) -> tuple[Parameter, ...]:
         """The dimensions that are given, the driver, the assembly modes."""
         given = [
-            Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), _unit(dim.unit, self.mechanism))
+            Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), dim.unit.internal)
             for dim in self.mechanism.dimensions
             if not dim.derived
         ]
         driver = self.mechanism.driver
-        given.append(Parameter(driver.symbol, Words("driver", "tahrik"), _unit(driver.unit, self.mechanism)))
+        given.append(Parameter(driver.symbol, Words("driver", "tahrik"), driver.unit.internal))
         words = {group.mode: group.label for group in self.equations.groups if group.mode}
-        return (*given, *(Parameter(mode, label, "mode") for mode, label in words.items()))
+        return (*given, *(Parameter(mode, label, NUMBER) for mode, label in words.items()))
 
     def variables(self) -> tuple[str, ...]:
         """What has a function: link angles, displacements, moving points and outputs, in order of solution."""
@@ -106,7 +106,7 @@ class Source:
             tuple(parameters[name] for name in order or parameters),
             steps,
             result,
-            _unit_of(self.equations, symbol),
+            self.mechanism.shown(self.equations.of(symbol).unit.internal),
             tuple(name for name in closing if name not in own),
         )
 
@@ -185,16 +185,6 @@ def _needed(wanted: Iterable[str], rules: Mapping[str, Node]) -> set[str]:
         found.update(fresh)
         stack += fresh
     return found
-
-
-def _unit(unit: str, mechanism: Mechanism) -> str:
-    if unit in ("deg", "rad"):
-        return "angle"
-    return "length" if unit == mechanism.length_unit else "number" if unit == "1" else unit
-
-
-def _unit_of(equations: Assignments, symbol: str) -> str:
-    return next(equation.unit for equation in equations.all if equation.symbol == symbol)
 
 
 def with_values(routine: Routine, values: Mapping[str, Node]) -> Routine:

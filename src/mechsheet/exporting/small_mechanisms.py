@@ -14,6 +14,9 @@ from mechsheet.exporting.routines import Source
 from mechsheet.formula.nodes import Symbol
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
+from mechsheet.units import RAD, unit_of
+
+MILLIMETRE = unit_of("mm", "mm")
 
 Named: TypeAlias = float | str
 """A size, or the name of a dimension."""
@@ -31,21 +34,21 @@ def _source(
 
     The driver is the second link, or the sliding joint. The first link is the ground.
     """
-    dimensions = [Dimension(symbol, size, "mm") for symbol, size in lengths.items()]
-    dimensions += [Dimension(symbol, size, "rad") for symbol, size in (angles or {}).items()]
+    dimensions = [Dimension(symbol, size, MILLIMETRE) for symbol, size in lengths.items()]
+    dimensions += [Dimension(symbol, size, RAD) for symbol, size in (angles or {}).items()]
     bodies = tuple(
         Link(name, number, {point: Cartesian(_size(x), _size(y)) for point, (x, y) in points.items()})
         for number, (name, points) in enumerate(links.items(), 1)
     )
     driven = next((joint.symbol for joint in joints if joint.name == slides), "theta12")
-    driver = Driver(driven, "mm" if slides else "rad", "" if slides else bodies[1].name, bodies[0].name, slides)
+    driver = Driver(driven, MILLIMETRE if slides else RAD, "" if slides else bodies[1].name, bodies[0].name, slides)
     nothing = Words("", "")
     mechanism = Mechanism(
         "basic",
         nothing,
         nothing,
         "mm",
-        "rad",
+        RAD,
         tuple(dimensions),
         bodies,
         tuple(joints),

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from mechsheet.exporting import solution_words as words
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.mathtext import Pen, packed, point_math, seen, symbol_math
+from mechsheet.exporting.mathtext import RATIO, Pen, packed, point_math, seen, symbol_math
 from mechsheet.exporting.position import Position, position_at
 from mechsheet.exporting.program import one_line, quantity
 from mechsheet.formula import algebra as al
@@ -21,6 +21,7 @@ from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Words
 from mechsheet.sheet.lowering import Assignment
+from mechsheet.units import LENGTH, RAD, Unit
 
 LINE = 66
 """Characters of LaTeX that numbers and their result may share a line with."""
@@ -130,7 +131,7 @@ class _Writer:
         for dim in self.mechanism.dimensions:
             if not dim.derived:
                 label = one_line(self.say(dim.label)) if dim.label else ""
-                node = quantity(dim.value, dim.unit == "deg")
+                node = quantity(dim.value, dim.unit.in_degrees)
                 rows.append(((Math(symbol_math(dim.symbol)),), (Math(self.exact(node, dim.symbol)),), (label,)))
         if rows:
             self.table((words.SYMBOL, words.VALUE, words.MEANING), rows, (1,))
@@ -149,7 +150,7 @@ class _Writer:
     def exact(self, node: Node, symbol: str) -> str:
         """A given value as it was written, with its unit: it is not rounded."""
         if isinstance(node, Number | Call) or al.value_of(node) is not None:
-            return self.pen.formula(node) + self.pen.unit_math(self.pen.units[symbol] if not _degrees(node) else "")
+            return self.pen.formula(node) + ("" if _degrees(node) else self.pen.unit_math(self.pen.units[symbol]))
         return self.pen.result(symbol)
 
     def driver(self) -> None:
@@ -214,13 +215,13 @@ class _Writer:
                 total += complex(length * cosine, length * sine)
                 rows.append(
                     _cells(
-                        self.pen.vector(vector), self.pen.shown(length, "length"), self.pen.shown(angle, "angle"),
-                        self.pen.rounded(cosine, "ratio"), self.pen.rounded(sine, "ratio"),
-                        self.pen.shown(length * cosine, "length"), self.pen.shown(length * sine, "length"),
+                        self.pen.vector(vector), self.pen.shown(length, LENGTH), self.pen.shown(angle, RAD),
+                        self.pen.rounded(cosine, RATIO), self.pen.rounded(sine, RATIO),
+                        self.pen.shown(length * cosine, LENGTH), self.pen.shown(length * sine, LENGTH),
                     )
                 )  # fmt: skip
             empty: list[Inline] = [()] * 4
-            sums = _cells(self.pen.shown(total.real, "length"), self.pen.shown(total.imag, "length"))
+            sums = _cells(self.pen.shown(total.real, LENGTH), self.pen.shown(total.imag, LENGTH))
             rows.append(((self.say(name),), *empty, *sums))
         self.blocks.append(
             Table(
@@ -243,13 +244,13 @@ class _Writer:
             if equation.first is not None:
                 if equation.counts_turns:
                     name = Math(symbol_math(equation.symbol))
-                    value = Math(self.pen.rounded(self.position.value(equation.symbol), "mode"))
+                    value = Math(self.pen.rounded(self.position.value(equation.symbol), "number"))
                     self.paragraph(name, f": {self.say(words.TURNS)} ", value)
                 continue
             self.paragraph(label + ":") if label != equation.symbol else None
             self.blocks.append(Display(tuple(self.step(equation.symbol, equation.expression, equation.unit))))
 
-    def step(self, symbol: str, node: Node, unit: str) -> list[str]:
+    def step(self, symbol: str, node: Node, unit: Unit) -> list[str]:
         """symbol = expression = numbers = value, on one, two or three lines."""
         pen = self.pen
         name, result = symbol_math(symbol), pen.result(symbol)

@@ -104,7 +104,7 @@ Entry = tuple[str, float, float]
 
 def _entries(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mapping[str, float]) -> list[Entry]:
     """What the sketch says of the columns from `start` on."""
-    fresh = {equation.symbol: equation.unit for equation in ledger.columns[start:]}
+    fresh = {equation.symbol: equation.unit.kind for equation in ledger.columns[start:]}
     size = max([abs(value) for value in dimensions.values()], default=1.0)
     for equation in ledger.columns[start:]:
         if equation.role == "point":

@@ -31,6 +31,7 @@ from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
 from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity, Words
+from mechsheet.units import LENGTH
 
 PROBED_ROWS = 200
 """Rows at the start, and as many again spread over the rest, on which modes are picked."""
@@ -168,7 +169,7 @@ def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
     ledger.tolerance = ledger.define(
         ledger.reserve("tol"),
         al.mul(NumberNode(CLOSING), _largest_length(mechanism)),
-        "length",
+        LENGTH,
         Words("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır"),
         "constant",
     )
@@ -193,7 +194,7 @@ def _largest_length(mechanism: Mechanism) -> Node:
 
 def is_length(dimension: Dimension) -> bool:
     """True for a dimension in the length unit."""
-    return dimension.unit not in ("deg", "rad", "1")
+    return dimension.unit.kind == "length"
 
 
 def largest_length(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:
@@ -300,10 +301,7 @@ def _outputs(mechanism: Mechanism, ledger: Ledger) -> None:
         if unknown:
             faults.append(Fault(f'"{unknown[0]}" is not known here', key=f"outputs.{output.symbol}.formula"))
             continue
-        unit = {"deg": "angle", "rad": "angle", mechanism.length_unit: "length", "1": "number"}.get(
-            output.unit, output.unit
-        )
         label = output.label or Words(output.symbol, output.symbol)
-        ledger.define(output.symbol, output.formula, unit, label, "output")
+        ledger.define(output.symbol, output.formula, output.unit, label, "output")
     if faults:
         raise MechanismError(faults)

@@ -17,7 +17,7 @@ from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Mechanism
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.plan import EXISTS, STATUS, Plan, unit_text
+from mechsheet.sheet.plan import EXISTS, STATUS, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Workbook
 
@@ -60,7 +60,7 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     values = resampled([float(value) for value in driver_values(mechanism, dimension_values(mechanism))], least)
     shown, sweep = None, len(values)
     if at is not None:
-        values, shown = with_value(values, math.radians(at) if mechanism.driver.unit == "deg" else at)
+        values, shown = with_value(values, mechanism.driver.unit.to_internal(at))
         sweep = sweep if shown == sweep else len(values)
     drawn = replace(
         mechanism,
@@ -123,9 +123,9 @@ def _column(workbook: Workbook, plan: Plan, col: int) -> list[object]:
 
 def _missing(workbook: Workbook, plan: Plan, at: float | None, row: int, exists: Sequence[bool]) -> Fault:
     driver = plan.mechanism.driver
-    unit = unit_text(driver.unit)
+    unit = driver.unit.text
     space = "" if unit in ("", "°") else " "
-    shown = np.degrees(plan.driver) if driver.unit == "deg" else np.array(plan.driver)
+    shown = driver.unit.to_shown(np.array(plan.driver))
     symbol = plain(driver.symbol)
     runs = _runs(exists)
     ranges = ", ".join(f"{shown[a]:.6g} … {shown[b]:.6g}{space}{unit}" for a, b in runs)

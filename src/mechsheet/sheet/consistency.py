@@ -120,7 +120,7 @@ def position_shown(plan: Plan, sheet: str) -> tuple[Node, ...]:
         differences.append(_difference_or_pole(cell, there) if symbol in outputs else _difference(cell, there))
     for output in plan.mechanism.outputs:
         cell = CellRef(cells[output.symbol], VALUE, True, True, plan.main)
-        cell = Call("RADIANS", (cell,)) if output.unit == "deg" else cell
+        cell = Call("RADIANS", (cell,)) if output.unit.in_degrees else cell
         differences.append(_difference_or_pole(cell, _there(plan, sheet, output.formula)))
     return tuple(differences)
 

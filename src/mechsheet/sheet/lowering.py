@@ -29,6 +29,7 @@ from mechsheet.formula.nodes import (
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, Role
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
+from mechsheet.units import ANGLE, NUMBER, Unit
 
 TURN = al.mul(al.TWO, al.PI)
 
@@ -44,7 +45,7 @@ class Assignment:
     symbol: str
     expression: Node
     role: Role
-    unit: str
+    unit: Unit
     label: Words
     group: int = 0
     first: Node | None = None
@@ -141,7 +142,7 @@ class _Lowering:
         return Symbol(equation.symbol)
 
     def _help(
-        self, base: str, equation: Equation, expression: Node, unit: str, label: Words, first: Node | None = None
+        self, base: str, equation: Equation, expression: Node, unit: Unit, label: Words, first: Node | None = None
     ) -> Symbol:
         """A cell or column that an equation needs besides its own."""
         role: Role = "constant" if equation.role == "constant" else "intermediate"
@@ -161,14 +162,14 @@ class _Lowering:
             label = _area_of_group(group) if group is not None and in_group else _area_beside(equation)
             base = "Delta" if in_group else f"Delta{_base(equation).removeprefix('gamma')}"
             form = guarded(equation.exists, _heron(*sides))
-            self.areas[key] = self._help(base, equation, form, "number", label)
+            self.areas[key] = self._help(base, equation, form, NUMBER, label)
         return self.areas[key]
 
     def _direction(self, equation: Equation, y: Node, x: Node) -> None:
         """ATAN2 plus as many turns as have gone by. Where rows are missing the last direction known is held over them."""
         base, label = _base(equation), equation.label
         raw = self._help(
-            f"{base}_0", equation, al.atan2(x, y), "angle", Words(f"{label.en}, within half a turn", label.tr)
+            f"{base}_0", equation, al.atan2(x, y), ANGLE, Words(f"{label.en}, within half a turn", label.tr)
         )
         if equation.group <= 1:
             # Nothing before it can be missing. Pins that coincide have no direction: ATAN2(0, 0) is an error in most
@@ -181,7 +182,7 @@ class _Lowering:
                 f"{base}_held",
                 equation,
                 Call("IF", (counted, raw, Previous(""))),
-                "angle",
+                ANGLE,
                 Words("last direction known", "bilinen son doğrultu"),
                 first=Call("IF", (counted, raw, al.ZERO)),
             )
@@ -191,7 +192,7 @@ class _Lowering:
             "turns",
             equation,
             al.add(Previous(""), step),
-            "number",
+            NUMBER,
             Words("turns gone by", "tamamlanan tur sayısı"),
             first=al.ZERO,
         )

@@ -18,7 +18,6 @@ from mechsheet.sheet.plan import (
     UNIT,
     VALUE,
     Plan,
-    unit_text,
 )
 from mechsheet.sheet.positions import shown_number
 from mechsheet.sheet.rows import fixed_column
@@ -106,8 +105,8 @@ def _dimensions(writer: Writer) -> None:
         if not isinstance(dim.value, float):
             continue
         row = plan.blocks["dimensions"].rows[dim.symbol]
-        writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim))
-        value = dim.shown if dim.shown is not None else shown_number(dim.value, dim.unit == "deg")
+        writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim))
+        value = dim.shown if dim.shown is not None else shown_number(dim.value, dim.unit.in_degrees)
         writer.put(row, VALUE, value, styles.INPUT)
         writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
         writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
@@ -124,24 +123,20 @@ def _derived(writer: Writer) -> None:
     for dim in plan.mechanism.dimensions:
         if not isinstance(dim.value, float):
             row = rows[dim.symbol]
-            writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim) or dim.written)
-            _result(writer, row, dim.value, dim.unit == "deg", value_style(plan, _kind_of(dim.unit)))
+            writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim) or dim.written)
+            _result(writer, row, dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
     for equation in plan.equations.constants:
         row = rows[equation.symbol]
-        unit = plan.unit_shown(equation.unit)
-        writer.line(row, rich(equation.symbol), unit, equation.label.of(plan.language))
+        unit = plan.mechanism.shown(equation.unit)
+        writer.line(row, rich(equation.symbol), unit.text, equation.label.of(plan.language))
         tolerance = equation.symbol == plan.equations.tolerance
-        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit)
-        _result(writer, row, equation.expression, plan.shown_in_degrees(equation.unit), style)
+        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit.kind)
+        _result(writer, row, equation.expression, unit.in_degrees, style)
 
 
 def _result(writer: Writer, row: int, expression: Node, degrees: bool, style: Style) -> None:
     node = writer.plan.at.bind(expression, writer.plan.main, None)
     writer.formula(row, VALUE, Call("DEGREES", (node,)) if degrees else node, style)
-
-
-def _kind_of(unit: str) -> str:
-    return {"deg": "angle", "rad": "angle", "1": "number"}.get(unit, "length")
 
 
 def _sweep(writer: Writer) -> None:
@@ -151,8 +146,8 @@ def _sweep(writer: Writer) -> None:
     writer.heading("sweep")
     driver = plan.mechanism.driver
     rows = plan.blocks["sweep"].rows
-    unit = unit_text(driver.unit)
-    degrees = driver.unit == "deg"
+    unit = driver.unit.text
+    degrees = driver.unit.in_degrees
     for key, quantity in (("start", driver.start), ("step", driver.step)):
         writer.line(rows[key], plan.text(f"name.{key}"), unit, plan.text(f"sweep.{key}"))
         if isinstance(quantity, float):
@@ -232,13 +227,12 @@ def _position(writer: Writer) -> None:
             error_message=plan.text("hint.position", last=last),
         )
     )
-    writer.line(rows[driver.symbol], rich(driver.symbol), unit_text(driver.unit), plan.text("position.driver"))
-    unit = "angle" if driver.unit in ("deg", "rad") else "length"
+    writer.line(rows[driver.symbol], rich(driver.symbol), driver.unit.text, plan.text("position.driver"))
     writer.formula(
         rows[driver.symbol],
         VALUE,
         _at_position(plan, plan.at.column(driver.symbol, plan.main)),
-        value_style(plan, unit),
+        value_style(plan, driver.unit.kind),
     )
     writer.line(rows["status"], plan.text("head.status"), "", "")
     column = fixed_column(plan, STATUS)
@@ -252,7 +246,7 @@ def _variables(writer: Writer) -> None:
         equation: Assignment = plan.equations.of(symbol)
         writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
-        writer.formula(row, VALUE, node, value_style(plan, equation.unit))
+        writer.formula(row, VALUE, node, value_style(plan, equation.unit.kind))
 
 
 def controls(plan: Plan) -> tuple[Control, ...]:

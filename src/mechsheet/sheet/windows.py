@@ -68,7 +68,7 @@ def windows_of(plan: Plan, rules: Mapping[str, Node]) -> dict[str, Window]:
     angles = {
         equation.symbol
         for equation in plan.equations.columns
-        if equation.role == "variable" and equation.unit == "angle" and equation.symbol in counted & rules.keys()
+        if equation.role == "variable" and equation.unit.kind == "angle" and equation.symbol in counted & rules.keys()
     }
     return _windows(plan, [symbol for symbol in rules if symbol in angles])
 
@@ -97,7 +97,7 @@ def _windows(plan: Plan, angles: Iterable[str]) -> dict[str, Window]:
     """Each angle's window, from the values that it has with the dimensions as described."""
     driver = np.array(plan.driver)
     values = plan.nominal
-    turns = plan.mechanism.driver.unit in ("deg", "rad") and bool(np.ptp(driver) > 0)
+    turns = plan.mechanism.driver.unit.kind == "angle" and bool(np.ptp(driver) > 0)
     return {symbol: _window(values[symbol], driver, turns) for symbol in angles}
 
 
