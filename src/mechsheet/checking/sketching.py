@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from mechsheet.description import loads
-from mechsheet.description.rewrite import number_text, with_key, with_number, without_key
+from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.equations import Equations, Group
@@ -106,7 +106,7 @@ def _lengths(mechanism: Mechanism) -> list[float]:
 
 def _with_point(source: Source, name: str, pair: list[float]) -> Source:
     if ("assembly", name, 1) not in source.spots:
-        return with_key(source, ("assembly", name), f"[{number_text(pair[0])}, {number_text(pair[1])}]")
+        return with_value(source, ("assembly", name), f"[{number_text(pair[0])}, {number_text(pair[1])}]")
     for index, value in enumerate(pair):
         source = with_number(source, ("assembly", name, index), value)
     return source

@@ -10,13 +10,14 @@ from typing import Any
 
 from mechsheet.description import dimensions, driver, joints, links, results
 from mechsheet.description.kinds import plain_unit
-from mechsheet.description.overrides import with_language, with_values
+from mechsheet.description.overrides import with_values
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report
+from mechsheet.description.rewrite import with_value
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.shape import fit
-from mechsheet.description.source import Source, parse, parse_as_meant, read_text
+from mechsheet.description.source import Source, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Words
 from mechsheet.units import unit_of
@@ -50,9 +51,8 @@ def loads(
     if language is not None and language not in LANGUAGES:
         faults.append(Fault(f"unknown language {quoted(language)}", hint='languages: "en", "tr"'))
     if overrides and not faults:
-        changed, faults_of_values = with_values(source, overrides)
+        source, faults_of_values = with_values(source, overrides)
         faults += faults_of_values
-        source = parse(changed, file)
     _check_format(source)
     report = Report(source)
     mechanism = _read(source, report)
@@ -61,7 +61,7 @@ def loads(
     if faults or mechanism is None:
         raise DescriptionError(sorted(faults, key=lambda fault: fault.line or 0))
     if language is not None and language != mechanism.language:
-        mechanism = loads(with_language(source, language), file)
+        mechanism = loads(with_value(source, ("workbook", "language"), f'"{language}"').text, file)
     if overrides:
         mechanism = replace(mechanism, sketch=replace(mechanism.sketch, doubted=False))
     return mechanism
