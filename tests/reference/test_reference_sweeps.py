@@ -7,6 +7,7 @@ import pytest
 from reference_cases import CASES, EXAMPLES, read
 
 from mechsheet.diagnostics import MechanismError
+from mechsheet.formula.parser import parse_description
 from mechsheet.model import Cartesian, Driver, Joint, Link
 from mechsheet.reference import dimension_values, driver_values, residuals, solve, variables, worst
 from mechsheet.units import DEG
@@ -188,10 +189,12 @@ def test_point_whose_distances_make_no_triangle():
 
 def test_driver_value_that_is_no_number_is_no_row():
     m = read("fivelink")
-    found = solve(replace(m, driver=replace(m.driver, values=("acos(2)", 0.5, "1/0"))))
+    found = solve(
+        replace(m, driver=replace(m.driver, values=(parse_description("acos(2)"), 0.5, parse_description("1/0"))))
+    )
     assert found.exists.tolist() == [False, True, False]
     m = read("stephenson")
-    turned = replace(m, driver=replace(m.driver, link="output", values=(2.5, "acos(2)", 2.51)))
+    turned = replace(m, driver=replace(m.driver, link="output", values=(2.5, parse_description("acos(2)"), 2.51)))
     assert not solve(turned).exists[1]
 
 

@@ -32,7 +32,7 @@ def angle_of(quantity: Quantity) -> Angle:
 
 def number(quantity: Quantity, dimensions: Mapping[str, float]) -> float:
     """The value of a quantity of the model."""
-    return quantity if isinstance(quantity, float) else evaluate(quantity, dimensions)
+    return quantity if isinstance(quantity, float | int) else evaluate(quantity, dimensions)
 
 
 @dataclass(frozen=True, slots=True)

@@ -56,7 +56,7 @@ def evaluate(quantity: Quantity, values: Mapping[str, Value]) -> Value:
     Outside a function's range the value is NaN or infinite, as IEEE 754 has it; nothing is raised for that. Raises
     MechanismError for a name that `values` lacks, and for what is no expression of a description (a cell, a text).
     """
-    if isinstance(quantity, float):
+    if isinstance(quantity, float | int):
         return np.float64(quantity)
 
     def compute(node: Node) -> Value:
