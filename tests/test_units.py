@@ -77,3 +77,10 @@ def test_an_equation_is_shown_as_the_mechanism_shows_its_kind(angle, degrees):
 def test_an_output_is_shown_in_its_own_unit(angle, output):
     crank = loads(CRANK.format(angle=angle, output=output))
     assert crank.shown(crank.outputs[0].unit).symbol == output
+
+
+@pytest.mark.parametrize("degrees", [0.0, 15.0, -7.5, 30.0, 35.538, 360.0])
+def test_degrees_come_back_as_they_were_written(degrees):
+    assert DEG.written(DEG.to_internal(degrees)) == degrees
+    assert DEG.written(math.radians(1 / 3)) == math.degrees(math.radians(1 / 3))
+    assert RAD.written(0.1) == MM.written(0.1) == 0.1

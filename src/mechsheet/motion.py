@@ -8,7 +8,6 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
-from mechsheet.sheet.positions import shown_number
 
 SHOWN_ROLES = ("variable", "point", "output")
 
@@ -24,9 +23,9 @@ def motion_of(mechanism: Mechanism) -> tuple[dict[str, Array], dict[str, str]]:
     exists = np.ones(len(driver), bool)
     for group in equations.groups:
         exists &= np.isfinite(values[group.closes])
-    degrees = mechanism.driver.unit.in_degrees
-    columns: dict[str, Array] = {mechanism.driver.symbol: np.array([shown_number(value, degrees) for value in driver])}
-    units = {mechanism.driver.symbol: mechanism.driver.unit.text}
+    unit = mechanism.driver.unit
+    columns: dict[str, Array] = {mechanism.driver.symbol: np.array([unit.written(float(value)) for value in driver])}
+    units = {mechanism.driver.symbol: unit.text}
     for equation in equations.columns:
         symbol = equation.symbol
         if equation.role not in SHOWN_ROLES or symbol in columns:

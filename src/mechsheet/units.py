@@ -61,6 +61,12 @@ class Unit:
         """A number in this unit, or an array of them, in internal units."""
         return number * (1 / self.factor)
 
+    def written(self, number: float) -> float:
+        """An internal number as a person wrote it in this unit: 30 for the 0.5235987755982988 that 30 degrees became."""
+        shown = self.to_shown(number)
+        plain = round(shown, 10)
+        return plain if self.in_degrees and math.isclose(shown, plain, rel_tol=1e-14, abs_tol=1e-13) else shown
+
 
 DEG = Unit("angle", "deg", math.degrees(1.0))
 RAD = Unit("angle", "rad")

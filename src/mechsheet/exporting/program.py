@@ -19,7 +19,6 @@ from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_order, solve
 from mechsheet.model import Dimension, Mechanism, Quantity
 from mechsheet.sheet.lowering import guarded, rooted
-from mechsheet.sheet.positions import shown_number
 from mechsheet.units import Unit
 
 WIDTH = 100
@@ -135,9 +134,10 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
         for plus, minus in [group.assemblies]
     )
     driver = mechanism.driver
-    degrees = driver.unit.in_degrees
     sweep = (
-        None if driver.values else tuple(quantity(part, degrees) for part in (driver.start, driver.stop, driver.step))
+        None
+        if driver.values
+        else tuple(quantity(part, driver.unit) for part in (driver.start, driver.stop, driver.step))
     )
     columns = _columns(mechanism, equations)
     kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "output")]
@@ -150,7 +150,7 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
         (*(_dimension(mechanism, dim) for dim in order if dim.derived), *constants),
         modes,
         (sweep[0], sweep[1], sweep[2]) if sweep else None,
-        tuple(quantity(value, degrees) for value in driver.values),
+        tuple(quantity(value, driver.unit) for value in driver.values),
         columns,
         _exists(equations),
         tuple(dict.fromkeys([driver.symbol, *kept])),
@@ -160,15 +160,15 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
 
 def _dimension(mechanism: Mechanism, dim: Dimension) -> Line:
     words = one_line(dim.label.of(mechanism.language)) if dim.label else ""
-    return Line(dim.symbol, quantity(dim.value, dim.unit.in_degrees), dim.unit.internal.text, words)
+    return Line(dim.symbol, quantity(dim.value, dim.unit), dim.unit.internal.text, words)
 
 
-def quantity(value: Quantity, degrees: bool) -> Node:
+def quantity(value: Quantity, unit: Unit) -> Node:
     """A quantity of the model; a plain number of degrees as RADIANS(30), which a person can read."""
     if not isinstance(value, float):
         return value
-    number = al.number(shown_number(value, degrees))
-    return Call("RADIANS", (number,)) if degrees and not al.is_zero(number) else number
+    number = al.number(unit.written(value))
+    return Call("RADIANS", (number,)) if unit.in_degrees and not al.is_zero(number) else number
 
 
 def one_line(text: str) -> str:

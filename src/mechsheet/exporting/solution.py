@@ -131,7 +131,7 @@ class _Writer:
         for dim in self.mechanism.dimensions:
             if not dim.derived:
                 label = one_line(self.say(dim.label)) if dim.label else ""
-                node = quantity(dim.value, dim.unit.in_degrees)
+                node = quantity(dim.value, dim.unit)
                 rows.append(((Math(symbol_math(dim.symbol)),), (Math(self.exact(node, dim.symbol)),), (label,)))
         if rows:
             self.table((words.SYMBOL, words.VALUE, words.MEANING), rows, (1,))

@@ -19,7 +19,6 @@ from mechsheet.sheet.plan import (
     VALUE,
     Plan,
 )
-from mechsheet.sheet.positions import shown_number
 from mechsheet.sheet.rows import fixed_column
 from mechsheet.sheet.stands import write_stands
 from mechsheet.sheet.summaries import write_summaries
@@ -106,7 +105,7 @@ def _dimensions(writer: Writer) -> None:
             continue
         row = plan.blocks["dimensions"].rows[dim.symbol]
         writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim))
-        value = dim.shown if dim.shown is not None else shown_number(dim.value, dim.unit.in_degrees)
+        value = dim.shown if dim.shown is not None else dim.unit.written(dim.value)
         writer.put(row, VALUE, value, styles.INPUT)
         writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
         writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
@@ -151,7 +150,7 @@ def _sweep(writer: Writer) -> None:
     for key, quantity in (("start", driver.start), ("step", driver.step)):
         writer.line(rows[key], plan.text(f"name.{key}"), unit, plan.text(f"sweep.{key}"))
         if isinstance(quantity, float):
-            writer.put(rows[key], VALUE, shown_number(quantity, degrees), styles.INPUT)
+            writer.put(rows[key], VALUE, driver.unit.written(quantity), styles.INPUT)
         else:
             _result(writer, rows[key], quantity, degrees, styles.RESULT)
     if isinstance(driver.start, float) and driver.symbol in plan.equations.positive:

@@ -12,9 +12,10 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.mathematics import Part, symbol_parts, written
 from mechsheet.sheet.plan import DRIVER, EXISTS, STATUS, Plan
-from mechsheet.sheet.positions import group_title, shown_number
+from mechsheet.sheet.positions import group_title
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
+from mechsheet.units import DEG, NUMBER
 
 SYMBOL, UNIT, EQUATION, MEANING, PLACE = range(5)
 WIDTHS = (13, 9, 78, 44, 18)
@@ -179,7 +180,7 @@ class _Page:
     def _quantity(self, quantity: Quantity, angle: bool = False) -> list[Part]:
         if not isinstance(quantity, float):
             return list(written(quantity, self.plan.language).parts)
-        number = f"{shown_number(quantity, angle):.10g}".replace("-", "−")
+        number = f"{(DEG if angle else NUMBER).written(quantity):.10g}".replace("-", "−")
         if self.plan.language == "tr":
             number = number.replace(".", ",")
         return [(number + ("°" if angle else ""), "")]

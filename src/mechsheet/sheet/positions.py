@@ -248,20 +248,12 @@ def _driver_column(plan: Plan) -> tuple[list[Cell], list[Fill]]:
     for index, value in enumerate(driver.values):
         row = plan.at.first + index
         if isinstance(value, float):
-            cells.append(Cell(row, DRIVER, shown_number(value, driver.unit.in_degrees), styles.INPUT))
+            cells.append(Cell(row, DRIVER, driver.unit.written(value), styles.INPUT))
         else:
             node = plan.at.bind(value, plan.table, row)
             node = Call("DEGREES", (node,)) if driver.unit.in_degrees else node
             fills.append(Fill(row, DRIVER, node, styles.COLUMN))
     return cells, fills
-
-
-def shown_number(number: float, degrees: bool) -> float:
-    """A number of the model as a person wrote it: 30 for the 0.5235987755982988 that 30 degrees became."""
-    if not degrees:
-        return number
-    shown = math.degrees(number)
-    return round(shown, 10) if math.isclose(shown, round(shown, 10), rel_tol=1e-14, abs_tol=1e-13) else shown
 
 
 def places(plan: Plan, kind: str) -> int:

@@ -19,7 +19,7 @@ from mechsheet.sheet.blocks import input_validation, shown_unit
 from mechsheet.sheet.charts import driver_axis
 from mechsheet.sheet.expansion import Expansion, definitions, expand, needed, varying
 from mechsheet.sheet.plan import Plan, needs_guard
-from mechsheet.sheet.positions import places, shown_number
+from mechsheet.sheet.positions import places
 from mechsheet.sheet.rows import first_row
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.windows import WINDOWED, Window, windows_of, with_continued
@@ -249,7 +249,7 @@ class _Table:
         degrees = self.column.unit.in_degrees
         for index, quantity in enumerate(request.columns):
             if isinstance(quantity, float):
-                cells.append(Cell(HEAD_ROW, 1 + index, shown_number(quantity, degrees), styles.INPUT))
+                cells.append(Cell(HEAD_ROW, 1 + index, self.column.unit.written(quantity), styles.INPUT))
             else:
                 node = plan.at.bind(quantity, self.title, None)
                 fills.append(Fill(HEAD_ROW, 1 + index, Call("DEGREES", (node,)) if degrees else node, styles.INPUT))
