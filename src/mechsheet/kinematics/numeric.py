@@ -128,11 +128,13 @@ def without_jumps(angles: Any) -> Any:
     else:
         last = np.maximum.accumulate(np.where(known, np.arange(len(angles)), -1))
         held = np.where(last >= 0, angles[last], 0.0)
-    steps = np.where(known[1:], _round((held[:-1] - held[1:]) / math.tau, 0), 0.0)
-    if not steps.any():
+    steps = np.where(known[1:], (held[:-1] - held[1:]) / math.tau, 0.0)
+    jumps = np.flatnonzero(np.abs(steps) >= 0.5)
+    if not len(jumps):
         return angles
-    turns = np.concatenate(([0.0], np.cumsum(steps)))
-    return angles + math.tau * turns
+    turns = np.zeros(len(angles))
+    turns[jumps + 1] = _round(steps[jumps], 0)
+    return angles + math.tau * np.cumsum(turns)
 
 
 def evaluate_equation(
