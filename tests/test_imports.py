@@ -11,13 +11,15 @@ EVERYBODY = {"diagnostics", "arguments.numbers"}
 ALLOWED = {
     "diagnostics": set(),
     "arguments": {"formula", "formats.archive"},
-    "model": set(),
+    "units": set(),
+    "model": {"formula.nodes", "units"},
     "formula": set(),
-    "reference": {"model"},
+    # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
+    "reference": {"model", "formula.nodes"},
     "engine": {"formula"},
-    "description": {"model", "formula"},
-    "kinematics": {"model", "formula"},
-    "sheet": {"model", "formula", "kinematics"},
+    "description": {"model", "formula", "units"},
+    "kinematics": {"model", "formula", "units"},
+    "sheet": {"model", "formula", "kinematics", "units"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
@@ -27,6 +29,7 @@ ALLOWED = {
     # exporting prints the equations, draws what plotting draws, and tabulates their values
     "exporting": {
         "model",
+        "units",
         "formula",
         "kinematics",
         "sheet",

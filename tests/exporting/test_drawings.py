@@ -136,5 +136,5 @@ def test_csv_is_what_the_engine_has(tmp_path):
             for text, column in zip(line.split(","), columns.values(), strict=True):
                 assert (None if text == "" else float(text)) == column[row]
         units = {word.split(" [")[0]: word.split(" [")[1].rstrip("]") for word in head.split(",") if "[" in word}
-        assert units[mechanism.driver.symbol] == mechanism.driver.unit
+        assert units[mechanism.driver.symbol] == mechanism.driver.unit.symbol
         assert all(unit == mechanism.length_unit for symbol, unit in units.items() if symbol.endswith(".x"))

@@ -53,12 +53,12 @@ def sketched(name, *, pin=False):
         if pin:
             symbols[mechanism.driver.symbol] = float(driver[row])
         sketch = Sketch(points, symbols, float(driver[row]))
-        written = math.degrees(driver[row]) if mechanism.driver.unit == "deg" else driver[row]
+        written = mechanism.driver.unit.to_shown(driver[row])
         step = abs(driver[1] - driver[0])
         yield (
             replace(mechanism, sketch=sketch),
             float(written),
-            math.degrees(step) if mechanism.driver.unit == "deg" else step,
+            mechanism.driver.unit.to_shown(step),
         )
 
 

@@ -112,8 +112,8 @@ def _compare_column(
     spot = plan.at.shown[symbol]
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
-    unit = plan.equations.of(symbol).unit if symbol != plan.mechanism.driver.symbol else ""
-    is_angle = unit == "angle" or (unit == "" and plan.mechanism.driver.unit in ("deg", "rad"))
+    unit = plan.equations.of(symbol).unit.kind if symbol != plan.mechanism.driver.symbol else ""
+    is_angle = unit == "angle" or (unit == "" and plan.mechanism.driver.unit.kind == "angle")
     scale = solution.size if output is None or unit == "length" else 1.0
     with np.errstate(invalid="ignore"):
         gap = ours - theirs

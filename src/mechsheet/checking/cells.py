@@ -34,7 +34,7 @@ def angles_in(plan: Plan) -> Angles:
     for column in plan.columns:
         if column.equation is None:
             continue
-        if column.equation.unit == "angle":
+        if column.equation.unit.kind == "angle":
             spots = plan.at.shown if column.kind == "shown" else plan.at.spots
             periods[plan.table, column.col] = 360.0 if spots[column.symbol].degrees else math.tau
         elif column.equation.counts_turns:
@@ -42,7 +42,7 @@ def angles_in(plan: Plan) -> Angles:
     lengths = [
         abs(dim.value)
         for dim in plan.mechanism.dimensions
-        if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
+        if isinstance(dim.value, float) and dim.unit.kind == "length"
     ]
     return Angles(periods, min(1.0, max(lengths, default=1.0) or 1.0))
 

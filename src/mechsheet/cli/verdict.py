@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 from mechsheet.compiled import Compiled
-from mechsheet.kinematics.solve import dimension_values, number
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.blocks import shown_unit
 
@@ -73,7 +73,7 @@ def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
     start, stop, step = (number(part, values) for part in (driver.start, driver.stop, driver.step))
     if abs((stop - start) / step - (rows - 1)) < _LANDS:
         return None
-    return math.degrees(stop) if driver.unit == "deg" else stop
+    return driver.unit.to_shown(stop)
 
 
 def _shown(value: object, unit: str) -> str:

@@ -17,6 +17,7 @@ from mechsheet.exporting.routines import Parameter
 from mechsheet.formula.nodes import Call, Node, Symbol, transform
 from mechsheet.formula.printer import print_formula
 from mechsheet.model import Words
+from mechsheet.units import Unit
 
 WIDTH = 100
 """Characters of a line; VBA takes 1,023 and 24 continuations."""
@@ -272,8 +273,8 @@ class _Writer:
         self.lines += _wrapped("    " + text, "        ")
 
 
-def _unit(unit: str) -> str:
-    return {"angle": " [rad]", "deg": " [deg]"}.get(unit, "")
+def _unit(unit: Unit) -> str:
+    return f" [{unit.symbol}]" if unit.kind == "angle" else ""
 
 
 def _rule(title: str) -> str:

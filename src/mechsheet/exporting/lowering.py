@@ -15,22 +15,24 @@ from mechsheet.kinematics.equations import Equation
 from mechsheet.kinematics.naming import FreshNames, given_names, without_group
 from mechsheet.model import Words
 from mechsheet.sheet.lowering import area_words, half_turn_words
-
-TURNS = "turns"
-"""The unit of a step that stands for a number of turns: 0 where only one position is known."""
+from mechsheet.units import NUMBER, Unit
 
 NOTHING = Words("", "")
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """`symbol = expression`, over what is given and the steps before it; no number where `missing` is true."""
+    """`symbol = expression`, over what is given and the steps before it; no number where `missing` is true.
+
+    counts_turns  True for the step that stands for a number of turns: 0 where only one position is known
+    """
 
     symbol: str
     expression: Node
     missing: Node | None = None
     label: Words = NOTHING
-    unit: str = ""
+    unit: Unit = NUMBER
+    counts_turns: bool = False
 
     @property
     def reads(self) -> tuple[str, ...]:
@@ -67,7 +69,7 @@ class Lowering:
                 whole = al.mul(al.mul(al.TWO, al.PI), Symbol(turns))
                 return [
                     Step(raw, al.atan2(x, y), None, half_turn_words(label), unit),
-                    Step(turns, al.ZERO, None, NOTHING, TURNS),
+                    Step(turns, al.ZERO, counts_turns=True),
                     Step(symbol, al.add(Symbol(raw), whole), None, label, unit),
                 ]
             case TriangleAngle(opposite, beside, other):
@@ -87,6 +89,6 @@ class Lowering:
             area = self._areas[key] = self._names.reserve(base, equation.group)
             label = area_words(equation, group if own else None)
             expression = al.triangle_area(*(group.sides if group is not None and own else sides))
-            steps.append(Step(area, expression, equation.fails, label, "number"))
+            steps.append(Step(area, expression, equation.fails, label, NUMBER))
         self.holders[equation.symbol] = self._areas[key]
         return steps, self._areas[key]

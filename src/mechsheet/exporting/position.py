@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from mechsheet.exporting.lowering import TURNS, Lowering, Step
+from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import value
 from mechsheet.model import Mechanism
@@ -31,7 +31,7 @@ class Position:
     def _add_helpers(self, symbol: str, steps: tuple[Step, ...]) -> None:
         """The values of the steps before an equation's own."""
         for step in steps[:-1]:
-            if step.unit == TURNS:
+            if step.counts_turns:
                 within = self.values[steps[0].symbol]
                 self.values[step.symbol] = float(np.round((self.values[symbol] - within) / math.tau))
             else:

@@ -14,19 +14,19 @@ from mechsheet.compiled import Compiled
 from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, transform
-from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
 from mechsheet.kinematics.solve import dimension_order
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Words
+from mechsheet.units import NUMBER, Unit
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """An argument. `unit`: "length", "angle" (radians), "mode" (+1 or -1), or another dimension's unit."""
+    """An argument, in `unit`: angles mostly in radians, whatever people read."""
 
     symbol: str
     label: Words
-    unit: str
+    unit: Unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class Routine:
     parameters: tuple[Parameter, ...]
     steps: tuple[Step, ...]
     result: Node
-    unit: str
+    unit: Unit
     guards: tuple[str, ...] = ()
     missing: Node | None = None
 
@@ -63,9 +63,8 @@ class Source:
         self.closing = [symbol for symbol in closing if self.steps[symbol].missing is not None]
 
     def _steps(self, lowering: Lowering, branches: Mapping[str, AngleBranch]) -> dict[str, Step]:
-        given = {dim.symbol: dim.value for dim in self.mechanism.dimensions}
-        derived = [symbol for symbol in dimension_order(self.mechanism) if isinstance(given[symbol], str)]
-        found = {symbol: Step(symbol, parse_description(str(given[symbol]))) for symbol in derived}
+        derived = {dim.symbol: dim.value for dim in self.mechanism.dimensions if not isinstance(dim.value, float)}
+        found = {symbol: Step(symbol, derived[symbol]) for symbol in dimension_order(self.mechanism) if symbol in derived}
         for equation in self.equations.all:
             for step in lowering.steps[equation.symbol]:
                 expression = reading_taken(step.expression, branches) if equation.role == "output" else step.expression
@@ -80,14 +79,14 @@ class Source:
     def parameters(self) -> tuple[Parameter, ...]:
         """The dimensions that are given, the driver, the assembly modes."""
         given = [
-            Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), _unit(dim.unit, self.mechanism))
+            Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), dim.unit.internal)
             for dim in self.mechanism.dimensions
             if not dim.derived
         ]
         driver = self.mechanism.driver
-        given.append(Parameter(driver.symbol, Words("driver", "tahrik"), _unit(driver.unit, self.mechanism)))
+        given.append(Parameter(driver.symbol, Words("driver", "tahrik"), driver.unit.internal))
         words = {group.mode: group.label for group in self.equations.groups if group.mode}
-        return (*given, *(Parameter(mode, label, "mode") for mode, label in words.items()))
+        return (*given, *(Parameter(mode, label, NUMBER) for mode, label in words.items()))
 
     def variables(self) -> tuple[str, ...]:
         """What has a function: link angles, displacements, moving points and outputs, in order of solution."""
@@ -114,7 +113,7 @@ class Source:
             tuple(parameters[name] for name in order or parameters),
             steps,
             result,
-            self.equations.of(symbol).unit,
+            self.mechanism.shown(self.equations.of(symbol).unit.internal),
             tuple(name for name in self.closing if name not in own),
         )
 
@@ -201,12 +200,6 @@ def _needed(wanted: Iterable[str], steps: Mapping[str, Step]) -> set[str]:
         found.update(fresh)
         stack += fresh
     return found
-
-
-def _unit(unit: str, mechanism: Mechanism) -> str:
-    if unit in ("deg", "rad"):
-        return "angle"
-    return "length" if unit == mechanism.length_unit else "number" if unit == "1" else unit
 
 
 def with_values(routine: Routine, values: Mapping[str, Node]) -> Routine:

@@ -54,7 +54,7 @@ def introduction(source: Source, functions: tuple[Function, ...], language: str)
     function = functions[-1]
     arguments = ", ".join(name for part, name in zip(function.routine.parameters, function.parameters, strict=True)
                           if part.symbol not in function.modes)  # fmt: skip
-    in_degrees = any(part.unit == "deg" for part in function.routine.parameters)
+    in_degrees = any(part.unit.in_degrees for part in function.routine.parameters)
     degrees = Words(" ({name} takes degrees)", " ({name} derece alır)").of(language)
     name = function_names(functions)[function.key]
     text = INTRODUCTION.of(language).format(

@@ -25,6 +25,7 @@ from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.recomputed import recomputed_sheet
 from mechsheet.sheet.tables import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
+from mechsheet.units import Unit
 
 NEEDS_ROW = 2
 """The row of the first sheet, empty otherwise, that says what the file needs."""
@@ -191,12 +192,12 @@ class _Work:
         units = {dim.symbol: dim.unit for dim in plan.mechanism.dimensions}
         left_out = modes_read(function) if self.form == "lambda" else ()
 
-        def argument(symbol: str, unit: str, driver: Node) -> Node:
+        def argument(symbol: str, unit: Unit, driver: Node) -> Node:
             if symbol == plan.mechanism.driver.symbol:
-                in_radians = plan.mechanism.driver.unit == "deg" and unit != "deg"
+                in_radians = plan.mechanism.driver.unit.in_degrees and not unit.in_degrees
                 return Call("RADIANS", (driver,)) if in_radians else driver
             if given and symbol in given:
-                return Call("RADIANS", (given[symbol],)) if units[symbol] == "deg" else given[symbol]
+                return Call("RADIANS", (given[symbol],)) if units[symbol].in_degrees else given[symbol]
             return plan.at.reference(symbol, sheet, None)
 
         def called(driver: Node) -> Node:

@@ -64,7 +64,7 @@ def branches_of(mechanism: Mechanism, equations: Equations, values: Mapping[str,
     values  of every symbol over the sweep, with the dimensions as described
     """
     driver = values[mechanism.driver.symbol]
-    turns = mechanism.driver.unit in ("deg", "rad") and bool(np.ptp(driver) > 0)
+    turns = mechanism.driver.unit.kind == "angle" and bool(np.ptp(driver) > 0)
     return {symbol: _branch(values[symbol], driver, turns) for symbol in _known_up_to_turns(equations)}
 
 
@@ -75,7 +75,7 @@ def _known_up_to_turns(equations: Equations) -> list[str]:
     for equation in equations.columns:
         if isinstance(equation.expression, Direction) or not following.isdisjoint(equation.reads):
             following.add(equation.symbol)
-            if equation.role == "variable" and equation.unit == "angle":
+            if equation.role == "variable" and equation.unit.kind == "angle":
                 found.append(equation.symbol)
     return found
 

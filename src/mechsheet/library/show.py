@@ -76,7 +76,7 @@ def equations_json(mechanism: Mechanism) -> str:
             "symbol": equation.symbol,
             "expression": print_formula(equation.expression, "text"),
             "kind": equation.role,
-            "unit": equation.unit,
+            "unit": equation.unit.symbol if equation.unit.kind == "label" else equation.unit.kind,
             "group": equation.group,
             "label": {"en": equation.label.en, "tr": equation.label.tr},
         }

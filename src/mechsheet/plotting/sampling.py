@@ -16,7 +16,7 @@ from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import Mechanism
-from mechsheet.sheet.plan import STATUS, unit_text
+from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Workbook
 
@@ -69,7 +69,7 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     values = resampled(compiled.driver.tolist(), least)
     shown, sweep = None, len(values)
     if at is not None:
-        values, shown = with_value(values, math.radians(at) if mechanism.driver.unit == "deg" else at)
+        values, shown = with_value(values, mechanism.driver.unit.to_internal(at))
         sweep = sweep if shown == sweep else len(values)
     drawn = replace(
         mechanism,
@@ -116,9 +116,9 @@ def with_value(values: Sequence[float], value: float) -> tuple[list[float], int]
 def _missing(sample: Sample, at: float | None) -> Fault:
     plan = sample.plan
     driver = plan.mechanism.driver
-    unit = unit_text(driver.unit)
+    unit = driver.unit.text
     space = "" if unit in ("", "°") else " "
-    shown = np.degrees(plan.driver) if driver.unit == "deg" else np.array(plan.driver)
+    shown = driver.unit.to_shown(np.array(plan.driver))
     symbol = plain(driver.symbol)
     runs = _runs(sample.exists[: sample.sweep])
     ranges = ", ".join(f"{shown[a]:.6g} … {shown[b]:.6g}{space}{unit}" for a, b in runs)

@@ -12,7 +12,7 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.aside import aside
 from mechsheet.sheet.consistency import RECOMPUTED, Whole, whole_table
 from mechsheet.sheet.expansion import LIMIT
-from mechsheet.sheet.plan import Plan, unit_text
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.recomputed import place_recomputed
 from mechsheet.sheet.residuals import ROUNDING_ANGLE, Check, Frame, residuals
 from mechsheet.sheet.symbols import plain
@@ -165,7 +165,7 @@ class _Sheet:
         self.fills.append(Fill(FIRST, NUMBER, number, styles.decimals(styles.INNER, 0), rows=plan.rows))
         shown = plan.at.reading_shown(driver.symbol, self.title, plan.at.first)
         self.fills.append(Fill(FIRST, DRIVER_COL, shown, styles.decimals(styles.COLUMN, 2), rows=plan.rows))
-        unit = unit_text(driver.unit)
+        unit = driver.unit.text
         names = {
             GROUP_ROW: "",
             HEAD_ROW: f"{plain(driver.symbol)} [{unit}]" if unit else plain(driver.symbol),
@@ -215,7 +215,7 @@ class _Sheet:
         if check.unit in COUNTED:
             return ""
         if check.unit == "turn":
-            return f" [{self.plan.unit_shown('angle')}]"
+            return f" [{self.plan.mechanism.angle_unit.text}]"
         return " [rad]" if check.unit == "angle" else f" [{self.plan.mechanism.length_unit}]"
 
     def _summary(self, col: int, check: Check, style: Style) -> None:

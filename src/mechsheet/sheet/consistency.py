@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
-from mechsheet.formula.parser import parse_description
 from mechsheet.sheet.geometry import place
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, TOLERANCE, VALUE, Plan, TableColumn
 from mechsheet.sheet.positions import digits_kept
@@ -101,9 +100,9 @@ def derived_values(plan: Plan, sheet: str) -> tuple[Node, ...]:
     """Derived dimensions against their formulas, computed once more."""
     differences = []
     for dim in plan.mechanism.dimensions:
-        if dim.derived and isinstance(dim.value, str):
+        if not isinstance(dim.value, float):
             cell = plan.at.reference(dim.symbol, sheet, None)
-            differences.append(_difference(cell, plan.at.bind(parse_description(dim.value), sheet, None)))
+            differences.append(_difference(cell, plan.at.bind(dim.value, sheet, None)))
     return tuple(differences)
 
 
@@ -121,8 +120,8 @@ def position_shown(plan: Plan, sheet: str) -> tuple[Node, ...]:
         differences.append(_difference_or_pole(cell, there) if symbol in outputs else _difference(cell, there))
     for output in plan.mechanism.outputs:
         cell = CellRef(cells[output.symbol], VALUE, True, True, plan.main)
-        cell = Call("RADIANS", (cell,)) if output.unit == "deg" else cell
-        differences.append(_difference_or_pole(cell, _there(plan, sheet, parse_description(output.formula))))
+        cell = Call("RADIANS", (cell,)) if output.unit.in_degrees else cell
+        differences.append(_difference_or_pole(cell, _there(plan, sheet, output.formula)))
     return tuple(differences)
 
 

@@ -46,7 +46,7 @@ def sweep_of(plan: Plan) -> Sweep:
     driver = plan.mechanism.driver
     if driver.values or plan.rows < 4:
         return "list"
-    if not driver.link or driver.unit not in ("deg", "rad"):
+    if not driver.link or driver.unit.kind != "angle":
         return "part"
     turns = (plan.driver[-1] - plan.driver[0]) / math.tau
     step = (plan.driver[1] - plan.driver[0]) / math.tau
@@ -197,7 +197,7 @@ class Extremes:
 
 def turn_of(plan: Plan, symbol: str) -> Node | None:
     """A turn in the unit in which an angle is read; None for what is no angle."""
-    if plan.equations.of(symbol).unit != "angle":
+    if plan.equations.of(symbol).unit.kind != "angle":
         return None
     return Number(360.0) if blank_unit(plan, symbol) == "°" else al.mul(al.TWO, al.PI)
 

@@ -25,6 +25,7 @@ from mechsheet.formula.nodes import (
 from mechsheet.kinematics.equations import Equation, Equations, Group, Role
 from mechsheet.kinematics.naming import FreshNames, given_names, without_group
 from mechsheet.model import Mechanism, Words
+from mechsheet.units import ANGLE, NUMBER, Unit
 
 TURN = al.mul(al.TWO, al.PI)
 
@@ -40,7 +41,7 @@ class Assignment:
     symbol: str
     expression: Node
     role: Role
-    unit: str
+    unit: Unit
     label: Words
     group: int = 0
     first: Node | None = None
@@ -136,7 +137,7 @@ class _Lowering:
         return Symbol(equation.symbol)
 
     def _help(
-        self, base: str, equation: Equation, expression: Node, unit: str, label: Words, first: Node | None = None
+        self, base: str, equation: Equation, expression: Node, unit: Unit, label: Words, first: Node | None = None
     ) -> Symbol:
         """A cell or column that an equation needs besides its own."""
         role: Role = "constant" if equation.role == "constant" else "intermediate"
@@ -158,13 +159,13 @@ class _Lowering:
                 "Delta" if in_group else f"Delta{without_group(equation.symbol, equation.group).removeprefix('gamma')}"
             )
             form = guarded(equation, al.triangle_area(*sides))
-            self.areas[key] = self._help(base, equation, form, "number", label)
+            self.areas[key] = self._help(base, equation, form, NUMBER, label)
         return self.areas[key]
 
     def _direction(self, equation: Equation, y: Node, x: Node) -> None:
         """ATAN2 plus as many turns as have gone by. Where rows are missing the last direction known is held over them."""
         base, label = without_group(equation.symbol, equation.group), equation.label
-        raw = self._help(f"{base}_0", equation, al.atan2(x, y), "angle", half_turn_words(label))
+        raw = self._help(f"{base}_0", equation, al.atan2(x, y), ANGLE, half_turn_words(label))
         if equation.group <= 1:
             # Nothing before it can be missing. Pins that coincide have no direction: ATAN2(0, 0) is an error in most
             # programs, which must not spread.
@@ -176,7 +177,7 @@ class _Lowering:
                 f"{base}_held",
                 equation,
                 Call("IF", (counted, raw, Previous(""))),
-                "angle",
+                ANGLE,
                 Words("last direction known", "bilinen son doğrultu"),
                 first=Call("IF", (counted, raw, al.ZERO)),
             )
@@ -186,7 +187,7 @@ class _Lowering:
             "turns",
             equation,
             al.add(Previous(""), step),
-            "number",
+            NUMBER,
             Words("turns gone by", "tamamlanan tur sayısı"),
             first=al.ZERO,
         )

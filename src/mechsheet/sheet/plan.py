@@ -129,14 +129,6 @@ class Plan:
         """Title of the sheet with the positions."""
         return self.at.titles["positions"]
 
-    def unit_shown(self, unit: str) -> str:
-        """How a unit of an equation is shown."""
-        return unit_shown(self.mechanism, unit)
-
-    def shown_in_degrees(self, unit: str) -> bool:
-        """True for angles of a mechanism whose angle unit is the degree."""
-        return unit == "angle" and self.mechanism.angle_unit == "deg"
-
 
 def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     """The plan of a mechanism's workbook."""
@@ -152,20 +144,6 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     _plan_names_and_blocks(plan)
     _plan_columns(plan)
     return plan
-
-
-def unit_shown(mechanism: Mechanism, unit: str) -> str:
-    """How a unit of an equation is shown: the length unit, degrees or radians, nothing for a number."""
-    if unit == "length":
-        return mechanism.length_unit
-    if unit == "angle":
-        return "°" if mechanism.angle_unit == "deg" else "rad"
-    return "" if unit == "number" else unit
-
-
-def unit_text(unit: str) -> str:
-    """A dimension's unit as shown."""
-    return {"deg": "°", "1": ""}.get(unit, unit)
 
 
 def _plan_names_and_blocks(plan: Plan) -> None:
@@ -194,14 +172,19 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     for equation in plan.equations.constants:
         row = plan.blocks["derived"].rows[equation.symbol]
         _spot(
-            plan, equation.symbol, row, plan.shown_in_degrees(equation.unit), safe_name(equation.symbol, taken), taken
+            plan,
+            equation.symbol,
+            row,
+            mechanism.shown(equation.unit).in_degrees,
+            safe_name(equation.symbol, taken),
+            taken,
         )
     for mode in modes:
         _spot(plan, mode, plan.blocks["assembly"].rows[mode], False, safe_name(mode, taken), taken)
     for key in ("start", "step"):
         if "sweep" in plan.blocks:
             name = safe_name(plan.text(f"name.{key}"), taken)
-            degrees = mechanism.driver.unit == "deg"
+            degrees = mechanism.driver.unit.in_degrees
             _spot(plan, f"#{key}", plan.blocks["sweep"].rows[key], degrees, name, taken)
     for summary in mechanism.summaries:
         row = plan.blocks["summary"].rows[summary.symbol]
@@ -214,7 +197,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
 def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
     block = plan.blocks["derived" if dim.derived else "dimensions"]
     name = dim.cell or safe_name(dim.symbol, taken)
-    _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit == "deg", name, taken)
+    _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit.in_degrees, name, taken)
 
 
 def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str]) -> None:
@@ -245,11 +228,11 @@ def _plan_columns(plan: Plan) -> None:
         TableColumn(EXISTS, "#exists", "exists", 0, True),
     ]
     for column in columns:
-        plan.at.spots[column.symbol] = _table_spot(plan, column.col, mechanism.driver.unit == "deg")
+        plan.at.spots[column.symbol] = _table_spot(plan, column.col, mechanism.driver.unit.in_degrees)
     plan.at.spots["#number"] = _table_spot(plan, NUMBER, False)
     plan.at.spots["#exists"] = _table_spot(plan, EXISTS, False)
     plan.at.shown |= {column.symbol: plan.at.spots[column.symbol] for column in columns}
-    if mechanism.driver.unit == "deg":
+    if mechanism.driver.unit.in_degrees:
         _add_column(plan, symbol, "equation", 0, inner=True, equation=None)
         plan.at.shown[symbol] = _table_spot(plan, DRIVER, True)
     for equation in equations.columns:
@@ -264,13 +247,12 @@ def _plan_columns(plan: Plan) -> None:
 def _plan_equation(plan: Plan, equation: Assignment) -> None:
     """One column, or two: what formulas read (folded away), and what people read (degrees; #N/A where nothing exists)."""
     if equation.role == "output":
-        in_degrees = next(out for out in plan.mechanism.outputs if out.symbol == equation.symbol).unit == "deg"
         col = _add_column(plan, equation.symbol, "equation", -1, False, equation)
-        spot = _table_spot(plan, col, in_degrees)
+        spot = _table_spot(plan, col, equation.unit.in_degrees)
         plan.at.spots[equation.symbol] = plan.at.shown[equation.symbol] = spot
         return
     inner = equation.role == "intermediate"
-    degrees = plan.shown_in_degrees(equation.unit)
+    degrees = plan.mechanism.shown(equation.unit).in_degrees
     if not inner and (degrees or needs_guard(plan, equation.symbol)):
         _add_column(plan, equation.symbol, "equation", equation.group, True, equation)
         col = _add_column(plan, equation.symbol, "shown", equation.group, False, equation)

@@ -6,10 +6,9 @@ import math
 from dataclasses import replace
 
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, shifted, transform, walk
-from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import body_words
-from mechsheet.model import Quantity, Words
+from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.mathematics import shortened, written
@@ -28,6 +27,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
+from mechsheet.units import ANGLE, Unit
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
 COLUMNS_OF_A_PAGE = 17
@@ -108,49 +108,37 @@ def _heading(plan: Plan, column: TableColumn) -> tuple[str, str, Content]:
             return plan.text("head.exists"), "", ""
         case "driver":
             stepping = f"{plan.text('name.start')} + n·{plan.text('name.step')}"
-            return column.symbol, _driver_unit(plan), "" if driver.values else stepping
+            return column.symbol, driver.unit.text, "" if driver.values else stepping
         case "blank" | "rounded":
             return column.symbol, blank_unit(plan, column.symbol), plan.text(f"column.{column.kind}")
         case "shown":
             unit = _unit_of(plan, column.symbol)
             key = "column.shown" if plan.at.shown[column.symbol].degrees else "column.guarded"
-            return column.symbol, plan.unit_shown(unit), plan.text(key)
+            return column.symbol, plan.mechanism.shown(unit).text, plan.text(key)
     if column.equation is None:  # the driver in radians
         return column.symbol, "rad", plan.text("column.radians")
     unit = column.equation.unit
-    if column.equation.role == "output":
-        shown = _output_unit(plan, column.symbol)
-    else:
-        shown = "rad" if unit == "angle" else plan.unit_shown(unit)
-    return column.symbol, shown, shortened(written(column.equation.expression, plan.language), COMMENT_LIMIT)
+    shown = plan.mechanism.shown(unit if column.equation.role == "output" else unit.internal)
+    return column.symbol, shown.text, shortened(written(column.equation.expression, plan.language), COMMENT_LIMIT)
 
 
-def _unit_of(plan: Plan, symbol: str) -> str:
+def _unit_of(plan: Plan, symbol: str) -> Unit:
     found = [equation.unit for equation in plan.equations.columns if equation.symbol == symbol]
-    return found[0] if found else "angle"
+    return found[0] if found else ANGLE
 
 
 def blank_unit(plan: Plan, symbol: str) -> str:
     """The unit of a column that repeats another: radians for an angle that people do not read."""
     unit = _unit_of(plan, symbol)
-    return "rad" if unit == "angle" and not plan.at.shown[symbol].degrees else plan.unit_shown(unit)
+    return plan.mechanism.shown(unit if plan.at.shown[symbol].degrees else unit.internal).text
 
 
 def digits_kept(plan: Plan, symbol: str) -> int:
     """Decimals that leave a column about twelve digits: of a length, twelve digits of the largest length."""
     unit = blank_unit(plan, symbol)
-    if _unit_of(plan, symbol) == "length":
+    if _unit_of(plan, symbol).kind == "length":
         return max(0, 12 - math.ceil(math.log10(plan.size)))
     return {"°": 9, "rad": 11}.get(unit, 10)
-
-
-def _output_unit(plan: Plan, symbol: str) -> str:
-    unit = next(output.unit for output in plan.mechanism.outputs if output.symbol == symbol)
-    return {"deg": "°", "1": ""}.get(unit, unit)
-
-
-def _driver_unit(plan: Plan) -> str:
-    return {"deg": "°"}.get(plan.mechanism.driver.unit, plan.mechanism.driver.unit)
 
 
 def _meaning(plan: Plan, column: TableColumn) -> str:
@@ -219,8 +207,8 @@ def _guarded_fills(plan: Plan, col: int, formula: Node, style: Style) -> list[Fi
 
 
 def _shown_style(plan: Plan, column: TableColumn) -> Style:
-    unit = column.equation.unit if column.equation else "angle"
-    return _decimals(styles.COLUMN, places(plan, unit))
+    kind = column.equation.unit.kind if column.equation else "angle"
+    return _decimals(styles.COLUMN, places(plan, kind))
 
 
 def _fill(plan: Plan, col: int, formula: Node, style: Style, skip: int = 0) -> Fill:
@@ -230,8 +218,8 @@ def _fill(plan: Plan, col: int, formula: Node, style: Style, skip: int = 0) -> F
 def _equation_column(plan: Plan, column: TableColumn, equation: Assignment) -> list[Fill]:
     first = plan.at.first
     inner = column.inner
-    unit = equation.unit
-    digits = 4 if unit == "angle" and inner else places(plan, unit)
+    kind = equation.unit.kind
+    digits = 4 if kind == "angle" and inner else places(plan, kind)
     style = _decimals(styles.INNER if inner else styles.COLUMN, digits)
     expression = equation.expression
     if equation.role == "output" and plan.at.spots[column.symbol].degrees:
@@ -249,7 +237,7 @@ def _equation_column(plan: Plan, column: TableColumn, equation: Assignment) -> l
 def _driver_column(plan: Plan) -> tuple[list[Cell], list[Fill]]:
     """start + n step, filled down: no drift, as a running sum would have; or the listed values as inputs."""
     driver = plan.mechanism.driver
-    digits = 6 if driver.values else places(plan, "angle" if driver.unit == "deg" else "length")
+    digits = 6 if driver.values else places(plan, "angle" if driver.unit.in_degrees else "length")
     if not driver.values:
         start = plan.at.reading_shown("#start", plan.table, None)
         step = plan.at.reading_shown("#step", plan.table, None)
@@ -259,32 +247,21 @@ def _driver_column(plan: Plan) -> tuple[list[Cell], list[Fill]]:
     fills: list[Fill] = []
     for index, value in enumerate(driver.values):
         row = plan.at.first + index
-        if isinstance(value, str):
-            node = plan.at.bind(parse_description(value), plan.table, row)
-            node = Call("DEGREES", (node,)) if driver.unit == "deg" else node
-            fills.append(Fill(row, DRIVER, node, styles.COLUMN))
+        if isinstance(value, float):
+            cells.append(Cell(row, DRIVER, driver.unit.written(value), styles.INPUT))
         else:
-            cells.append(Cell(row, DRIVER, shown_number(value, driver.unit == "deg"), styles.INPUT))
+            node = plan.at.bind(value, plan.table, row)
+            node = Call("DEGREES", (node,)) if driver.unit.in_degrees else node
+            fills.append(Fill(row, DRIVER, node, styles.COLUMN))
     return cells, fills
 
 
-def shown_number(value: Quantity, degrees: bool) -> float:
-    """A number of the model as a person wrote it: 30 for the 0.5235987755982988 that 30 degrees became."""
-    number = float(value)
-    if not degrees:
-        return number
-    shown = math.degrees(number)
-    return round(shown, 10) if math.isclose(shown, round(shown, 10), rel_tol=1e-14, abs_tol=1e-13) else shown
-
-
-def places(plan: Plan, unit: str) -> int:
+def places(plan: Plan, kind: str) -> int:
     """Decimals that the tolerances justify: with +-0.1 mm one; without tolerances a step finer than 1e-3 of the size."""
-    tolerances = [
-        dim.tolerance for dim in plan.mechanism.dimensions if dim.tolerance and dim.unit not in ("deg", "rad", "1")
-    ]
-    if unit == "angle":
-        return 2 if plan.mechanism.angle_unit == "deg" else 4
-    if unit == "number":
+    tolerances = [dim.tolerance for dim in plan.mechanism.dimensions if dim.tolerance and dim.unit.kind == "length"]
+    if kind == "angle":
+        return 2 if plan.mechanism.angle_unit.in_degrees else 4
+    if kind == "number":
         return 4
     finest = min(tolerances) if tolerances else plan.size / 1e4
     return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))

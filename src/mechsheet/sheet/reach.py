@@ -42,7 +42,7 @@ def reach_of(mechanism: Mechanism, equations: Assignments) -> Reach | None:
     group = next(iter(equations.groups), None)
     if group is None or not group.sides:
         return None
-    turns = mechanism.driver.unit in ("deg", "rad")
+    turns = mechanism.driver.unit.kind == "angle"
     values = _Values(mechanism, equations)
     length = values.length
     driver = ANGLES if turns else LENGTHS * length

@@ -86,7 +86,7 @@ class Refinement:
         shift = al.neg(al.div(slope, bend))
         limited = Call("MAX", (al.number(-FARTHEST), Call("MIN", (al.number(FARTHEST), shift))))
         scale: Node = al.div(plan.at.reference(plan.equations.tolerance, self.sheet, None), Number(1e-12))
-        if plan.equations.of(self.symbol).unit == "angle":
+        if plan.equations.of(self.symbol).unit.kind == "angle":
             scale = Number(57.3) if blank_unit(plan, self.symbol) == "°" else al.ONE
         least = al.mul(Number(FLAT), al.add(Call("ABS", (value,)), scale))
         return Call("IF", (Binary("<", Call("ABS", (bend,)), least), al.ZERO, limited))
@@ -95,7 +95,7 @@ class Refinement:
 def _beside(plan: Plan) -> float:
     """Distance of trials in steps of the driver: a degree, or a 360th of the range of a slide."""
     step = abs(plan.driver[1] - plan.driver[0])
-    if plan.mechanism.driver.unit in ("deg", "rad"):
+    if plan.mechanism.driver.unit.kind == "angle":
         return float(f"{math.radians(1.0) / step:.6g}")
     return float(f"{abs(plan.driver[-1] - plan.driver[0]) / 360 / step:.6g}")
 

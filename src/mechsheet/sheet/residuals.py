@@ -284,7 +284,7 @@ class _Ruler:
     def _leap(self, motions: list[Check], col: int) -> Node:
         """1 where a change stands out from its neighbours; a neighbour that is no number is left out."""
         row = self.frame.first
-        degrees = self.plan.mechanism.angle_unit == "deg"
+        degrees = self.plan.mechanism.angle_unit.in_degrees
         rounding_angle = Number(math.degrees(ROUNDING_ANGLE) if degrees else ROUNDING_ANGLE)
         half = Number(180.0) if degrees else al.PI
         tests: list[Node] = []

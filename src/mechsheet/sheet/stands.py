@@ -16,7 +16,7 @@ from mechsheet.sheet.extremes import sweep_of
 from mechsheet.sheet.findings import FourBar, findings
 from mechsheet.sheet.geometry import UV, Known, base_point, distance
 from mechsheet.sheet.limits import SLOTS
-from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, unit_text
+from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.rows import exists_column, first_row, last_row
 from mechsheet.sheet.symbols import plain, rich
@@ -84,8 +84,8 @@ class _Block:
 
     def at(self, key: str, place: Node) -> None:
         """Where it occurs: a value of the driver."""
-        unit = "angle" if self.driver.unit in ("deg", "rad") else "length"
-        self.writer.formula(self.rows[key], TOLERANCE, place, styles.decimals(styles.RESULT, places(self.plan, unit)))
+        kind = self.driver.unit.kind
+        self.writer.formula(self.rows[key], TOLERANCE, place, styles.decimals(styles.RESULT, places(self.plan, kind)))
 
     def colour(self, key: str, condition: Node, style: Style) -> None:
         """The words' colour where a condition holds; it reads this sheet alone, other programs refuse another's cells."""
@@ -116,7 +116,7 @@ class _Block:
         drivers = self.drivers()
         first = Call("INDEX", (drivers, first_row(self.plan)))
         last = Call("INDEX", (drivers, last_row(self.plan)))
-        unit = _after_number(unit_text(self.driver.unit))
+        unit = _after_number(self.driver.unit.text)
         stretches = self._stretches()
         several = _joined(Text(", "), stretches, Text(" "), self.said("stretches"))
         range_words = _joined(
@@ -156,7 +156,7 @@ class _Block:
         exists = exists_column(self.plan)
         cell = CellRef(self.rows["limits"], VALUE, True, True)
         none = Binary("=", cell, al.ZERO)
-        unit = _after_number(unit_text(self.driver.unit))
+        unit = _after_number(self.driver.unit.text)
         parts: list[Node] = []
         for number in slots:
             value, way = self.value(f"#limit {number}"), self.value(f"#limit way {number}")
@@ -180,10 +180,10 @@ class _Block:
     def input_range(self) -> None:
         """From where to where the driver can go as far as the first group lets it: its dead centres."""
         ranges = self.value("#input ranges")
-        unit = _after_number(unit_text(self.driver.unit))
+        unit = _after_number(self.driver.unit.text)
         names = [self.value(f"#input {key}") for key in ("from", "to", "from other", "to other")]
         one, other = (_joined(_end(a), Text(f"{unit} … "), _end(b), Text(unit)) for a, b in (names[:2], names[2:]))
-        turns = self.driver.unit in ("deg", "rad")
+        turns = self.driver.unit.kind == "angle"
         if turns:  # of a slide the other range is a mirror image: the same lengths laid off backwards
             one = _joined(one, Call("IF", (Binary("=", ranges, al.TWO), _joined(Text("; "), other), Text(""))))
         free = self.said("free.turn" if turns else "free.slide")
@@ -191,10 +191,8 @@ class _Block:
         words = Call("IF", (Binary("<", ranges, al.ZERO), self.said("nowhere"), words))
         extent = Call("IF", (Binary(">", ranges, al.ZERO), al.sub(names[1], names[0]), Text("")))
         key = "input"
-        style = styles.decimals(styles.RESULT, places(self.plan, "angle" if turns else "length"))
-        self.line(
-            key, self.text("input"), unit_text(self.driver.unit), Call("IFERROR", (extent, Text(""))), style, words
-        )
+        style = styles.decimals(styles.RESULT, places(self.plan, self.driver.unit.kind))
+        self.line(key, self.text("input"), self.driver.unit.text, Call("IFERROR", (extent, Text(""))), style, words)
         self.colour(key, Binary("=", self.words(key), self.said("nowhere")), styles.BAD)
 
     def checks(self) -> None:
@@ -301,7 +299,7 @@ class _Block:
         words: Node = Call("IF", (turned, *kinds)) if turned is not None else self.said("turned")
         extent = self._extent(symbol)
         style = styles.decimals(styles.RESULT, places(self.plan, "angle"))
-        self.line(key, rich(symbol), self.plan.unit_shown("angle"), extent, style, words)
+        self.line(key, rich(symbol), self.plan.mechanism.angle_unit.text, extent, style, words)
 
     def _by_loop(self, link: Link, loop: FourBar) -> Node:
         """TRUE for a crank by Grashof's rule: it, or the ground, is the shortest link. In a loop whose other link is the
@@ -318,7 +316,7 @@ class _Block:
             return None
         column = self.plan.at.column(symbol, self.plan.main)
         last, first = (Call("INDEX", (column, al.number(row))) for row in (self.plan.rows, 1))
-        turn = al.number(360.0) if self.plan.shown_in_degrees("angle") else al.mul(al.TWO, al.PI)
+        turn = al.number(360.0) if self.plan.mechanism.angle_unit.in_degrees else al.mul(al.TWO, al.PI)
         on = Binary("<>", Call("ROUND", (al.div(al.sub(last, first), turn), al.ZERO)), al.ZERO)
         return Call("IFERROR", (on, Boolean(False)))  # a link that does not exist in some rows does not turn fully
 
@@ -337,7 +335,7 @@ class _Block:
     def ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster, for a driver that turns evenly."""
         key = f"ratio {symbol}"
-        turn = al.number(360.0) if self.driver.unit == "deg" else al.mul(al.TWO, al.PI)
+        turn = al.number(360.0) if self.driver.unit.in_degrees else al.mul(al.TWO, al.PI)
         there, back = self.value(f"#max at {symbol}"), self.value(f"#min at {symbol}")
         way = Call("MOD", (al.sub(there, back), turn))
         rest = al.sub(turn, way)
@@ -370,10 +368,10 @@ class _Block:
             worst = al.sub(quarter, Call("MAX", (high, al.neg(low))))
             ends = (worst, al.sub(quarter, Call("MAX", (al.ZERO, low, al.neg(high)))))
             at_low = Binary(">=", al.neg(low), al.sub(high, SAME))
-            label = f"90°−|{plain(symbol)}|" if self.plan.shown_in_degrees("angle") else f"π/2−|{plain(symbol)}|"
-        degrees = self.plan.shown_in_degrees("angle")
+            label = f"90°−|{plain(symbol)}|" if self.plan.mechanism.angle_unit.in_degrees else f"π/2−|{plain(symbol)}|"
+        degrees = self.plan.mechanism.angle_unit.in_degrees
         shown = [Call("DEGREES", (node,)) if degrees else node for node in (worst, *ends)]
-        unit = self.plan.unit_shown("angle")
+        unit = self.plan.mechanism.angle_unit.text
         limit = POOR if degrees else math.radians(POOR)
         cell = CellRef(self.rows[key], VALUE, True, True)
         poor = Binary("<", cell, Number(limit))

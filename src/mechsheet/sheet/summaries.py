@@ -30,8 +30,8 @@ def write_summaries(writer: Writer) -> None:
         partial = Binary("<>", CellRef(row, MEANING, True, True), Text(label))
         writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
         driver = plan.mechanism.driver.symbol
-        unit = "angle" if summary.of == driver else plan.equations.of(summary.of).unit
-        writer.formula(row, VALUE, _where_any(plan, summary, _summary(plan, summary)), value_style(plan, unit))
+        kind = "angle" if summary.of == driver else plan.equations.of(summary.of).unit.kind
+        writer.formula(row, VALUE, _where_any(plan, summary, _summary(plan, summary)), value_style(plan, kind))
         where = _where(plan, summary)
         if where is not None:
             writer.formula(row, TOLERANCE, _where_any(plan, summary, where), value_style(plan, "angle"))

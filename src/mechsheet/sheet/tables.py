@@ -8,12 +8,10 @@ jumps; and all columns start within half a turn of the angle in the table of pos
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import quote_sheet
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken, taken_near
 from mechsheet.model import Dimension, TableRequest
@@ -21,8 +19,8 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import input_validation, shown_unit
 from mechsheet.sheet.charts import driver_axis
 from mechsheet.sheet.expansion import Expansion, definitions, expand, needed, varying
-from mechsheet.sheet.plan import Plan, needs_guard, unit_text
-from mechsheet.sheet.positions import places, shown_number
+from mechsheet.sheet.plan import Plan, needs_guard
+from mechsheet.sheet.positions import places
 from mechsheet.sheet.rows import first_row
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import (
@@ -41,6 +39,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
+from mechsheet.units import ANGLE, Unit
 
 TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range(8)
 """Rows of the sheet: the head is row 7, the first values stand in row 8."""
@@ -96,7 +95,7 @@ class _Table:
         """The sheet."""
         plan = self.plan
         expansion = self.expansion()
-        style = styles.decimals(styles.COLUMN, places(plan, self._unit(self.request.value)))
+        style = styles.decimals(styles.COLUMN, places(plan, self._unit(self.request.value).kind))
         value = self._fill(1, expansion.formula, style)
         cells, fills = self._head()
         driver = plan.at.reading_shown(plan.mechanism.driver.symbol, self.title, plan.at.first)
@@ -104,7 +103,7 @@ class _Table:
         fills.append(value)
         for index, (symbol, formula) in enumerate(expansion.helpers):
             cells += self._helper_heading(index, symbol)
-            inner = styles.decimals(styles.INNER, places(plan, self._unit(symbol)))
+            inner = styles.decimals(styles.INNER, places(plan, self._unit(symbol).kind))
             if index < len(self.angles):
                 cells.append(Cell(NAME_ROW, self._helper_col(index), plan.text("table.near"), styles.NOTE))
                 start = self._start(self.angles[index])
@@ -206,10 +205,10 @@ class _Table:
                 return CellRef(HEAD_ROW, self._helper_col(index), row_abs=symbol == START.format(symbol=angle))
         if symbol in (driver.symbol, FIRST_DRIVER):
             cell: Node = CellRef(FIRST, 0, symbol == FIRST_DRIVER, True)
-            return Call("RADIANS", (cell,)) if driver.unit == "deg" else cell
+            return Call("RADIANS", (cell,)) if driver.unit.in_degrees else cell
         if symbol == self.request.column:
             cell = CellRef(HEAD_ROW, 1, row_abs=True)
-            return Call("RADIANS", (cell,)) if self.column.unit == "deg" else cell
+            return Call("RADIANS", (cell,)) if self.column.unit.in_degrees else cell
         return plan.at.reference(symbol, self.title, None)
 
     def _helper(self, index: int) -> Node:
@@ -220,21 +219,17 @@ class _Table:
         return self.helpers_at + index * (self.count + 1)
 
     def _in_degrees(self) -> bool:
-        for output in self.plan.mechanism.outputs:
-            if output.symbol == self.request.value:
-                return output.unit == "deg"
-        return self.plan.shown_in_degrees(self._unit(self.request.value))
+        return self.plan.mechanism.shown(self._unit(self.request.value)).in_degrees
 
-    def _unit(self, symbol: str) -> str:
+    def _unit(self, symbol: str) -> Unit:
         if symbol == self.plan.mechanism.driver.symbol:
-            return "angle" if self.plan.mechanism.driver.unit in ("deg", "rad") else "length"
+            return self.plan.mechanism.driver.unit
         found = [equation.unit for equation in self.plan.equations.all if equation.symbol == symbol]
-        return found[0] if found else "angle"
+        return found[0] if found else ANGLE
 
     def _driver_places(self) -> int:
         """Decimals of the first column: those that the driver's values need, two at most."""
-        factor = 180 / math.pi if self.plan.mechanism.driver.unit == "deg" else 1.0
-        shown = [value * factor for value in self.plan.driver]
+        shown = [self.plan.mechanism.driver.unit.to_shown(value) for value in self.plan.driver]
         return next((digits for digits in (0, 1) if all(abs(x - round(x, digits)) < 1e-9 for x in shown)), 2)
 
     def _fill(self, col: int, formula: Node, style: Style) -> Fill:
@@ -252,29 +247,29 @@ class _Table:
             Cell(ABOUT_ROW, 0, self._about(), styles.SUBTITLE),
             Cell(HINT_ROW, 0, plan.text("table.hint"), styles.NOTE),
             Cell(CORNER_ROW, 0, _with_unit(plan, request.value), styles.SECTION),
-            Cell(CORNER_ROW, 1, rich(request.column, _bracketed(unit_text(self.column.unit)) + " →"), styles.SECTION),
+            Cell(CORNER_ROW, 1, rich(request.column, _bracketed(self.column.unit.text) + " →"), styles.SECTION),
             *(Cell(CORNER_ROW, col, None, styles.SECTION) for col in range(2, 1 + self.count)),
             Cell(NAME_ROW, 0, None, styles.HEAD),
             Cell(HEAD_ROW, 0, _with_unit(plan, plan.mechanism.driver.symbol, " ↓"), styles.HEAD),
         ]
-        unit = unit_text(self.column.unit)
+        unit = self.column.unit.text
         label = Binary("&", Text(f"{plain(request.column)} = "), CellRef(HEAD_ROW, 1))
         label = Binary("&", label, Text(unit if unit == "°" else f" {unit}")) if unit else label
         fills = [Fill(NAME_ROW, 1, label, styles.HEAD, cols=self.count)]
-        degrees = self.column.unit == "deg"
+        degrees = self.column.unit.in_degrees
         for index, quantity in enumerate(request.columns):
-            if isinstance(quantity, str):
-                node = plan.at.bind(parse_description(quantity), self.title, None)
-                fills.append(Fill(HEAD_ROW, 1 + index, Call("DEGREES", (node,)) if degrees else node, styles.INPUT))
+            if isinstance(quantity, float):
+                cells.append(Cell(HEAD_ROW, 1 + index, self.column.unit.written(quantity), styles.INPUT))
             else:
-                cells.append(Cell(HEAD_ROW, 1 + index, shown_number(quantity, degrees), styles.INPUT))
+                node = plan.at.bind(quantity, self.title, None)
+                fills.append(Fill(HEAD_ROW, 1 + index, Call("DEGREES", (node,)) if degrees else node, styles.INPUT))
         return cells, fills
 
     def _about(self) -> str:
         """`s₁₅ [mm] over θ₁₂ [°] and s₁ [mm] (setting)`."""
         plan, request = self.plan, self.request
         driver = plan.mechanism.driver.symbol
-        column = plain(request.column) + _bracketed(unit_text(self.column.unit))
+        column = plain(request.column) + _bracketed(self.column.unit.text)
         if self.column.label:
             column += f" ({self.column.label.of(plan.language)})"
         return plan.text(
@@ -288,7 +283,7 @@ class _Table:
         col = self._helper_col(index)
         cells = [Cell(CORNER_ROW, col + further, None, styles.SECTION) for further in range(1, self.count)]
         bare = symbol.removesuffix(WINDOWED.format(symbol=""))
-        unit = {"angle": "rad", "number": ""}.get(self._unit(bare), self.plan.mechanism.length_unit)
+        unit = self.plan.mechanism.shown(self._unit(bare).internal).text
         return [Cell(CORNER_ROW, col, rich(bare, _bracketed(unit)), styles.SECTION), *cells]
 
     def _text_end(self) -> int:

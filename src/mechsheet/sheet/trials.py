@@ -20,7 +20,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.expansion import needed, substituted
 from mechsheet.sheet.gaps import gap_of
 from mechsheet.sheet.lowering import Assignment
-from mechsheet.sheet.plan import Plan, unit_text
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Cell, Content, Fill, Style
 
@@ -58,7 +58,7 @@ class Trials:
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
         self.next_row = corner.first
-        self.radians = plan.mechanism.driver.unit == "deg"
+        self.radians = plan.mechanism.driver.unit.in_degrees
         self.groups = [group for group in plan.equations.groups if group.sides]
         self.rules = _rules(plan, wanted)
         self.forms: dict[str, Node] = {}
@@ -150,7 +150,7 @@ class Trials:
         for col in range(corner.col + 1, corner.col + self.width):
             self._put(corner.section, col, None, styles.SECTION)
         driver = plan.mechanism.driver
-        unit = unit_text(driver.unit)
+        unit = driver.unit.text
         heads: list[Content] = ["", plan.text("head.number"), plan.text("extremes.row")]
         heads += [rich(driver.symbol, f" [{unit}]" if unit else "")]
         heads += [head for head, _ in self.columns]
