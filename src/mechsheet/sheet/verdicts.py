@@ -18,7 +18,7 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.extremes import Extremes
 from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.limits import LIMITS, STRETCHES
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, unit_text
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
@@ -63,8 +63,8 @@ class _Block:
         self.extremes = extremes
         self.rows = writer.plan.blocks["verdicts"].rows
         self.driver = writer.plan.mechanism.driver
-        self.turning = self.driver.unit in ("deg", "rad")
-        self.unit = _after_number(unit_text(self.driver.unit))
+        self.turning = self.driver.unit.kind == "angle"
+        self.unit = _after_number(self.driver.unit.text)
 
     # --- small things -----------------------------------------------------------------------------------------
 
@@ -179,7 +179,7 @@ class _Block:
             ]
         else:
             ends = [self._driver_at(Symbol(f"#{key}_1")) for key in ("from", "to")]
-        unit = unit_text(self.driver.unit)
+        unit = self.driver.unit.text
         everywhere = formula("AND(count=rows,_whole>0)", count=self.value("rows_closed"), rows=self.plan.rows)
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
@@ -296,7 +296,7 @@ class _Block:
         )  # fmt: skip
         del loops
         value = formula("IF(AND(whole,on),turn,range)", whole=whole, on=on, turn=turn, range=self._range(symbol))
-        self._extent(key, symbol, self.plan.unit_shown("angle"), value, "angle", words)
+        self._extent(key, symbol, self.plan.mechanism.angle_unit.text, value, "angle", words)
 
     def _range(self, symbol: str) -> Node:
         return formula("high-low", high=Symbol(f"#max_{symbol}"), low=Symbol(f"#min_{symbol}"))
@@ -320,14 +320,14 @@ class _Block:
 
     def ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster, for a driver that turns evenly."""
-        turn = 360.0 if self.driver.unit == "deg" else 6.283185307179586
+        turn = 360.0 if self.driver.unit.in_degrees else 6.283185307179586
         way = formula(
             "MOD(high-low,turn)", high=Symbol(f"#max_at_{symbol}"), low=Symbol(f"#min_at_{symbol}"), turn=turn
         )
         value = formula("MAX(way,turn-way)/MIN(way,turn-way)", way=way, turn=turn)
         column = Symbol(ALL + symbol)
         there_and_back = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.plan.rows)
-        if self.plan.equations.of(symbol).unit == "angle":
+        if self.plan.equations.of(symbol).unit.kind == "angle":
             half = 180.0 if self.plan.at.spots[symbol].degrees else 3.141592653589793
             there_and_back = formula("AND(whole,ABS(INDEX(column,rows)-INDEX(column,1))<half)", whole=there_and_back,
                                      column=column, rows=self.plan.rows, half=half)  # fmt: skip
@@ -349,9 +349,9 @@ class _Block:
             folded = (formula("PI()/2+low", low=low), formula("PI()/2-high", high=high))
             most = formula("MAX(high,-low)", low=low, high=high)
             ends = (formula("PI()/2-most", most=most), formula("PI()/2-MAX(0,low,-high)", low=low, high=high))
-        degrees = self.plan.shown_in_degrees("angle")
+        degrees = self.plan.mechanism.angle_unit.in_degrees
         least = Call("MIN", folded)
-        unit = self.plan.unit_shown("angle")
+        unit = self.plan.mechanism.angle_unit.text
         cell = self.value(key)
         shown = [formula("ROUND(value,1)", value=_in(end, degrees)) for end in ends]
         poor = formula("value<limit", value=cell, limit=POOR if degrees else 0.698)
