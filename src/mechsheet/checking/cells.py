@@ -35,10 +35,7 @@ def angles_in(plan: Plan) -> Angles:
         if column.equation is None:
             continue
         if column.equation.unit.kind == "angle":
-            spots = plan.at.shown if column.kind == "shown" else plan.at.spots
-            periods[plan.table, column.col] = 360.0 if spots[column.symbol].degrees else math.tau
-        elif column.equation.counts_turns:
-            periods[plan.table, column.col] = 1.0
+            periods[plan.table, column.col] = 360.0 if plan.at.spots[column.symbol].degrees else math.tau
     lengths = [
         abs(dim.value)
         for dim in plan.mechanism.dimensions

@@ -16,8 +16,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.cells import angles_in, compare_cells
 from mechsheet.checking.inputs import description_in, plan_inside
@@ -31,7 +29,7 @@ from mechsheet.formats import read, update_values
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.library.building import build
-from mechsheet.sheet.plan import EXISTS, Plan
+from mechsheet.sheet.plan import Plan
 
 Place = tuple[str, int, int]
 
@@ -205,8 +203,9 @@ class _Run:
         return replace(setting, rows=rows)
 
     def _rows(self, values: Any) -> int:
-        numbers, _ = values.arrays(self.plan.table, EXISTS, self.plan.at.first, self.plan.at.last)
-        return int(np.nansum(numbers))
+        spot = self.plan.at.spots["#rows_closed"]
+        found = values.get(spot.sheet, spot.row, spot.col)
+        return int(found) if isinstance(found, float) else 0
 
     def _changes(self, setting: Setting) -> dict[Place, Scalar]:
         spots = self.plan.at.spots

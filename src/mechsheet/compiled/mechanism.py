@@ -17,7 +17,7 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.plan import EXISTS, Plan
+from mechsheet.sheet.plan import STATUS, Plan
 from mechsheet.sheet.workbook import Workbook
 
 
@@ -104,7 +104,8 @@ class Compiled:
     @cached_property
     def exists(self) -> tuple[bool, ...]:
         """In which rows the table of positions shows a position."""
-        return tuple(value == 1.0 for value in self.column(EXISTS))
+        ok = self.plan.text("status.ok")
+        return tuple(value == ok for value in self.column(STATUS))
 
 
 def compiled_of(mechanism: Mechanism) -> Compiled:

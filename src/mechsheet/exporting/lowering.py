@@ -11,10 +11,9 @@ from dataclasses import dataclass
 from mechsheet.compiled import Compiled
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Direction, Node, Symbol, TriangleAngle, symbols
-from mechsheet.kinematics.equations import Equation
+from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.kinematics.naming import FreshNames, given_names, without_group
 from mechsheet.model import Words
-from mechsheet.sheet.lowering import area_words, half_turn_words
 from mechsheet.units import NUMBER, Unit
 
 NOTHING = Words("", "")
@@ -92,3 +91,16 @@ class Lowering:
             steps.append(Step(area, expression, equation.fails, label, NUMBER))
         self.holders[equation.symbol] = self._areas[key]
         return steps, self._areas[key]
+
+
+def half_turn_words(angle: Words) -> Words:
+    """The direction of which an angle without jumps is made."""
+    return Words(f"{angle.en}, within half a turn", angle.tr)
+
+
+def area_words(equation: Equation, group: Group | None) -> Words:
+    """The area by which an angle is found: of a group's triangle, or of a link's own."""
+    if group is None:
+        return Words(f"area of the triangle of {equation.symbol}", f"{equation.symbol} üçgeninin alanı")
+    p, q, r = group.pins
+    return Words(f"area of triangle {p}{q}{r}", f"{p}{q}{r} üçgeninin alanı")

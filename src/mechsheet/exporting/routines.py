@@ -64,7 +64,9 @@ class Source:
 
     def _steps(self, lowering: Lowering, branches: Mapping[str, AngleBranch]) -> dict[str, Step]:
         derived = {dim.symbol: dim.value for dim in self.mechanism.dimensions if not isinstance(dim.value, float)}
-        found = {symbol: Step(symbol, derived[symbol]) for symbol in dimension_order(self.mechanism) if symbol in derived}
+        found = {
+            symbol: Step(symbol, derived[symbol]) for symbol in dimension_order(self.mechanism) if symbol in derived
+        }
         for equation in self.equations.all:
             for step in lowering.steps[equation.symbol]:
                 expression = reading_taken(step.expression, branches) if equation.role == "output" else step.expression

@@ -22,15 +22,17 @@ from mechsheet.model import TableRequest, Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.recomputed import recomputed_sheet
 from mechsheet.sheet.tables import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 from mechsheet.units import Unit
 
-NEEDS_ROW = 2
+NEEDS_ROW = 3
 """The row of the first sheet, empty otherwise, that says what the file needs."""
 
 NEEDS = replace(styles.SUBTITLE, name="", bold=True, italic=False, color=styles.INK)
+
+TABLES_FROM = 2
+"""Sheets before those of two-way tables: the first one and the table of positions."""
 
 MODULE = "Mechsheet"
 """What the module of Basic is called."""
@@ -122,14 +124,12 @@ class _Work:
         sheets += [
             self.table(sheet, tables[id(sheet)]) if id(sheet) in tables else sheet for sheet in workbook.sheets[1:]
         ]
-        again = plan.at.titles["recomputed"]
         taken = {sheet.title.casefold() for sheet in sheets}
         base = LIST_TITLE.of(language)
         title = next(name for name in (base, f"{base} 2", f"{base} 3") if name.casefold() not in taken)
         calls = {function.key: self.call(function, title) for function in functions if not function.basic}
         listed = functions_sheet(plan, self.source, functions, self.names, calls, title)
-        sheets.insert(len(plan.mechanism.tables) + 3, listed)
-        sheets = [recomputed_sheet(plan, sheets) if sheet.title == again else sheet for sheet in sheets]
+        sheets.insert(TABLES_FROM + len(plan.mechanism.tables), listed)
         modules: tuple[Module, ...] = ()
         if self.form == "basic":
             opening = introduction(self.source, tuple(functions), language)
@@ -141,7 +141,7 @@ class _Work:
         """The sheets of two-way tables that functions can compute."""
         derived = {dim.symbol for dim in self.plan.mechanism.dimensions if dim.derived}
         requests = self.plan.mechanism.tables
-        sheets = workbook.sheets[3 : 3 + len(requests)]
+        sheets = workbook.sheets[TABLES_FROM : TABLES_FROM + len(requests)]
         return [pair for pair in zip(sheets, requests, strict=True) if pair[1].column not in derived]
 
     def first_sheet(self, sheet: Sheet) -> Sheet:

@@ -18,7 +18,6 @@ from mechsheet.kinematics.sketched import tell
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import Workbook
 
 LEAST, MOST = 121, 361
 """A sweep with fewer positions is refined, each of its steps alike; of one with more, every second, third … is taken."""
@@ -28,7 +27,7 @@ SAME = 1e-9
 
 
 class Sample(Compiled):
-    """A mechanism compiled at the positions to be drawn, without the formulas of the checks: no picture shows them.
+    """A mechanism compiled at the positions to be drawn.
 
     sweep  how many of the table's rows are the sweep; one more follows when a position outside of it is asked for
     """
@@ -44,14 +43,6 @@ class Sample(Compiled):
         if self._asked is not None:
             return self._asked
         return self.exists.index(True) if True in self.exists else 0
-
-    @property
-    def layout(self) -> Workbook:
-        """The workbook without the formulas of the checks, which are most of it."""
-        unseen = {self.plan.at.titles["checks"], self.plan.at.titles["recomputed"]}
-        workbook = super().layout
-        sheets = (replace(sheet, fills=()) if sheet.title in unseen else sheet for sheet in workbook.sheets)
-        return replace(workbook, sheets=tuple(sheets))
 
 
 def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None, least: int = LEAST) -> Sample:

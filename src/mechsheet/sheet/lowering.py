@@ -149,7 +149,7 @@ class _Lowering:
         """No number while an input is none that a mechanism can have: then no row claims a position."""
         lengths = tuple(Symbol(name) for name in self.equations.positive)
         modes = [Symbol(group.mode) for group in self.equations.groups if group.mode]
-        wrong = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
+        wrong: list[Node] = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
         wrong += [formula("ABS(mode)<>1", mode=mode) for mode in modes]
         if not wrong:
             return expression

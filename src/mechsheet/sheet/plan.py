@@ -170,7 +170,12 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     for equation in plan.equations.constants:
         row = plan.blocks["derived"].rows[equation.symbol]
         _spot(
-            plan, equation.symbol, row, mechanism.shown(equation.unit).in_degrees, safe_name(equation.symbol, taken), taken
+            plan,
+            equation.symbol,
+            row,
+            mechanism.shown(equation.unit).in_degrees,
+            safe_name(equation.symbol, taken),
+            taken,
         )
     for mode in modes:
         _spot(plan, mode, plan.blocks["assembly"].rows[mode], False, safe_name(mode, taken), taken)

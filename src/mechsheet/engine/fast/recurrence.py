@@ -19,12 +19,11 @@ from ...formula.book import Block
 from ...formula.nodes import Binary, Call, CellRef, FunctionRef, Node, Number, walk
 from ..graph import area_read, reads_anywhere, references
 from ..interpreter.evaluator import Evaluator
-from ..layout import Layout
 from ..kernels.math import rounded
+from ..layout import Layout
 from ..values.cells import BLANK, NEAR, NUM, Cells, choose, codes_of, finished
 from ..values.coerce import numbers_of, truths_of
 from ..values.frames import Frame, NotReadyError
-
 
 HALF, MANY = 1e-9, 1e6
 """Parts of a turn: nearer to half a turn it is asked one by one which way a value goes; so it is after so many turns."""
