@@ -7,7 +7,7 @@ import pytest
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book, evaluate
-from mechsheet.engine.fast.recurrence import Held, RunningSum, recognise
+from mechsheet.engine.fast.recurrence import Held, RunningSum, Unwrapped, recognise
 from mechsheet.engine.kernels.table import KERNELS
 from mechsheet.engine.ordering.cell_by_cell import Together
 from mechsheet.formula.book import BookBuilder
@@ -47,13 +47,16 @@ def test_order_is_found_whatever_the_order_of_the_blocks():
 RECURRENCES = {
     "A1+B2": RunningSum, "B2+A1": RunningSum, "A1-B2": RunningSum, "IF(B2>0,B2,A1)": Held, "IF(B2>0,A1,B2)": Held,
     "A1*0.5+B2": None, "A1+B2+1": None, "IF(B2>0,A1+1,A1)": None, "MAX(A1,B2)": None, "SUM(A$1:A1)": None, "A1&B2": None,
-    "IF(A1>3,B2,A1)": None,
+    "IF(A1>3,B2,A1)": None, "B2+3*IFERROR(ROUND((A1-B2)/3,0),0)": Unwrapped, "B2+2*PI()*IFERROR(ROUND((A1-B2)/(2*PI()),0),0)": Unwrapped,
+    "B2+3*IFERROR(ROUND((A1-B2)/2,0),0)": None,
 }  # fmt: skip
 
 DATA = {
     "numbers": [0.1, 0.2, -0.3, 5.0, -5.0, 1e-17, 3.0],
     "errors": [1.0, NA, 2.0, DIV0, 3.0, 4.0, NA],
     "kinds": [1.0, "x", True, None, "3", -1.0, 2.0],
+    "half turns": [1.5, 0.0, -1.5, 3.0, 4.5, 6.0, 1.5],
+    "turns": [3.0, 0.1, 2.9, 0.2, -2.8, 0.0, 2.7],
     "overflow": [1e308, 1e308, 1e308, -1e308, NA, 1.0, 1.0],
 }
 

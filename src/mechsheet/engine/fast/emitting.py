@@ -17,6 +17,7 @@ from ..layout import Layout
 from ..values.cells import NEAR, TEXT
 from .helpers import HELPERS, TroubleError
 from .lowering import COLS, ROWS, Effect, Lowering, Value
+from .recurrence import unwrapped
 from .usage import Usage, roots
 
 CHUNK = 16_384
@@ -346,6 +347,11 @@ class _Emitter:
         digits = f", {value.data}" if value.op == "rounded" else ""
         self.line(f"copyto({target}, {value.op}({', '.join(args)}{digits}))")
 
+    def _unwrapped(self, number: int, value: Value, args: list[str]) -> None:
+        self.names[number] = target = self._target(number)
+        self.namespace["unwrapped"] = unwrapped
+        self.line(f"copyto({target}, unwrapped({args[0]}, {args[1]}, item({value.data} + i)))")
+
     def _held(self, number: int, value: Value, args: list[str]) -> None:
         self.names[number] = target = self._target(number)
         self.namespace["latest"] = np.maximum.accumulate
@@ -355,6 +361,7 @@ class _Emitter:
 
     _SPECIAL: ClassVar[dict[str, Callable[[_Emitter, int, Value, list[str]], None]]] = {
         "where": _where, "snap": _snap, "running": _running, "held": _held, "rounded": _helped,
+        "unwrapped": _unwrapped,
         "pick": _helped,
     }  # fmt: skip
 

@@ -28,7 +28,7 @@ from ..graph import area_read
 from ..layout import Area, Band, Layout
 from ..values.cells import NEAR
 from ..values.coerce import compare_numbers
-from .recurrence import Held, RunningSum
+from .recurrence import Recurrence, RunningSum, Unwrapped
 
 ROWS, COLS = 1, 2
 """Bits of a value's extent: it varies along the rows, along the columns, along both, or (0) not at all."""
@@ -114,7 +114,7 @@ class Lowering:
         """The block being lowered."""
         return self.layout.blocks[self._number]
 
-    def add(self, number: int, formula: Node, recurrence: RunningSum | Held | None) -> None:
+    def add(self, number: int, formula: Node, recurrence: Recurrence | None) -> None:
         """Add a block. Raises UnsuitableError, leaving everything as it was."""
         mark = len(self.values), len(self.order), self.reads.copy()
         self._number = number
@@ -359,7 +359,7 @@ class Lowering:
             raise UnsuitableError
         return found
 
-    def _recurrence(self, number: int, kind: RunningSum | Held) -> int:
+    def _recurrence(self, number: int, kind: Recurrence) -> int:
         block = self.layout.blocks[number]
         place = self.layout.place(self.layout.block_sheets[number], block.row - 1, block.col)
         if place < 0 or place != self.layout.block_offsets[number] - 1:
@@ -374,6 +374,8 @@ class Lowering:
                 step = self.value("negative", (step,))
             return self.value("running", (step,), (place, kind.step_first), ROWS)
         value = self.number(kind.value)
+        if isinstance(kind, Unwrapped):
+            return self.value("unwrapped", (value, self.number(kind.turn)), place, ROWS)
         mask = self.mask(kind.condition)
         if self.values[mask].kind != "mask":
             if (self.values[mask].kind == "true") == kind.taken:

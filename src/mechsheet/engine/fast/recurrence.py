@@ -1,26 +1,33 @@
-"""Columns that read their own previous row. Two kinds are computed as arrays: running sums and held values.
+"""Columns that read their own previous row. Three kinds are computed as arrays: running sums, held values, phases unwrapped.
 
     prev + f(row), f(row) + prev, prev - f(row)      -> a running sum
     IF(condition(row), value(row), prev)             -> the last value that was taken, held (also with the branches swapped)
+    x(row) + turn * IFERROR(ROUND((prev - x(row)) / turn, 0), 0)
+                                                     -> x and whole turns, within half a turn of the cell above
 
-where `prev` is the cell above, and f, condition and value read nothing of the column itself.
+where `prev` is the cell above, and f, condition, value, x and turn read nothing of the column itself.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
 from ...formula.book import Block
-from ...formula.nodes import Binary, Call, CellRef, FunctionRef, Node, walk
+from ...formula.nodes import Binary, Call, CellRef, FunctionRef, Node, Number, walk
 from ..graph import area_read, reads_anywhere, references
 from ..interpreter.evaluator import Evaluator
 from ..layout import Layout
-from ..values.cells import BLANK, NEAR, NUM, Cells, choose, codes_of
+from ..kernels.math import rounded
+from ..values.cells import BLANK, NEAR, NUM, Cells, choose, codes_of, finished
 from ..values.coerce import numbers_of, truths_of
 from ..values.frames import Frame, NotReadyError
+
+
+HALF, MANY = 1e-9, 1e6
+"""Parts of a turn: nearer to half a turn it is asked one by one which way a value goes; so it is after so many turns."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +50,19 @@ class Held:
     taken: bool
 
 
-def recognise(layout: Layout, number: int, formula: Node) -> RunningSum | Held | None:
+@dataclass(frozen=True, slots=True)
+class Unwrapped:
+    """`value` and as many times `turn` (one number for the column) as bring it next to `prev`; anew after an error."""
+
+    value: Node
+    turn: Node
+    prev: CellRef
+
+
+Recurrence: TypeAlias = RunningSum | Held | Unwrapped
+
+
+def recognise(layout: Layout, number: int, formula: Node) -> Recurrence | None:
     """What kind of recurrence a block is, None when it must be computed row by row."""
     block = layout.blocks[number]
     if block.cols > 1 or block.kind != "fill" or reads_anywhere(formula):
@@ -68,6 +87,25 @@ def recognise(layout: Layout, number: int, formula: Node) -> RunningSum | Held |
         case Call("IF", (condition, CellRef() as prev, value)) if _is_above(prev, block, title):
             if apart(condition) and apart(value):
                 return Held(condition, value, prev, False)
+        case Binary(
+            "+",
+            value,
+            Binary(
+                "*",
+                turn,
+                Call(
+                    "IFERROR",
+                    (Call("ROUND", (Binary("/", Binary("-", CellRef() as prev, same), per), Number(0))), Number(0)),
+                ),
+            ),
+        ) if (
+            same == value
+            and per == turn
+            and _is_above(prev, block, title)
+            and next(references(turn), None) is None
+            and apart(value)
+        ):
+            return Unwrapped(value, turn, prev)
     return None
 
 
@@ -75,12 +113,14 @@ def _is_above(ref: CellRef, block: Block, title: str) -> bool:
     return ref.sheet == title and not ref.row_abs and ref.row == block.row - 1 and ref.col == block.col
 
 
-def compute(kind: RunningSum | Held, ev: Evaluator, frame: Frame) -> Cells:
+def compute(kind: Recurrence, ev: Evaluator, frame: Frame) -> Cells:
     """The cells of a frame of the column; the row above the frame has been computed."""
     above = ev.value(kind.prev, frame.cell(0, 0))
     with np.errstate(all="ignore"):
         if isinstance(kind, RunningSum):
             return _running_sum(kind, above, ev, frame)
+        if isinstance(kind, Unwrapped):
+            return _unwrapped(kind, above, ev, frame)
         return _held(kind, above, ev, frame)
 
 
@@ -136,6 +176,51 @@ def _running_sum(kind: RunningSum, above: Cells, ev: Evaluator, frame: Frame) ->
     else:
         codes = np.full(rows, carried or errors[first], np.uint8)
     return Cells(numbers, np.where(np.arange(frame.rows) < first, np.uint8(0), codes).astype(np.uint8))
+
+
+def _unwrapped(kind: Unwrapped, above: Cells, ev: Evaluator, frame: Frame) -> Cells:
+    values, errors = numbers_of(_value(ev, kind.value, frame), ev.texts)
+    turns, turn_errors = numbers_of(ev.value(kind.turn, frame.cell(0, 0)), ev.texts)
+    start, start_error = numbers_of(above, ev.texts)
+    codes = np.zeros(frame.rows, np.uint8) if errors is None else np.array(np.broadcast_to(errors, (frame.rows,)))
+    if turn_errors is not None:
+        codes[codes == 0] = np.uint8(turn_errors)
+    values = np.where(codes == 0, np.broadcast_to(values, (frame.rows,)), np.nan)
+    found = unwrapped(values, float(turns), float("nan") if start_error is not None else float(start))
+    return finished(found, codes if codes.any() else None)
+
+
+def unwrapped(values: Any, turn: float, above: float) -> Any:
+    """Each value with whole turns added, so that it lies within half a turn of the one before; `above` is the first one's.
+
+    A value after NaN stays as it is. Where a value lies just half a turn away, the rounding of each sum decides.
+    """
+    before = np.concatenate(([above], values[:-1]))
+    steps = (before - values) / turn
+    near = np.rint(steps)
+    known = np.isfinite(steps)
+    if np.any((np.abs(np.abs(steps - near) - 0.5) < HALF) | (np.abs(near) > MANY), where=known):
+        return _unwrapped_one_by_one(values, turn, above)
+    counted = np.add.accumulate(np.where(known, near, 0.0))
+    # A value without a known one before it begins anew: what was counted up to there is taken off again.
+    starts = np.maximum.accumulate(np.where(known, -1, np.arange(len(values))))
+    counted -= np.where(starts >= 0, counted[np.maximum(starts, 0)], 0.0)
+    return _added(values, turn * counted)
+
+
+def _unwrapped_one_by_one(values: Any, turn: float, above: float) -> Any:
+    result = np.empty(len(values))
+    for row, value in enumerate(values.tolist()):
+        count = float(rounded(np.float64((above - value) / turn), 0))
+        above = float(_added(np.float64(value), np.float64(turn * count))) if np.isfinite(count) else value
+        result[row] = above
+    return result
+
+
+def _added(one: Any, other: Any) -> Any:
+    """The sum, snapped as a cell's would be."""
+    total = one + other
+    return np.where(np.abs(total) < np.minimum(NEAR * np.abs(one), 1), 0.0, total)
 
 
 def _first_or_end(mask: Any) -> int:

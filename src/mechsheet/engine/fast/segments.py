@@ -16,7 +16,7 @@ from .emitting import CHUNK, Code, emit
 from .helpers import TroubleError
 from .lowering import Lowering, Reads, UnsuitableError
 from .marks import Marks
-from .recurrence import Held, RunningSum, compute
+from .recurrence import Recurrence, compute
 
 Buffers: TypeAlias = dict[str, Any]
 
@@ -41,7 +41,7 @@ def worth_at_once(rows: int, cols: int) -> bool:
 class Member:
     """A block of a segment: its formula, and what kind of recurrence it is, if it is one."""
 
-    def __init__(self, layout: Layout, number: int, formula: Node, recurrence: RunningSum | Held | None) -> None:
+    def __init__(self, layout: Layout, number: int, formula: Node, recurrence: Recurrence | None) -> None:
         self.layout = layout
         self.number = number
         self.formula = formula
