@@ -325,14 +325,15 @@ class Truth:
             starts = list(self.u[low])
             best, where = v[low[0]], self.u[low[0]]
             if self.listed is None and self.rows > 1:
-                edges = [edge for edge in self.edges]
+                edges = list(self.edges)
+                whole = self._held(column)
 
                 def near(u, sign=sign):
                     known = self.known(u)
                     raw = np.asarray(change(known[symbol]), float)
                     nearest = np.clip(np.rint((u - 1) * self.fine).astype(int), 0, len(self.u) - 1)
                     # the nearest place that exists, for whole turns
-                    held = self._held(column)[nearest]
+                    held = whole[nearest]
                     if self._turns(symbol):
                         raw = raw - TURN * np.round((raw - held) / TURN)
                     return np.where(self.exists(known), sign * raw, np.nan)
@@ -354,11 +355,9 @@ class Truth:
         return equation.unit == "angle"
 
     def _held(self, column):
-        good = np.isfinite(column) & self.there
-        index = np.arange(len(column))
-        return column[index[good][np.abs(index[good][:, None] - index[None, :]).argmin(axis=0)]] if len(column) < 1500 else (
-            column[index[good][np.clip(np.searchsorted(index[good], index), 0, good.sum() - 1)]]
-        )
+        """The column with the nearest value before it, or the first, in places that do not exist."""
+        good = np.flatnonzero(np.isfinite(column) & self.there)
+        return column[good[np.clip(np.searchsorted(good, np.arange(len(column)), side="right") - 1, 0, len(good) - 1)]]
 
     def value_at(self, symbol, driver_shown, of=None):
         """The quantity at a value of the driver as shown, as the sweep reaches it."""
