@@ -442,6 +442,11 @@ class _Judge:
             return
         self.rows_closed()
         self.line()
+        if not self.truth.count:
+            loops = [f"grashof_{loop.group}" for loop in self.found.four_bars]
+            for key in self.found.entries:
+                if key not in ("rows_closed", "input_from", *loops):
+                    self.say("nothing else said where nothing closes", not self.sheets.words(key), key, self.sheets.words(key))
         if self.found.limits:
             self.limits()
             self.input_range()
@@ -562,14 +567,19 @@ class _Judge:
     def passes(self):
         truth, sheets = self.truth, self.sheets
         shown, words = sheets.of("passes"), sheets.words("passes")
+        if not truth.count:
+            return
         holes = truth.holes
         if truth.doubtful and not holes:
             return
         self.say("passes", (shown != 0.0) == bool(holes), shown, holes)
         if words == self.verdict("passes.all"):
-            self.say("passes words", not holes and truth.count == truth.rows, words, holes)
-        elif words == self.verdict("passes.not"):
-            self.say("passes words", bool(holes), words)
+            self.say("passes words", not holes, words, holes)
+        elif words:
+            place = numbers_in(words)
+            near = [float(truth.driver(hole)) * truth.scale for hole in holes]
+            step = abs(truth.step) * truth.scale
+            self.say("passes words", any(abs(place[0] - hole) <= step for hole in near), words, near)
 
     def gap_and_leaps(self):
         truth, sheets = self.truth, self.sheets
@@ -635,7 +645,7 @@ class _Judge:
         else:
             word = ("both", "one", "coupler", "one")[index]
         link = link_words(names[index]).of(self.plan.language) if names[index] else ""
-        expected = self.verdict(f"grashof.{word}", loop=loop.name, link=link)
+        expected = f"{loop.name}: {self.verdict(f'grashof.{word}', link=link)}"
         doubtful = abs(abs(excess) - near) < near or (len(ties) > 1 and word in ("both", "one", "coupler"))
         if not doubtful:
             self.say("grashof words", sheets.words(key) == expected, sheets.words(key), expected)
@@ -781,7 +791,11 @@ class _Judge:
             return
         column = truth.at[symbol][:: truth.fine] * scale
         there = np.flatnonzero(truth.row_there)
-        low, _, high, _ = (part * scale for part in truth.extremes(symbol))
+        extremes = truth.extremes(symbol)
+        if extremes is None:  # an output that does not exist
+            self.say(kind, missing(shown), shown)
+            return
+        low, _, high, _ = (part * scale for part in extremes)
         range_ = high - low
         floor = 1e-8 * max(abs(high), abs(low), 1e-12) + 1e-9
         expected = {
