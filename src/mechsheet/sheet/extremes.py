@@ -9,11 +9,14 @@ are neighbours, which is decided by formulas: start and step may change.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Literal
 
-from mechsheet.formula.nodes import CellRef, Node, Symbol
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.positions import heading
@@ -47,6 +50,8 @@ class Extremes:
         for number in plan.equations.margins if self.limits.count else ():
             self.gaps[number] = Block(row, 2)
             row += 4
+        self.loops = {loop.group: row + number for number, loop in enumerate(plan.found.four_bars)}
+        row += len(self.loops) + 1 if self.loops else 0
         self.blocks: dict[tuple[str, Way], Block] = {}
         for symbol in self.quantities:
             for way in ("min", "max"):
@@ -63,6 +68,9 @@ class Extremes:
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
                 spots[key] = Spot(title, cell.row, cell.col)
+        for symbol in self.quantities:
+            wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
+            spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
         for number, block in self.gaps.items():
             for key, work in ((f"#gap_least_{number}", 0), (f"#gap_row_{number}", 1)):
                 cell = self.probes.cell(block.row, SIDE + work)
@@ -82,6 +90,8 @@ class Extremes:
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)
+        for loop in plan.found.four_bars:
+            self._loop(loop)
         for (symbol, way), block in self.blocks.items():
             self._extreme(symbol, way, block)
         return Sheet(
@@ -99,6 +109,25 @@ class Extremes:
             tab_color="B8860B",
             print_setup=PrintSetup(footer=plan.footer),
         )  # fmt: skip
+
+    def lengths_of(self, loop: FourBar) -> RangeRef:
+        """The cells of a loop's four lengths: ground, first link, coupler, last link; as another sheet reads them."""
+        cells = self.probes.cells_across(self.loops[loop.group], 1, 4)
+        return RangeRef(replace(cells.start, sheet=self.probes.title), replace(cells.end, sheet=self.probes.title))
+
+    def _loop(self, loop: FourBar) -> None:
+        """The four lengths of a loop."""
+        row = self.loops[loop.group]
+        self.probes.put(row, self.probes.side, loop.name, styles.LABEL)
+        ground = self.plan.mechanism.ground
+        ends = (
+            (ground, loop.start, loop.end),
+            (loop.first, loop.start, loop.pin),
+            (loop.coupler, loop.pin, loop.inner),
+            (loop.last, loop.end, loop.inner),
+        )
+        for work, end in enumerate(ends, 1):
+            self.probes.work(row, work, "length", length=distance(*end))
 
     def _whole(self) -> None:
         """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out, else 0."""
@@ -129,6 +158,7 @@ class Extremes:
         of_rows = self._best_row(column, way, block)
         if plan.mechanism.driver.values or plan.rows < 4:
             probes.work(row, VALUE, "value", value=of_rows)
+            probes.work(row + 1, SIDE + 2, "0")
             self._result(symbol, way, block)
             return
         probes.lay(block, [symbol])
@@ -179,7 +209,7 @@ class Extremes:
         holes: dict[str, Node | float | str] = {"half": turns} if turns else {}
         # The ends of a whole turn are neighbours where nothing is missing and the quantity has not gone on by a turn.
         wraps = probes.work(
-            row + 1, SIDE + 2, f"IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0)",
+            row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
             first=first, last=last, rows=plan.rows, column=column, **holes,
         )  # fmt: skip
         middle = probes.work(

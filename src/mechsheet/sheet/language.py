@@ -46,8 +46,10 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.line.positions": ("positions", ""),
     "verdict.line.nowhere": ("closes in no position: these links cannot be joined", "hiçbir konumda kapanmıyor: bu uzuvlar birleştirilemez"),
     "verdict.line.inputs": (
-        "look at the yellow cells: a length is not above 0, or an assembly is neither 1 nor -1",
-        "sarı hücrelere bakın: 0'dan büyük olmayan bir uzunluk ya da 1 / -1 olmayan bir montaj var",
+        "look at the yellow cells: a length is not above 0 or does not fit, an assembly is neither 1 nor -1, or there is no "
+        "such position",
+        "sarı hücrelere bakın: 0'dan büyük olmayan ya da uymayan bir uzunluk, 1 / -1 olmayan bir montaj ya da olmayan bir "
+        "konum var",
     ),
     "verdict.line.transmission": ("transmission angle", "bağlama açısı"),
     "verdict.rows": ("closes", "kapanan"),
@@ -61,10 +63,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.input.range": ("from … to, within this range", "en az … en çok, bu aralık içinde"),
     "verdict.input.first": ("from … to: the first of several stretches", "en az … en çok: birkaç parçanın ilki"),
     "verdict.passes": ("between", "arada"),
-    "verdict.passes.all": ("closes between the positions, too", "konumların arasında da kapanıyor"),
-    "verdict.passes.not": (
-        "may not pass between two positions: take a smaller step", "iki konum arasında kapanmayabilir: adımı küçültün"
-    ),
+    "verdict.passes.all": ("no gap between neighbouring positions", "komşu konumlar arasında kopma yok"),
+    "verdict.passes.not": ("may not close near {place}: smaller step", "{place} yakınında kopabilir: adımı küçültün"),
     "verdict.gap": ("gap", "açıklık"),
     "verdict.gap.closed": ("largest gap of a joint: rounding only", "mafsallardaki en büyük açıklık: yalnız yuvarlama"),
     "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
@@ -75,12 +75,12 @@ WORDS: dict[str, tuple[str, str]] = {
         "times a link turns more than 90° in a step: smaller steps", "kez bir adımda 90°'den fazla dönme: adımı küçültün"
     ),
     "verdict.grashof": ("Grashof", "Grashof"),
-    "verdict.grashof.one": ("{loop}: crank-rocker, {link} turns", "{loop}: krank-sarkaç, {link} tam döner"),
-    "verdict.grashof.both": ("{loop}: double crank (drag link)", "{loop}: çift krank"),
-    "verdict.grashof.coupler": ("{loop}: double rocker, Grashof", "{loop}: çift sarkaç (Grashof)"),
-    "verdict.grashof.none": ("{loop}: triple rocker, not Grashof", "{loop}: üçlü sarkaç (Grashof değil)"),
-    "verdict.grashof.change": ("{loop}: change point", "{loop}: katlanabilir (sınır durum)"),
-    "verdict.grashof.open": ("{loop}: cannot be closed", "{loop}: kapatılamaz"),
+    "verdict.grashof.one": ("crank-rocker, {link} turns", "krank-sarkaç, {link} tam döner"),
+    "verdict.grashof.both": ("double crank (drag link)", "çift krank"),
+    "verdict.grashof.coupler": ("double rocker, Grashof", "çift sarkaç (Grashof)"),
+    "verdict.grashof.none": ("triple rocker, not Grashof", "üçlü sarkaç (Grashof değil)"),
+    "verdict.grashof.change": ("change point", "katlanabilir (sınır durum)"),
+    "verdict.grashof.open": ("cannot be closed", "kapatılamaz"),
     "verdict.crank": ("crank: turns fully", "krank: tam döner"),
     "verdict.rocker": ("rocker: swings by this much", "sarkaç: bu kadar salınır"),
     "verdict.turned": ("turns by this much in this range", "bu aralıkta bu kadar döner"),

@@ -17,7 +17,7 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.positions import first_open
 from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
-from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.workbook import Name
 
 STRETCHES = 3
@@ -30,8 +30,8 @@ PROBES = 3
 INWARDS = 1e-10
 """How far inside the limit its value is given, in parts of a row: there the mechanism still closes."""
 
-FIRST_ROW, LAST_ROW, FROM, TO = range(4)
-"""Cells of a stretch, beside each other: its rows (from 1), and where it begins and ends between rows."""
+FIRST_ROW, LAST_ROW, FROM, TO, WORDS = range(5)
+"""Cells of a stretch, beside each other: its rows (from 1), where it begins and ends between rows, and its rows in words."""
 
 
 class Limits:
@@ -52,7 +52,7 @@ class Limits:
         n = probes.cell(row, 1)
         self.plan.at.spots["#stretches"] = Spot(probes.title, n.row, n.col)
         for number in range(1, STRETCHES + 1):
-            for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO)):
+            for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO), ("stretch", WORDS)):
                 spot = self.of_stretch(number, work)
                 self.plan.at.spots[f"#{key}_{number}"] = Spot(probes.title, spot.row, spot.col)
 
@@ -94,6 +94,10 @@ class Limits:
                             stretches=stretches, number=number)  # fmt: skip
         last = probes.work(row, LAST_ROW, 'IF(stretches<number,"",first+COUNTIFS(ALL(_begun),number,said,ok)-1)',
                            stretches=stretches, number=number, first=first, said=Symbol(f"{ALL}#status"), ok=ok)  # fmt: skip
+        ends = [formula("ROUND(INDEX(drivers,row),2)", drivers=Symbol(ALL + self.plan.mechanism.driver.symbol), row=edge)
+                for edge in (first, last)]  # fmt: skip
+        probes.work(row, WORDS, 'IF(ISNUMBER(first),words,"")', first=first,
+                    words=joined("; " if number > 1 else "", ends[0], " … ", ends[1]))  # fmt: skip
         if not self.count:
             probes.work(row, FROM, "first", first=first)
             probes.work(row, TO, "last", last=last)
@@ -150,7 +154,8 @@ class Limits:
             self._inverse_parabola(row + index, known[-3:], inside, outside)
         best = probes.cell(row + PROBES, AT)
         found = probes.work(
-            row, SIDE + 4, "IFERROR(best+(inside-best)*inwards,inside)", best=best, inside=inside, inwards=INWARDS
+            row, SIDE + 4, "IF(ISNUMBER(outside),IFERROR(best+(inside-best)*inwards,inside),NA())",
+            best=best, inside=inside, outside=outside, inwards=INWARDS,
         )
         probes.work(row, SIDE + 5, "_start+(found-1)*_step", styles.RESULT, found=found)
 
