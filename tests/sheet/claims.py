@@ -633,7 +633,7 @@ class _Judge:
         near = 1e-9 * truth.size
         index = lengths.index(low)
         ties = [i for i, length in enumerate(lengths) if abs(length - low) <= near]
-        from mechsheet.kinematics.naming import link_words
+        from mechsheet.words.equations import link_words
 
         names = [None, loop.first, None, loop.last]
         if 2 * high - total > near:

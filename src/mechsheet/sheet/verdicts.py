@@ -9,7 +9,7 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
-from mechsheet.kinematics.naming import link_words
+from mechsheet.words.equations import link_words
 from mechsheet.model import Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer
