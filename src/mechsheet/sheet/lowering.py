@@ -33,6 +33,7 @@ from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import LENGTH, Unit
+from mechsheet.words.equations import phrase
 
 TURN = al.mul(al.TWO, al.PI)
 
