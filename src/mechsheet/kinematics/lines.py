@@ -22,6 +22,7 @@ from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Guide, Poses
 from mechsheet.model import Words
+from mechsheet.units import LENGTH, NUMBER
 
 PARALLEL = 1e-12
 """Lines whose directions differ by less [rad] count as parallel."""
@@ -36,10 +37,10 @@ def meet(
     """
     sine = al.sin(delta2 - delta1)
     e_x = ledger.hoist(
-        "e_x", e[0], "length", Words("from line 1 to line 2, x part", "1. doğrudan 2. doğruya, x bileşeni")
+        "e_x", e[0], LENGTH, Words("from line 1 to line 2, x part", "1. doğrudan 2. doğruya, x bileşeni")
     )
     e_y = ledger.hoist(
-        "e_y", e[1], "length", Words("from line 1 to line 2, y part", "1. doğrudan 2. doğruya, y bileşeni")
+        "e_y", e[1], LENGTH, Words("from line 1 to line 2, y part", "1. doğrudan 2. doğruya, y bileşeni")
     )
     fixed = al.value_of(sine)
     parallel: Node | None = None
@@ -56,11 +57,11 @@ def meet(
         closes = ""
     else:
         sine = ledger.hoist(
-            "D_0", sine, "number", Words("sine of the angle between the lines", "doğrular arasındaki açının sinüsü")
+            "D_0", sine, NUMBER, Words("sine of the angle between the lines", "doğrular arasındaki açının sinüsü")
         )
         crossing = Condition(Call("ABS", (sine,)), al.number(PARALLEL))
         column = ledger.column(
-            "D", sine, "number",
+            "D", sine, NUMBER,
             Words("the same; #N/A where the lines are parallel", "aynısı; doğrular paralelse #N/A"), [crossing],
         )  # fmt: skip
         d, closes = column, column.name

@@ -56,6 +56,11 @@ def given_names(mechanism: Mechanism) -> list[str]:
     ]
 
 
+def without_group(symbol: str, group: int) -> str:
+    """The symbol without the number of its group: what `FreshNames.reserve` made it from."""
+    return symbol.removesuffix(f"_{group}") if group > 1 else symbol
+
+
 class FreshNames:
     """Names for quantities that no description gave one."""
 

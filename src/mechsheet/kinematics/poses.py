@@ -21,6 +21,7 @@ from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.naming import body_words, link_words
 from mechsheet.kinematics.places import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian, length_node
 from mechsheet.model import Joint, Link, Mechanism, Words
+from mechsheet.units import ANGLE, LENGTH
 
 Assembly = tuple[str, ...]
 
@@ -86,7 +87,7 @@ class Poses:
             coordinates = []
             for axis, node in (("x", place.u), ("y", place.v)):
                 label = Words(f"{point}, fixed, {axis}", f"{point}, sabit, {axis}")
-                symbol = self.ledger.define(f"{point}.{axis}", node, "length", label, "constant")
+                symbol = self.ledger.define(f"{point}.{axis}", node, LENGTH, label, "constant")
                 coordinates.append(node if al.is_simple(node) else symbol)
             self.xy[point] = (coordinates[0], coordinates[1])
 
@@ -111,8 +112,8 @@ class Poses:
             return member.origin
         x, y = place.turned(member.angle)
         label = Words(f"{name} in the frame of the driven pair", f"{name}, tahrik çiftinin takımında")
-        u = self.ledger.hoist(f"u_{name}", al.add(member.origin.u, x), "length", label)
-        v = self.ledger.hoist(f"v_{name}", al.add(member.origin.v, y), "length", label)
+        u = self.ledger.hoist(f"u_{name}", al.add(member.origin.u, x), LENGTH, label)
+        v = self.ledger.hoist(f"v_{name}", al.add(member.origin.v, y), LENGTH, label)
         return cartesian(u, v)
 
     def place(self, assembly: Assembly, point: str) -> Place:
@@ -154,8 +155,8 @@ class Poses:
         x, y = (place - pose.base).turned(pose.angle)
         label = Words(f"{name} on {self.name((body,))}", f"{self.name((body,), 'tr')}: {name}")
         return (
-            self.ledger.hoist(f"x_{name}", al.add(pose.x, x), "length", label),
-            self.ledger.hoist(f"y_{name}", al.add(pose.y, y), "length", label),
+            self.ledger.hoist(f"x_{name}", al.add(pose.x, x), LENGTH, label),
+            self.ledger.hoist(f"y_{name}", al.add(pose.y, y), LENGTH, label),
         )
 
     def guide(self, slide: Slide, assembly: Assembly) -> Guide:
@@ -209,8 +210,8 @@ class Poses:
                 self.known[body] = Pose(
                     own,
                     ORIGIN,
-                    self.ledger.hoist(f"x_{name}", al.add(x, origin_x), "length", label),
-                    self.ledger.hoist(f"y_{name}", al.add(y, origin_y), "length", label),
+                    self.ledger.hoist(f"x_{name}", al.add(x, origin_x), LENGTH, label),
+                    self.ledger.hoist(f"y_{name}", al.add(y, origin_y), LENGTH, label),
                 )
         for body in assembly:
             self._points(body)
@@ -230,7 +231,7 @@ class Poses:
             return Angle(Symbol(symbol))
         words = Words(f"angle of link {link.number}, {label.en}", f"{link.number} numaralı uzvun açısı ({label.tr})")
         self.turned.append((symbol, angle))
-        return Angle(self.ledger.define(symbol, angle.expression(), "angle", words, "variable"))
+        return Angle(self.ledger.define(symbol, angle.expression(), ANGLE, words, "variable"))
 
     def _points(self, body: str) -> None:
         """Write down the points of a body that are not known yet, its origin first: from there the others read best."""
@@ -246,7 +247,7 @@ class Poses:
         found = []
         for axis, base, part in (("x", pose.x, x), ("y", pose.y, y)):
             label = Words(f"{point}, {axis} coordinate", f"{point} noktası, {axis} koordinatı")
-            found.append(self.ledger.define(f"{point}.{axis}", al.add(base, part), "length", label, "point"))
+            found.append(self.ledger.define(f"{point}.{axis}", al.add(base, part), LENGTH, label, "point"))
         self.xy[point] = (found[0], found[1])
 
     def displacement(self, symbol: str, expression: Node) -> None:
@@ -256,7 +257,7 @@ class Poses:
             f"displacement of {joint.point} on {self.name((joint.on,))}",
             f"{joint.point} noktasının ötelenmesi ({self.name((joint.on,), 'tr')} üzerinde)",
         )
-        self.ledger.define(symbol, expression, "length", words, "variable")
+        self.ledger.define(symbol, expression, LENGTH, words, "variable")
 
     def settle_turns(self) -> None:
         """Take whole turns out of the angles found last, so that the mean of each lies between -120 and 240 degrees."""

@@ -23,6 +23,7 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Poses
 from mechsheet.model import Words
+from mechsheet.units import ANGLE, LENGTH
 
 
 def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
@@ -37,10 +38,10 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
     p, q = (outer[0].point, outer[1].point) if on_first else (outer[1].point, outer[0].point)
     (xp, yp), (xq, yq) = poses.xy[p], poses.xy[q]
     mode = ledger.mode()
-    r_x = ledger.hoist("r_x", al.sub(xq, xp), "length", Words(f"{p}→{q}, x part", f"{p}→{q}, x bileşeni"))
-    r_y = ledger.hoist("r_y", al.sub(yq, yp), "length", Words(f"{p}→{q}, y part", f"{p}→{q}, y bileşeni"))
+    r_x = ledger.hoist("r_x", al.sub(xq, xp), LENGTH, Words(f"{p}→{q}, x part", f"{p}→{q}, x bileşeni"))
+    r_y = ledger.hoist("r_y", al.sub(yq, yp), LENGTH, Words(f"{p}→{q}, y part", f"{p}→{q}, y bileşeni"))
     r = ledger.column(
-        "r", al.sqrt(al.add(al.square(r_x), al.square(r_y))), "length", Words(f"distance {p}–{q}", f"{p}–{q} uzaklığı")
+        "r", al.sqrt(al.add(al.square(r_x), al.square(r_y))), LENGTH, Words(f"distance {p}–{q}", f"{p}–{q} uzaklığı")
     )
     phi = ledger.direction("phi", r_x, r_y, Words(f"direction of {p}→{q}", f"{p}→{q} doğrultusu"))
     ahead, h = _offsets(poses, slide, carrier, slider, p, q)
@@ -52,7 +53,7 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
         chi = ledger.column(
             "chi",
             al.atan2(w, h),
-            "angle",
+            ANGLE,
             Words(f"angle between {p}→{q} and {joint.symbol}", f"{p}→{q} ile {joint.symbol} arasındaki açı"),
         )
         delta = delta - Angle(al.mul(mode, chi))
@@ -97,6 +98,6 @@ def _offsets(
     end_along, end_across = end.turned(own)
     words = Words("slot offset", "kanal kaçıklığı")
     return (
-        poses.ledger.hoist("p", al.add(start_along, end_along), "length", words),
-        poses.ledger.hoist("h", al.add(start_across, end_across), "length", words),
+        poses.ledger.hoist("p", al.add(start_along, end_along), LENGTH, words),
+        poses.ledger.hoist("h", al.add(start_across, end_across), LENGTH, words),
     )

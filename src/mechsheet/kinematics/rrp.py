@@ -22,6 +22,7 @@ from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.poses import Poses
 from mechsheet.model import Words
+from mechsheet.units import ANGLE, LENGTH
 
 
 def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
@@ -39,27 +40,27 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
     e_x = ledger.hoist(
         "e_x",
         al.sub(al.add(guide.x, offset_x), xp),
-        "length",
+        LENGTH,
         Words(f"{p} to the guide, x part", f"{p}'den kızağa, x bileşeni"),
     )
     e_y = ledger.hoist(
         "e_y",
         al.sub(al.add(guide.y, offset_y), yp),
-        "length",
+        LENGTH,
         Words(f"{p} to the guide, y part", f"{p}'den kızağa, y bileşeni"),
     )
     along, across = along_and_across(e_x, e_y, guide.delta)
     t = ledger.hoist(
         "t",
         along,
-        "length",
+        LENGTH,
         Words(f"{p} to the guide's origin, along it", f"{p}'den kızak başlangıcına, kızak boyunca"),
     )
-    n = ledger.hoist("n", across, "length", Words(f"{p} to the guide, across it", f"{p}'den kızağa dik uzaklık"))
+    n = ledger.hoist("n", across, LENGTH, Words(f"{p} to the guide, across it", f"{p}'den kızağa dik uzaklık"))
     separate = Condition(a, ledger.tolerance)  # pins that coincide leave the link free to turn about them
     w = leg(ledger, "w", a, n, Words(f"{p}–{r} along the guide", f"kızak boyunca {p}–{r}"), separate)
     psi = ledger.column(
-        "psi", al.atan2(w, n), "angle", Words(f"angle of {p}–{r} to the guide", f"{p}–{r} ile kızak arasındaki açı")
+        "psi", al.atan2(w, n), ANGLE, Words(f"angle of {p}–{r} to the guide", f"{p}–{r} ile kızak arasındaki açı")
     )
     sign = mode if guide.sign > 0 else al.neg(mode)
     reach = al.sub(al.mul(sign, w), t)

@@ -19,6 +19,7 @@ from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.places import triangle_closes
 from mechsheet.kinematics.poses import Poses
 from mechsheet.model import Words
+from mechsheet.units import ANGLE, LENGTH
 
 
 def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
@@ -30,18 +31,18 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     a, line_a = poses.arm(dyad.first, p, r)
     b, line_b = poses.arm(dyad.second, q, r)
     mode = ledger.mode()
-    s_x = ledger.hoist("s_x", al.sub(xp, xq), "length", Words(f"{q}→{p}, x part", f"{q}→{p}, x bileşeni"))
-    s_y = ledger.hoist("s_y", al.sub(yp, yq), "length", Words(f"{q}→{p}, y part", f"{q}→{p}, y bileşeni"))
+    s_x = ledger.hoist("s_x", al.sub(xp, xq), LENGTH, Words(f"{q}→{p}, x part", f"{q}→{p}, x bileşeni"))
+    s_y = ledger.hoist("s_y", al.sub(yp, yq), LENGTH, Words(f"{q}→{p}, y part", f"{q}→{p}, y bileşeni"))
     s = ledger.column(
-        "s", al.sqrt(al.add(al.square(s_x), al.square(s_y))), "length", Words(f"distance {q}–{p}", f"{q}–{p} uzaklığı")
+        "s", al.sqrt(al.add(al.square(s_x), al.square(s_y))), LENGTH, Words(f"distance {q}–{p}", f"{q}–{p} uzaklığı")
     )
     phi = ledger.direction("phi", s_x, s_y, Words(f"direction of {q}→{p}", f"{q}→{p} doğrultusu"))
     # pins that coincide leave a link free to turn about them
     separate, reaches = Condition(al.smallest((a, b, s)), ledger.tolerance), triangle_closes(ledger, a, b, s)
     exists = (separate, reaches)
-    psi = ledger.column("psi", TriangleAngle(a, b, s), "angle", Words(f"angle {p}{q}{r}", f"{p}{q}{r} açısı"), exists)
+    psi = ledger.column("psi", TriangleAngle(a, b, s), ANGLE, Words(f"angle {p}{q}{r}", f"{p}{q}{r} açısı"), exists)
     mu = ledger.column(
-        "mu", TriangleAngle(s, a, b), "angle",
+        "mu", TriangleAngle(s, a, b), ANGLE,
         Words(f"angle {p}{r}{q} (transmission)", f"{p}{r}{q} açısı (bağlama)"), exists,
     )  # fmt: skip
     to_r = Angle(al.sub(phi, al.mul(mode, psi)))

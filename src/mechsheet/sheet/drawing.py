@@ -33,7 +33,7 @@ from mechsheet.sheet.frames import (
 )
 from mechsheet.sheet.name_places import place_names
 from mechsheet.sheet.outlines import block_has_line, corners, direction_of, through_of
-from mechsheet.sheet.plan import VALUE, Plan, unit_text
+from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.points import PointCells, label, marks, moving_points, names_of, pins_of, write_points
 from mechsheet.sheet.shapes import Guide, block, guide_base, link_color, outline, rail, slot, support, write_guide
 from mechsheet.sheet.symbols import plain, rich
@@ -252,7 +252,7 @@ def _caption(page: Page) -> Series:
     driver = plan.mechanism.driver
     row = plan.blocks["position"].rows[driver.symbol]
     value = CellRef(row, VALUE, True, True, plan.main)
-    unit = unit_text(driver.unit)
+    unit = driver.unit.text
     words: Node = Call("ROUND", (value, Number(3.0)))
     words = Binary("&", Text(f"{plain(driver.symbol)} = "), words)
     words = Binary("&", words, Text(unit if unit in ("", "°") else f" {unit}"))

@@ -137,7 +137,7 @@ class Extremes:
         if not driver.link or driver.values or plan.rows < 4:
             probes.work(self.whole_row, 1, "0")
             return
-        turn = 360.0 if driver.unit == "deg" else 6.283185307179586
+        turn = 360.0 if driver.unit.in_degrees else 6.283185307179586
         probes.work(
             self.whole_row, 1,
             "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
@@ -242,7 +242,7 @@ class Extremes:
     def _half_turn(self, symbol: str) -> float:
         """Half a turn in the unit of a quantity that is an angle, else 0."""
         equation = self.plan.equations.of(symbol)
-        if equation.unit != "angle":
+        if equation.unit.kind != "angle":
             return 0.0
         return 180.0 if self.plan.at.spots[symbol].degrees else 3.141592653589793
 

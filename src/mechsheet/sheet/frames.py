@@ -174,7 +174,7 @@ def stride_of(plan: Plan) -> int:
     Long tables are thinned to about SAMPLES points, but never so far that a turning driver jumps more than COARSEST.
     """
     stride = math.ceil(plan.rows / SAMPLES)
-    if plan.mechanism.driver.unit in ("deg", "rad") and plan.rows > 1:
+    if plan.mechanism.driver.unit.kind == "angle" and plan.rows > 1:
         step = max(abs(b - a) for a, b in zip(plan.driver, plan.driver[1:], strict=False))
         stride = min(stride, math.floor(COARSEST / step + 1e-9)) if step > 0 else stride
     return max(1, stride)

@@ -40,7 +40,7 @@ def _write(writer: Writer, summary: Summary) -> None:
     partial = formula("words<>label", words=CellRef(row, MEANING, True, True), label=label)
     writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
     driver = plan.mechanism.driver.symbol
-    unit = "angle" if summary.of == driver else plan.equations.of(summary.of).unit
+    unit = (plan.mechanism.driver if summary.of == driver else plan.equations.of(summary.of)).unit.kind
     value, where = _of(plan, summary)
     # over nothing: no number, and no 0 that somebody who looks for the smallest would take
     found = formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=closed, value=value)

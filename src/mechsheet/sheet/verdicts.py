@@ -17,7 +17,7 @@ from mechsheet.sheet.checks import ROUNDING, Checks
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.extremes import Extremes
 from mechsheet.sheet.limits import LIMITS, STRETCHES
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, unit_text
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
@@ -62,8 +62,8 @@ class _Block:
         self.extremes = extremes
         self.rows = writer.plan.blocks["verdicts"].rows
         self.driver = writer.plan.mechanism.driver
-        self.turning = self.driver.unit in ("deg", "rad")
-        self.unit = _after_number(unit_text(self.driver.unit))
+        self.turning = self.driver.unit.kind == "angle"
+        self.unit = _after_number(self.driver.unit.text)
 
     # --- small things -----------------------------------------------------------------------------------------
 
@@ -170,7 +170,7 @@ class _Block:
             ]
         else:
             ends = [self._driver_at(Symbol(f"#{key}_1")) for key in ("from", "to")]
-        unit = unit_text(self.driver.unit)
+        unit = self.driver.unit.text
         everywhere = formula("AND(count=rows,_whole>0)", count=self.value("rows_closed"), rows=self.plan.rows)
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
@@ -272,7 +272,7 @@ class _Block:
             crank=self.text("crank"), rocker=self.text("rocker"), part=self.text("turned"),
         )  # fmt: skip
         value = formula("IF(AND(closed,back=0),turn,range)", closed=closed, back=back, turn=turn, range=self._range(symbol))
-        self._extent(f"swing_{symbol}", symbol, self.plan.unit_shown("angle"), value, "angle", words)
+        self._extent(f"swing_{symbol}", symbol, self.plan.mechanism.angle_unit.text, value, "angle", words)
 
     def _range(self, symbol: str) -> Node:
         return formula("high-low", high=Symbol(f"#max_{symbol}"), low=Symbol(f"#min_{symbol}"))
@@ -298,7 +298,7 @@ class _Block:
 
     def ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster, for a driver that turns evenly."""
-        turn = 360.0 if self.driver.unit == "deg" else 6.283185307179586
+        turn = 360.0 if self.driver.unit.in_degrees else 6.283185307179586
         way = formula(
             "MOD(high-low,turn)", high=Symbol(f"#max_at_{symbol}"), low=Symbol(f"#min_at_{symbol}"), turn=turn
         )
@@ -322,8 +322,8 @@ class _Block:
         else:  # the rod against the guide: the angle of transmission is what is missing to 90 degrees
             folded = (formula("PI()/2+low", low=low), formula("PI()/2-high", high=high))
             largest = formula("PI()/2-MAX(0,low,-high)", low=low, high=high)
-        degrees = self.plan.shown_in_degrees("angle")
-        unit = self.plan.unit_shown("angle")
+        degrees = self.plan.mechanism.angle_unit.in_degrees
+        unit = self.plan.mechanism.angle_unit.text
         cell = self.value(key)
         smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
         poor = formula("value<limit", value=cell, limit=POOR if degrees else 0.698)
