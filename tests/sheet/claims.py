@@ -25,14 +25,15 @@ sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "src")]
 
 from random_mechanisms import Grower  # noqa: E402
 
-from mechsheet.compute import book_of  # noqa: E402
+from mechsheet.compiled.evaluation import book_of  # noqa: E402
 from mechsheet.description import load, loads  # noqa: E402
 from mechsheet.diagnostics import MechanismError  # noqa: E402
 from mechsheet.engine import compile_book  # noqa: E402
 from mechsheet.formula.nodes import CellRef, ErrorValue, transform  # noqa: E402
 from mechsheet.kinematics.equations import assembly_of  # noqa: E402
 from mechsheet.kinematics.numeric import value as number_of  # noqa: E402
-from mechsheet.kinematics.solve import dimension_values, largest_length, number, solve  # noqa: E402
+from mechsheet.kinematics.places import number  # noqa: E402
+from mechsheet.kinematics.solve import dimension_values, largest_length, solve  # noqa: E402
 from mechsheet.kinematics.sweep import sweep  # noqa: E402
 from mechsheet.sheet import styles  # noqa: E402
 from mechsheet.sheet.geometry import distance  # noqa: E402
@@ -136,7 +137,7 @@ class Truth:
         for dim in mechanism.dimensions:
             if dim.symbol in given:
                 shown = given.pop(dim.symbol)
-                dim = replace(dim, value=math.radians(shown) if dim.unit.in_degrees else shown)
+                dim = replace(dim, value=math.radians(shown) if dim.unit.in_degrees else float(shown))
             changed.append(dim)
         driver = mechanism.driver
         self.scale = math.degrees(1.0) if driver.unit.in_degrees else 1.0
@@ -826,7 +827,7 @@ def shown_inputs(sheets):
     """What the yellow cells of dimensions, start, step and modes hold, by symbol."""
     found = {}
     for dim in sheets.mechanism.dimensions:
-        if not dim.derived and not isinstance(dim.value, str):
+        if not dim.derived:
             found[dim.symbol] = dim.shown if dim.shown is not None else math.degrees(dim.value) if dim.unit.in_degrees else float(dim.value)
     return found
 
@@ -837,15 +838,15 @@ def change(sheets, random):
     inputs = {}
     spread = random.choice([0.02, 0.1, 0.3, 0.6])
     for symbol, value in shown_inputs(sheets).items():
-        dim = sheets.plan.mechanism.dimension(symbol) if hasattr(sheets.plan.mechanism, "dimension") else next(d for d in sheets.mechanism.dimensions if d.symbol == symbol)
+        dim = next(each for each in sheets.mechanism.dimensions if each.symbol == symbol)
         if random.random() < 0.4:
             continue
         inputs[symbol] = float(value + math.degrees(random.normal(0, spread))) if dim.unit.in_degrees else float(value * math.exp(random.uniform(-spread, spread)))
     if not driver.values and driver.link:
         degrees = 1.0 if driver.unit.in_degrees else math.radians(1.0)
-        if not isinstance(driver.start, str) and random.random() < 0.5:
+        if isinstance(driver.start, float) and random.random() < 0.5:
             inputs["#start"] = round(random.uniform(-180, 360), 3) * degrees
-        if not isinstance(driver.step, str) and random.random() < 0.5:
+        if isinstance(driver.step, float) and random.random() < 0.5:
             whole = 360 / (plan.rows - 1)
             steps = [whole, -whole, 360 / plan.rows, random.uniform(0.2, 1.5) * whole, -random.uniform(0.2, 1) * whole]
             inputs["#step"] = float(steps[int(random.integers(len(steps)))]) * degrees
