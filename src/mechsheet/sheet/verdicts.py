@@ -9,7 +9,6 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
-from mechsheet.words.equations import link_words
 from mechsheet.model import Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer
@@ -22,6 +21,7 @@ from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
+from mechsheet.words.equations import link_words
 
 POOR = 40.0
 """Angles of transmission [deg] below this are poor: most of the force only loads the joints."""
