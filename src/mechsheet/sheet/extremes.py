@@ -232,7 +232,7 @@ class Extremes:
             wraps=wraps, here=here, vertex=vertex, low=low, high=high,
         )  # fmt: skip
         vertex_at = probes.work(row + 1, AT, "inside", inside=inside)
-        beside = formula("middle+IF(middle>here,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
+        beside = formula("middle+IF(middle-here>1E-6,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
         probes.work(
             row + 2, AT,
             "IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,IF(wraps>0,beside,MAX(low,MIN(high,beside)))))",
