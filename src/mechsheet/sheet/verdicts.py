@@ -219,7 +219,8 @@ class _Block:
             self.writer.fills[-2], styles.numbered(styles.RESULT, styles.ERROR.number_format)
         )
         # where rounding is largest says nothing, and another program rounds otherwise
-        self.at(key, formula('IF(tight,"",place)', tight=tight, place=self.checks.worst_at("gap")))
+        place = self.checks.worst_at("gap")
+        self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
         self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key),
                     open=self.text("gap.open", sheet=self.checks.title), over=self.text("gap.typed", sheet=self.checks.title))  # fmt: skip
         self.colour(key, "said=closed", styles.GOOD, said=self.words(key), closed=self.text("gap.closed"))
