@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.classification import FourBar
@@ -277,9 +277,12 @@ class Extremes:
         )
         probes.work(row + 2, SIDE + 1, "_start+(within-1)*_step", styles.RESULT, within=within)
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
+        low, high = probes.cell(row + 1, SIDE), probes.cell(row + 1, SIDE + 1)
+        # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
-            row + 2, SIDE + 2, f"ABS(value-{way.upper()}(earlier))>settled*ABS(value-other)",
-            value=value, earlier=probes.cells_down(row, VALUE, PROBES), settled=SETTLED, other=other,
+            row + 2, SIDE + 2, "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,ABS(value-last)>settled*ABS(value-other))",
+            value=value, last=probes.cell(row + PROBES, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
+            low=low, high=high,
         )  # fmt: skip
 
     # --- between the rows -------------------------------------------------------------------------------------
@@ -309,6 +312,12 @@ class Extremes:
         probes.work(row + 2, AT, "IFERROR(MAX(here-1,MIN(here+1,vertex)),here)", here=here, vertex=vertex)
         probes.work(row, SIDE, "MIN(margins)", margins=probes.cells_down(row, VALUE, 3))
         probes.work(row, SIDE + 1, "first", first=first)
+
+
+def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
+    """What is added to the words of an extreme, or of two, whose probes have not settled."""
+    unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
+    return formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=unsettled, about=plan.text("verdict.about"))
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:

@@ -15,8 +15,8 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer
 from mechsheet.sheet.checks import ROUNDING, Checks
 from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.extremes import Extremes
-from mechsheet.sheet.limits import LIMITS, STRETCHES
+from mechsheet.sheet.extremes import Extremes, about
+from mechsheet.sheet.limits import LIMITS, SETTLED, STRETCHES
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
@@ -150,6 +150,12 @@ class _Block:
             named = joined("; " if number > 1 else "", self.driver_text(place))
             parts.append(formula('IF(count<number,"",named)', count=cell, number=number, named=named))
         more = formula('IF(count>most," …","")', count=cell, most=LIMITS)
+        unsettled = [
+            formula("rest>settled", rest=Symbol(f"#rest_{number}"), settled=SETTLED)
+            for number in range(1, self.extremes.limits.count + 1)
+        ]
+        if unsettled:
+            more = joined(more, formula('IF(any,about,"")', any=Call("OR", tuple(unsettled)), about=self.text("about")))
         words = self.bound(
             'IF(count>0,found,IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
             passes=self.value("passes"), none=self.text("limits.none"), found=joined(*parts, more),
@@ -286,8 +292,7 @@ class _Block:
 
     def about(self, symbol: str) -> Node:
         """What is added where the probes of an extreme have not settled."""
-        return formula('IF(IFERROR(OR(low,high),FALSE),about,"")', low=Symbol(f"#min_about_{symbol}"),
-                       high=Symbol(f"#max_about_{symbol}"), about=self.text("about"))  # fmt: skip
+        return about(self.plan, symbol)
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
