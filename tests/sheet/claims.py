@@ -675,7 +675,8 @@ class _Judge:
             self.say(key.split("_")[0], missing(shown), shown)
             self.say(key.split("_")[0] + " words", words.startswith(self.verdict("swing.several")), words)
             return
-        if missing(shown) and (self.warned or sheets.of("leaps") > 0):
+        if words == self.verdict("unsure"):
+            self.say("unsure", sheets.of("leaps") > 0, words)
             return
         if truth.holes or truth.doubtful:
             return  # warned of by `passes`, judged there
@@ -708,7 +709,7 @@ class _Judge:
         if not goes:
             self.say("time_ratio", missing(shown), shown)
             return
-        if missing(shown) and sheets.of("leaps") > 0:
+        if sheets.words(f"time_ratio_{symbol}") == self.verdict("unsure"):
             return
         low, u_low, high, u_high = truth.extremes(symbol)
         if high - low < 1e-7 * (1.0 if truth._turns(symbol) else truth.size):
@@ -739,7 +740,9 @@ class _Judge:
         if not truth.count:
             self.say("transmission", missing(shown), shown)
             return
-        if truth.holes or truth.doubtful:
+        if truth.holes or truth.doubtful or sheets.of("leaps") > 0:
+            return
+        if missing(shown) and len(truth.limits()) > 4:
             return
         if group.kind == "RRR":
             def fold(x):
@@ -782,6 +785,8 @@ class _Judge:
             self.say(kind, missing(shown), shown)
             return
         if truth.holes or truth.doubtful:
+            return
+        if (missing(shown) and len(truth.limits()) > 4) or sheets.of("leaps") > 0:
             return
         symbol = summary.of
         output = next((out for out in truth.mechanism.outputs if out.symbol == symbol), None)

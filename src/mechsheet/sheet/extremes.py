@@ -17,7 +17,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
+from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, LIMITS, STRETCHES, TO, Limits
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.positions import heading
 from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
@@ -263,7 +263,10 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
         values = probes.cells_down(row, VALUE, count)
-        value = probes.work(row + 2, SIDE, f"{way.upper()}(values)", styles.RESULT, values=values)
+        best = f"{way.upper()}(values)"
+        # with more limits than are found, nobody knows what lies between them and the rows
+        known = f"IF(_limits>most,NA(),{best})" if self.limits.count else best
+        value = probes.work(row + 2, SIDE, known, styles.RESULT, values=values, most=LIMITS)
         places = probes.cells_down(row, AT, count)
         place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
         if count == 1:

@@ -151,24 +151,31 @@ class Limits:
         beyond = self._margin_of_row(row + 1, side, opened, outside)
         probes.work(row + 1, AT, "inside+(outside-inside)*here/(here-beyond)",
                     inside=inside, outside=outside, here=here, beyond=beyond)  # fmt: skip
-        if len(symbols) > 1:  # another group may come apart before the one that is open in the missing row
-            group = probes.work(row + 1, side + 1, "first", first=self._open_at(row + 1, opened))
-            here = self._margin_of_row(row + 2, side, group, inside)
-            beyond = self._margin_of_row(row + 2, side + 1, group, outside)
+        several = len(symbols) > 1
+        # another group may come apart before the one that is open in the missing row: the second probe shows it
+        group = self._open_at(row + 2, opened) if several else opened
+        if several:
+            group = probes.work(row + 1, side + 1, "first", first=group)
         for index in range(1, PROBES + 1):
             cells = self._margins_at(row + index)
             named = {f"group{number}x": cell for number, cell in zip(symbols, cells, strict=True)}
-            probes.work(row + index, VALUE, _chosen(symbols), **named, group=group)
+            probes.work(row + index, VALUE, _chosen(symbols), **named, group=opened if index == 1 else group)
         first, last = (probes.cell(row, AT), here), (outside, beyond)
         one, two, three = ((probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in (1, 2, 3))
-        chord = formula("inside+(one-inside)*here/(here-f)", inside=inside, one=one[0], here=here, f=one[1])
-        probes.work(row + 2, AT, "IFERROR(zero,chord)", zero=self._zero((first, last, one), inside, outside, APART),
-                    chord=formula("IFERROR(chord,one)", chord=chord, one=one[0]))  # fmt: skip
-        for index, known in ((3, (first, one, two)), (0, (one, two, three))):
-            place = (row + 3, AT) if index else (row, side + 6)
-            zero = self._zero(known, inside, outside, APART if index else 0.0)
-            best = probes.work(*place, "IF(ISNUMBER(outside),IFERROR(zero,last),NA())", zero=zero, last=known[-1][0],
-                               outside=outside)  # fmt: skip
+        probes.work(row + 2, AT, "IFERROR(zero,one)", zero=self._zero((first, last, one), inside, outside, APART), one=one[0])
+        if several:  # then all begins anew from the row that exists
+            here = self._margin_of_row(row + 2, side, group, inside)
+            first = (first[0], here)
+            same = formula("group=opened", group=group, opened=opened)
+            one = tuple(
+                probes.work(row + 2, side + work, "IF(same,probed,row_there)", same=same, probed=probed, row_there=row_there)
+                for work, probed, row_there in ((1, one[0], first[0]), (2, one[1], here))
+            )  # type: ignore[assignment]
+        chord = formula("inside+(two-inside)*here/(here-f)", inside=inside, two=two[0], here=here, f=two[1])
+        probes.work(row + 3, AT, "IFERROR(zero,IFERROR(chord,two))", zero=self._zero((first, one, two), inside, outside, APART),
+                    chord=chord, two=two[0])  # fmt: skip
+        best = probes.work(row, side + 6, "IF(ISNUMBER(outside),IFERROR(zero,last),NA())", outside=outside, last=three[0],
+                           zero=self._zero((one, two, three), inside, outside, 0.0))  # fmt: skip
         # a little inside, by a part of what the last step still changed
         found = probes.work(
             row, side + 4, "best+(inside-outside)*(ABS(best-probed)*part+inwards)",

@@ -286,13 +286,13 @@ class _Block:
     def _extent(self, key: str, symbol: str, unit: str, value: Node, kind: str, words: Node) -> None:
         """A swing or stroke: of one stretch; #N/A of several, which the mechanism cannot pass between."""
         node = self.bound("IF(_stretches<>1,NA(),IFERROR(value,NA()))", value=value)
-        said = self.bound('IF(_stretches=0,"",IF(_stretches>1,several,words&about))', words=words, about=self.about(symbol),
-                          several=self.text("swing.several"))  # fmt: skip
+        said = self.bound('IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
+                          about=self.about(symbol), several=self.text("swing.several"), unsure=self.text("unsure"))  # fmt: skip
         self.line(key, rich(symbol), unit, node, places(self.plan, kind), said)
 
     def about(self, symbol: str) -> Node:
-        """What is added where the probes of an extreme have not settled."""
-        return about(self.plan, symbol)
+        """What is added where the probes of an extreme have not settled, or the rows are too far apart."""
+        return formula('IF(_leaps>0,about,more)', about=self.text("about"), more=about(self.plan, symbol))
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
@@ -311,7 +311,7 @@ class _Block:
         node = self.bound("IF(wraps>0,IFERROR(value,NA()),NA())", value=value,
                           wraps=Symbol(f"#wraps_{symbol}"))  # fmt: skip
         cell = self.value(f"time_ratio_{symbol}")
-        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),ways&about,none))', ratio=cell, about=self.about(symbol),
+        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))', ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
                            ways=self.text("ratio", symbol=plain(symbol)),
                            none=self.text("ratio.none", symbol=plain(symbol)))  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
