@@ -312,13 +312,15 @@ class Truth:
 
     # --- quantities ----------------------------------------------------------------------------------------------------
 
-    def extremes(self, symbol, of=None):
+    def extremes(self, symbol, of=None, rows_only=False):
         """(least, where, largest, where) of a quantity over all that exists; None where it is nowhere a number."""
         change = of or (lambda x: x)
         column = np.asarray(change(self.at[symbol]), float)
         found = []
         for sign in (1.0, -1.0):
-            v = np.where(self.there, sign * column, np.inf)
+            shown = self._of_rows()
+            there = shown & (np.arange(len(self.u)) % self.fine == 0) if rows_only else shown
+            v = np.where(there, sign * column, np.inf)
             if not np.isfinite(v).any():
                 return None
             padded = np.concatenate(([np.inf], v, [np.inf]))
@@ -326,8 +328,8 @@ class Truth:
             low = low[np.argsort(v[low])][:12]
             starts = list(self.u[low])
             best, where = v[low[0]], self.u[low[0]]
-            if self.listed is None and self.rows > 1:
-                edges = list(self.edges)
+            if self.listed is None and self.rows > 1 and not rows_only:
+                edges = [edge for edge in self.edges if shown[max(0, math.ceil((edge - 1) * self.fine) - 1)] or shown[min(len(shown) - 1, math.floor((edge - 1) * self.fine) + 1)]]
                 whole = self._held(column)
 
                 def near(u, sign=sign):
@@ -349,6 +351,15 @@ class Truth:
                     best, where = values[pick], places[pick]
             found += [sign * best, where]
         return tuple(found)
+
+    def _of_rows(self):
+        """The places that close in stretches with a row: what closes only between two rows that do not is not spoken of."""
+        starts = np.flatnonzero(np.diff(np.concatenate(([False], self.there, [False])).astype(int)))
+        found = np.zeros(len(self.u), dtype=bool)
+        for begin, end in zip(starts[::2], starts[1::2], strict=True):
+            if np.any(np.arange(begin, end) % self.fine == 0):
+                found[begin:end] = True
+        return found
 
     def _turns(self, symbol):
         if symbol == self.mechanism.driver.symbol:
@@ -742,15 +753,16 @@ class _Judge:
             return
         if truth.holes or truth.doubtful or sheets.of("leaps") > 0:
             return
-        if missing(shown) and len(truth.limits()) > 4:
-            return
+        several = len(truth.row_stretches) > 1
+        if several:
+            self.say("rows only", self.verdict("rows.only") in words, words)
         if group.kind == "RRR":
             def fold(x):
                 return np.minimum(x, math.pi - x)
         else:
             def fold(x):
                 return math.pi / 2 - np.abs(x)
-        least, _, most, _ = truth.extremes(symbol, fold)
+        least, _, most, _ = truth.extremes(symbol, fold, several)
         degrees = self.plan.mechanism.angle_unit.in_degrees
         scale = math.degrees(1.0) if degrees else 1.0
         tolerance = (EXTREME * max(most - least, 1e-3) + 2e-6) * scale
@@ -762,15 +774,15 @@ class _Judge:
             self.say("transmission at", there is not None and close(there * scale, shown, 10 * tolerance), at, shown, there)
         else:
             self.say("transmission at", False, at)
-        if degrees and abs(least * scale - 40) > 1e-3:
+        if degrees and abs(least * scale - 40) > 1e-3 and not several:
             word = self.verdict("poor" if least * scale < 40 else "fair")
             self.say("transmission words", word in words, words, word)
-        low, _, high, _ = truth.extremes(symbol, (lambda x: x) if group.kind == "RRR" else (lambda x: math.pi / 2 - np.abs(x)))
+        low, _, high, _ = truth.extremes(symbol, (lambda x: x) if group.kind == "RRR" else (lambda x: math.pi / 2 - np.abs(x)), several)
         said = numbers_in(words)
         digits = 0.051 if degrees else 0.0051
         if self.verdict("about") in words:
             digits += 0.02 * scale
-        self.say("transmission range", len(said) >= 2 and abs(said[0] - low * scale) <= digits and abs(said[1] - high * scale) <= digits,
+        self.say("transmission range", len(said) >= 2 and abs(said[0] - low * scale) <= digits and (several and group.kind != "RRR" or abs(said[1] - high * scale) <= digits),
                  words, low * scale, high * scale)
 
     def summary(self, summary):
@@ -786,8 +798,11 @@ class _Judge:
             return
         if truth.holes or truth.doubtful:
             return
-        if (missing(shown) and len(truth.limits()) > 4) or sheets.of("leaps") > 0:
+        if sheets.of("leaps") > 0:
             return
+        several = len(truth.row_stretches) > 1 and summary.take in ("min", "max", "range")
+        if several and summary.of != truth.mechanism.driver.symbol:
+            self.say("rows only", self.verdict("rows.only") in words, words)
         symbol = summary.of
         output = next((out for out in truth.mechanism.outputs if out.symbol == symbol), None)
         if symbol == truth.mechanism.driver.symbol:
@@ -802,7 +817,7 @@ class _Judge:
             return
         column = truth.at[symbol][:: truth.fine] * scale
         there = np.flatnonzero(truth.row_there)
-        extremes = truth.extremes(symbol)
+        extremes = truth.extremes(symbol, None, several)
         if extremes is None:  # an output that does not exist
             self.say(kind, missing(shown), shown)
             return

@@ -17,7 +17,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, LIMITS, STRETCHES, TO, Limits
+from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.positions import heading
 from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
@@ -264,9 +264,9 @@ class Extremes:
         count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
         values = probes.cells_down(row, VALUE, count)
         best = f"{way.upper()}(values)"
-        # with more limits than are found, nobody knows what lies between them and the rows
-        known = f"IF(_limits>most,NA(),{best})" if self.limits.count else best
-        value = probes.work(row + 2, SIDE, known, styles.RESULT, values=values, most=LIMITS)
+        # each stretch would need probes of its own
+        known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
+        value = probes.work(row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE))
         places = probes.cells_down(row, AT, count)
         place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
         if count == 1:
@@ -320,7 +320,8 @@ class Extremes:
 def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
     unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
-    return formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=unsettled, about=plan.text("verdict.about"))
+    return formula('IF(_stretches>1,rows,IF(IFERROR(OR(_unsettled,unsettled),FALSE),about,""))', unsettled=unsettled,
+                   about=plan.text("verdict.about"), rows=plan.text("verdict.rows.only"))  # fmt: skip
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:

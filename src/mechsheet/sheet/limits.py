@@ -30,6 +30,9 @@ PROBES = 3
 INWARDS = 1e-10
 """How far inside the limit its value is given, in parts of a row: there the mechanism still closes."""
 
+ASIDE = 2e-3
+"""How far inside [rows] it is looked whether another group is open there."""
+
 APART = 1e-7
 """So far [rows] the next probe is from the last, at least: a slope can be seen."""
 
@@ -59,6 +62,7 @@ class Limits:
             self.plan.at.spots[f"#rest_{number}"] = Spot(probes.title, rest.row, rest.col)
         n = probes.cell(row, 1)
         self.plan.at.spots["#stretches"] = Spot(probes.title, n.row, n.col)
+        self.plan.at.spots["#unsettled"] = Spot(probes.title, n.row, n.col + 1)
         for number in range(1, STRETCHES + 1):
             for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO), ("stretch", WORDS)):
                 spot = self.of_stretch(number, work)
@@ -89,6 +93,8 @@ class Limits:
         stretches = probes.work(self.row, 1, "last", last=last)
         for work, key in enumerate(("first", "last", "from", "to")):
             probes.put(self.row + 1, probes.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
+        rests = [self.plan.at.cell(f"#rest_{number}", probes.title, None) for number in range(1, self.count + 1)]
+        probes.work(self.row, 2, "rests>settled" if rests else "FALSE", rests=Call("MAX", tuple(rests)), settled=SETTLED)
         for number in range(1, STRETCHES + 1):
             self._stretch(number, stretches)
         for number, block in enumerate(self.blocks, 1):
@@ -162,7 +168,14 @@ class Limits:
             probes.work(row + index, VALUE, _chosen(symbols), **named, group=opened if index == 1 else group)
         first, last = (probes.cell(row, AT), here), (outside, beyond)
         one, two, three = ((probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in (1, 2, 3))
-        probes.work(row + 2, AT, "IFERROR(zero,one)", zero=self._zero((first, last, one), inside, outside, APART), one=one[0])
+        # with several groups a little inside: where one is just open, nothing is known of those after it
+        # where the margin falls, and rises again before the missing row, the parabola is of no use
+        second = "IFERROR(IF(f<beyond/2,chord,zero),one)" + ("+(inside-outside)*aside" if several else "")
+        probes.work(
+            row + 2, AT, second, zero=self._zero((first, last, one), inside, outside, APART), one=one[0], inside=inside,
+            chord=formula("inside+(one-inside)*here/(here-f)", inside=inside, one=one[0], here=here, f=one[1]),
+            outside=outside, aside=ASIDE, f=one[1], beyond=beyond,
+        )  # fmt: skip
         if several:  # then all begins anew from the row that exists
             here = self._margin_of_row(row + 2, side, group, inside)
             first = (first[0], here)
@@ -178,7 +191,7 @@ class Limits:
                            zero=self._zero((one, two, three), inside, outside, 0.0))  # fmt: skip
         # a little inside, by a part of what the last step still changed
         found = probes.work(
-            row, side + 4, "best+(inside-outside)*(ABS(best-probed)*part+inwards)",
+            row, side + 4, "MEDIAN(inside,outside,best+(inside-outside)*(ABS(best-probed)*part+inwards))",
             best=best, inside=inside, outside=outside, probed=three[0], part=1e-4, inwards=INWARDS,
         )  # fmt: skip
         probes.work(row, side + 5, "_start+(found-1)*_step", styles.RESULT, found=found)

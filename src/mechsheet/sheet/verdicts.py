@@ -15,7 +15,7 @@ from mechsheet.sheet.blocks import Writer
 from mechsheet.sheet.checks import ROUNDING, Checks
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.extremes import Extremes, about
-from mechsheet.sheet.limits import LIMITS, SETTLED, STRETCHES
+from mechsheet.sheet.limits import LIMITS, STRETCHES
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
@@ -150,12 +150,8 @@ class _Block:
             named = joined("; " if number > 1 else "", self.driver_text(place))
             parts.append(formula('IF(count<number,"",named)', count=cell, number=number, named=named))
         more = formula('IF(count>most," …","")', count=cell, most=LIMITS)
-        unsettled = [
-            formula("rest>settled", rest=Symbol(f"#rest_{number}"), settled=SETTLED)
-            for number in range(1, self.extremes.limits.count + 1)
-        ]
-        if unsettled:
-            more = joined(more, formula('IF(any,about,"")', any=Call("OR", tuple(unsettled)), about=self.text("about")))
+        if self.extremes.limits.count:
+            more = joined(more, formula('IF(_unsettled,about,"")', about=self.text("about")))
         words = self.bound(
             'IF(count>0,found,IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
             passes=self.value("passes"), none=self.text("limits.none"), found=joined(*parts, more),
@@ -334,12 +330,12 @@ class _Block:
         cell = self.value(key)
         smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
         poor = formula("value<limit", value=cell, limit=POOR if degrees else 0.698)
-        grade = formula("IF(poor,bad,good)", poor=poor, bad=self.text("poor"), good=self.text("fair"))
+        grade = formula('IF(_stretches>1,"",IF(poor,bad,good))', poor=poor, bad=f": {self.text('poor')}", good=f": {self.text('fair')}")
         after = _after_number(unit)
         words = self.bound(
             'IFERROR(range&grade&about,"")', grade=grade, about=self.about(group.transmission),
             range=joined(formula("ROUND(low,1)", low=smallest), f"{after} … ",
-                         formula("ROUND(high,1)", high=_in(largest, degrees)), f"{after}: "),
+                         formula("ROUND(high,1)", high=_in(largest, degrees)), after),
         )  # fmt: skip
         node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), degrees))
         self.line(key, f"μ{group.number}", unit, node, places(self.plan, "angle"), words)
