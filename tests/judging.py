@@ -9,8 +9,9 @@ from mechsheet.engine import evaluate
 from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
-from mechsheet.sheet.checks import checks_sheet
+from mechsheet.sheet.checks import Checks
 from mechsheet.sheet.constants import with_typed_constants
+from mechsheet.sheet.extremes import Extremes
 from mechsheet.sheet.mechanism import mechanism_sheet
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.positions import positions_sheet
@@ -30,13 +31,12 @@ def judged(mechanism: Mechanism, changes: dict[str, float] | None = None) -> Com
 
 
 def positions_only(mechanism: Mechanism) -> tuple[Workbook, Plan]:
-    """The workbook without what reads the positions: that is nine tenths of its formulas, and not what is judged here.
+    """The workbook without what reads the positions, which is not what is judged here.
 
     The same cells as `lay_out` makes: tests/property holds the two against each other.
     """
     plan = plan_of(mechanism, solve(mechanism))
-    checks_sheet(plan)  # the first sheet has the addresses of its verdicts
-    sheets = (mechanism_sheet(plan), positions_sheet(plan))
+    sheets = (mechanism_sheet(plan, Checks(plan), Extremes(plan)), positions_sheet(plan))
     workbook = with_typed_constants(Workbook(sheets, tuple(plan.names), Properties()))
     return only_positions(workbook, plan), plan
 
