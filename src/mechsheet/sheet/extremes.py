@@ -12,12 +12,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
+from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, LIMITS, STRETCHES, TO, Limits
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.positions import heading
 from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
@@ -232,7 +232,7 @@ class Extremes:
             wraps=wraps, here=here, vertex=vertex, low=low, high=high,
         )  # fmt: skip
         vertex_at = probes.work(row + 1, AT, "inside", inside=inside)
-        beside = formula("middle+IF(middle>here,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
+        beside = formula("middle+IF(middle-here>1E-6,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
         probes.work(
             row + 2, AT,
             "IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,IF(wraps>0,beside,MAX(low,MIN(high,beside)))))",
@@ -263,7 +263,10 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
         values = probes.cells_down(row, VALUE, count)
-        value = probes.work(row + 2, SIDE, f"{way.upper()}(values)", styles.RESULT, values=values)
+        best = f"{way.upper()}(values)"
+        # with more limits than are found, nobody knows what lies between them and the rows
+        known = f"IF(_limits>most,NA(),{best})" if self.limits.count else best
+        value = probes.work(row + 2, SIDE, known, styles.RESULT, values=values, most=LIMITS)
         places = probes.cells_down(row, AT, count)
         place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
         if count == 1:
@@ -277,9 +280,12 @@ class Extremes:
         )
         probes.work(row + 2, SIDE + 1, "_start+(within-1)*_step", styles.RESULT, within=within)
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
+        low, high = probes.cell(row + 1, SIDE), probes.cell(row + 1, SIDE + 1)
+        # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
-            row + 2, SIDE + 2, f"ABS(value-{way.upper()}(earlier))>settled*ABS(value-other)",
-            value=value, earlier=probes.cells_down(row, VALUE, PROBES), settled=SETTLED, other=other,
+            row + 2, SIDE + 2, "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,ABS(value-last)>settled*ABS(value-other))",
+            value=value, last=probes.cell(row + PROBES, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
+            low=low, high=high,
         )  # fmt: skip
 
     # --- between the rows -------------------------------------------------------------------------------------
@@ -309,6 +315,12 @@ class Extremes:
         probes.work(row + 2, AT, "IFERROR(MAX(here-1,MIN(here+1,vertex)),here)", here=here, vertex=vertex)
         probes.work(row, SIDE, "MIN(margins)", margins=probes.cells_down(row, VALUE, 3))
         probes.work(row, SIDE + 1, "first", first=first)
+
+
+def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
+    """What is added to the words of an extreme, or of two, whose probes have not settled."""
+    unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
+    return formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=unsettled, about=plan.text("verdict.about"))
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:

@@ -85,6 +85,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.rocker": ("rocker: swings by this much", "sarkaç: bu kadar salınır"),
     "verdict.turned": ("turns by this much in this range", "bu aralıkta bu kadar döner"),
     "verdict.swing.several": ("several stretches: see the limits", "birkaç parça: sınırlara bakın"),
+    "verdict.unsure": ("unsure: links turn far, smaller step", "kesin değil: adımı küçültün"),
     "verdict.about": (" (about)", " (yaklaşık)"),
     "verdict.stroke": ("stroke", "kurs"),
     "verdict.ratio.symbol": ("ratio", "oran"),

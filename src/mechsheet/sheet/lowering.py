@@ -34,6 +34,7 @@ from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import LENGTH, Unit
+from mechsheet.words.equations import phrase
 
 TURN = al.mul(al.TWO, al.PI)
 
@@ -171,9 +172,7 @@ class _Lowering:
             reaches = next(each for each in equation.exists if each.reach)
             others = [each for each in equation.exists if each is not reaches]
             number = equation.group
-            label = Words(
-                "how far from coming apart (not joined below 0)", "ayrılmaya uzaklık (0'ın altında birleşmez)"
-            )
+            label = phrase("margin")
             name = self.names.reserve("k", number)
             margin = replace(
                 equation, symbol=name, expression=reaches.margin, role="intermediate", unit=LENGTH, label=label

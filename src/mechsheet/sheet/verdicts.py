@@ -9,19 +9,19 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
-from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer
 from mechsheet.sheet.checks import ROUNDING, Checks
 from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.extremes import Extremes
-from mechsheet.sheet.limits import LIMITS, STRETCHES
+from mechsheet.sheet.extremes import Extremes, about
+from mechsheet.sheet.limits import LIMITS, SETTLED, STRETCHES
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
+from mechsheet.words.equations import link_words
 
 POOR = 40.0
 """Angles of transmission [deg] below this are poor: most of the force only loads the joints."""
@@ -150,6 +150,12 @@ class _Block:
             named = joined("; " if number > 1 else "", self.driver_text(place))
             parts.append(formula('IF(count<number,"",named)', count=cell, number=number, named=named))
         more = formula('IF(count>most," …","")', count=cell, most=LIMITS)
+        unsettled = [
+            formula("rest>settled", rest=Symbol(f"#rest_{number}"), settled=SETTLED)
+            for number in range(1, self.extremes.limits.count + 1)
+        ]
+        if unsettled:
+            more = joined(more, formula('IF(any,about,"")', any=Call("OR", tuple(unsettled)), about=self.text("about")))
         words = self.bound(
             'IF(count>0,found,IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
             passes=self.value("passes"), none=self.text("limits.none"), found=joined(*parts, more),
@@ -218,7 +224,9 @@ class _Block:
         self.writer.fills[-2] = _restyled(
             self.writer.fills[-2], styles.numbered(styles.RESULT, styles.ERROR.number_format)
         )
-        self.at(key, self.checks.worst_at("gap"))
+        # where rounding is largest says nothing, and another program rounds otherwise
+        place = self.checks.worst_at("gap")
+        self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
         self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key),
                     open=self.text("gap.open", sheet=self.checks.title), over=self.text("gap.typed", sheet=self.checks.title))  # fmt: skip
         self.colour(key, "said=closed", styles.GOOD, said=self.words(key), closed=self.text("gap.closed"))
@@ -280,14 +288,13 @@ class _Block:
     def _extent(self, key: str, symbol: str, unit: str, value: Node, kind: str, words: Node) -> None:
         """A swing or stroke: of one stretch; #N/A of several, which the mechanism cannot pass between."""
         node = self.bound("IF(_stretches<>1,NA(),IFERROR(value,NA()))", value=value)
-        said = self.bound('IF(_stretches=0,"",IF(_stretches>1,several,words&about))', words=words, about=self.about(symbol),
-                          several=self.text("swing.several"))  # fmt: skip
+        said = self.bound('IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
+                          about=self.about(symbol), several=self.text("swing.several"), unsure=self.text("unsure"))  # fmt: skip
         self.line(key, rich(symbol), unit, node, places(self.plan, kind), said)
 
     def about(self, symbol: str) -> Node:
-        """What is added where the probes of an extreme have not settled."""
-        return formula('IF(IFERROR(OR(low,high),FALSE),about,"")', low=Symbol(f"#min_about_{symbol}"),
-                       high=Symbol(f"#max_about_{symbol}"), about=self.text("about"))  # fmt: skip
+        """What is added where the probes of an extreme have not settled, or the rows are too far apart."""
+        return formula('IF(_leaps>0,about,more)', about=self.text("about"), more=about(self.plan, symbol))
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
@@ -306,7 +313,7 @@ class _Block:
         node = self.bound("IF(wraps>0,IFERROR(value,NA()),NA())", value=value,
                           wraps=Symbol(f"#wraps_{symbol}"))  # fmt: skip
         cell = self.value(f"time_ratio_{symbol}")
-        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),ways&about,none))', ratio=cell, about=self.about(symbol),
+        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))', ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
                            ways=self.text("ratio", symbol=plain(symbol)),
                            none=self.text("ratio.none", symbol=plain(symbol)))  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
