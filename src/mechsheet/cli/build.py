@@ -66,8 +66,7 @@ def build(
     A workbook in which somebody has saved changes is left as it is, unless with --force.
     """
     from mechsheet.library.building import refuse_edited, targets, told, write_all
-
-    from .verdict import verdict
+    from mechsheet.library.verdicts import verdict
 
     if output == STANDARD_OUTPUT:
         raise OutputError(
