@@ -66,14 +66,12 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.passes.all": ("no gap between neighbouring positions", "komşu konumlar arasında kopma yok"),
     "verdict.passes.not": ("may not close near {place}: smaller step", "{place} yakınında kopabilir: adımı küçültün"),
     "verdict.gap": ("gap", "açıklık"),
-    "verdict.gap.closed": ("largest gap of a joint: rounding only", "mafsallardaki en büyük açıklık: yalnız yuvarlama"),
+    "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
     "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
     "verdict.gap.typed": ("a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"),
     "verdict.leaps": ("leaps", "sıçrama"),
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),
-    "verdict.leaps.some": (
-        "times a link turns more than 90° in a step: smaller steps", "kez bir adımda 90°'den fazla dönme: adımı küçültün"
-    ),
+    "verdict.leaps.some": ("turns of over 90° in a step: smaller step", "bir adımda 90° üstü dönme: adımı küçültün"),
     "verdict.grashof": ("Grashof", "Grashof"),
     "verdict.grashof.one": ("crank-rocker, {link} turns", "krank-sarkaç, {link} tam döner"),
     "verdict.grashof.both": ("double crank (drag link)", "çift krank"),

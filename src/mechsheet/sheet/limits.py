@@ -169,11 +169,11 @@ class Limits:
         first, last = (probes.cell(row, AT), here), (outside, beyond)
         one, two, three = ((probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in (1, 2, 3))
         # with several groups a little inside: where one is just open, nothing is known of those after it
-        # where the margin falls, and rises again before the missing row, the parabola is of no use
+        # where the margin is least near the missing row, it goes there as a square does: u(m) is no parabola
         second = "IFERROR(IF(f<beyond/2,chord,zero),one)" + ("+(inside-outside)*aside" if several else "")
         probes.work(
             row + 2, AT, second, zero=self._zero((first, last, one), inside, outside, APART), one=one[0], inside=inside,
-            chord=formula("inside+(one-inside)*here/(here-f)", inside=inside, one=one[0], here=here, f=one[1]),
+            chord=formula("one+(inside-one)*SQRT(-f/(here-f))", inside=inside, one=one[0], here=here, f=one[1]),
             outside=outside, aside=ASIDE, f=one[1], beyond=beyond,
         )  # fmt: skip
         if several:  # then all begins anew from the row that exists

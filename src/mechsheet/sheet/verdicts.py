@@ -173,7 +173,8 @@ class _Block:
         else:
             ends = [self._driver_at(Symbol(f"#{key}_1")) for key in ("from", "to")]
         unit = self.driver.unit.text
-        everywhere = formula("AND(count=rows,_whole>0)", count=self.value("rows_closed"), rows=self.plan.rows)
+        everywhere = formula("AND(count=rows,_whole>0,passes=0)", count=self.value("rows_closed"), rows=self.plan.rows,
+                             passes=self.value("passes"))  # fmt: skip
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
         words = self.bound("IF(_stretches=0,nowhere,IF(_stretches>1,first,free))", nowhere=self.text("rows.none"),
@@ -253,8 +254,8 @@ class _Block:
             both=named("both"), crank=named("one", loop.first), rockers=named("coupler"), follower=named("one", loop.last),
         )  # fmt: skip
         words = formula(
-            'IF(NOT(ISNUMBER(excess)),"",loop&": "&IF(2*MAX(lengths)-SUM(lengths)>rounding,open,'
-            "IF(ABS(excess)<=rounding,change,IF(excess>0,none,which))))",
+            'IFERROR(loop&": "&IF(2*MAX(lengths)-SUM(lengths)>rounding,open,'
+            "IF(ABS(excess)<=rounding,change,IF(excess>0,none,which))),\"\")",
             lengths=lengths, rounding=self._rounding(), excess=cell, which=which, loop=loop.name,
             open=named("open"), change=named("change"), none=named("none"),
         )  # fmt: skip
@@ -331,11 +332,11 @@ class _Block:
         smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
         poor = formula("value<limit", value=cell, limit=POOR if degrees else 0.698)
         grade = formula('IF(_stretches>1,"",IF(poor,bad,good))', poor=poor, bad=f": {self.text('poor')}", good=f": {self.text('fair')}")
-        after = _after_number(unit)
+        after, digits = _after_number(unit), 1 if degrees else 2
         words = self.bound(
             'IFERROR(range&grade&about,"")', grade=grade, about=self.about(group.transmission),
-            range=joined(formula("ROUND(low,1)", low=smallest), f"{after} … ",
-                         formula("ROUND(high,1)", high=_in(largest, degrees)), after),
+            range=joined(formula("ROUND(low,digits)", low=smallest, digits=digits), f"{after} … ",
+                         formula("ROUND(high,digits)", high=_in(largest, degrees), digits=digits), after),
         )  # fmt: skip
         node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), degrees))
         self.line(key, f"μ{group.number}", unit, node, places(self.plan, "angle"), words)
@@ -389,10 +390,13 @@ class _Block:
         none where a length or mode is wrong)."""
         rows = self.plan.blocks["derived"].rows.values()
         derived = RangeRef(CellRef(min(rows), VALUE, True, True), CellRef(max(rows), VALUE, True, True))
-        return formula(
-            "AND(SUMPRODUCT(--(numbers=_position))=1,ISNUMBER(SUM(derived)))",
-            numbers=Symbol(f"{ALL}#number"), derived=derived,
-        )  # fmt: skip
+        test, holes = "SUMPRODUCT(--(numbers=_position))=1,ISNUMBER(SUM(derived))", {}
+        typed = self.plan.blocks["dimensions"].rows.values()
+        if typed:  # a length that is emptied is no number
+            test += ",COUNT(typed)=many"
+            first, last = (CellRef(row, VALUE, True, True) for row in (min(typed), max(typed)))
+            holes = {"typed": RangeRef(first, last), "many": float(len(typed))}
+        return formula(f"AND({test})", numbers=Symbol(f"{ALL}#number"), derived=derived, **holes)
 
 
 def _restyled(fill, style):  # type: ignore[no-untyped-def]
