@@ -245,7 +245,7 @@ def typed_over(plan: Plan) -> Node:
         CellRef(plan.at.first, cols[0], True, True, plan.table), CellRef(plan.at.last, cols[1], True, True, plan.table)
     )
     # 0 in programs that do not ask a whole range
-    return formula("IFERROR(ROWS(area)*COLUMNS(area)-SUMPRODUCT(--ISFORMULA(area)),0)", area=area)
+    return formula("IFERROR(ROWS(area)*COLUMNS(area)-SUMPRODUCT(ISFORMULA(area)*1),0)", area=area)
 
 
 def _least_nearby(margin: str, tolerance: str, plan: Plan) -> Node:

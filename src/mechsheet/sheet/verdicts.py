@@ -141,7 +141,7 @@ class _Block:
             return
         later = RangeRef(CellRef(column.start.row + 1, spot.col, True, True, spot.sheet), column.end)
         earlier = RangeRef(column.start, CellRef(column.end.row - 1, spot.col, True, True, spot.sheet))
-        count = self.bound("SUMPRODUCT(--((later=ok)<>(earlier=ok)))", later=later, earlier=earlier,
+        count = self.bound("SUMPRODUCT(((later=ok)<>(earlier=ok))*1)", later=later, earlier=earlier,
                            ok=self.plan.text("status.ok"))  # fmt: skip
         cell = self.value("limits")
         parts: list[Node | str] = []
@@ -390,7 +390,7 @@ class _Block:
         none where a length or mode is wrong)."""
         rows = self.plan.blocks["derived"].rows.values()
         derived = RangeRef(CellRef(min(rows), VALUE, True, True), CellRef(max(rows), VALUE, True, True))
-        test, holes = "SUMPRODUCT(--(numbers=_position))=1,ISNUMBER(SUM(derived))", {}
+        test, holes = "SUMPRODUCT((numbers=_position)*1)=1,ISNUMBER(SUM(derived))", {}
         typed = self.plan.blocks["dimensions"].rows.values()
         if typed:  # a length that is emptied is no number
             test += ",COUNT(typed)=many"
