@@ -64,6 +64,7 @@ class Extremes:
         spots, title = self.plan.at.spots, self.probes.title
         whole = self.probes.cell(self.whole_row, 1)
         spots["#whole"] = Spot(title, whole.row, whole.col)
+        spots["#fine"] = Spot(title, whole.row, whole.col + 1)
         for (symbol, way), block in self.blocks.items():
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
@@ -75,6 +76,10 @@ class Extremes:
             for key, work in ((f"#gap_least_{number}", 0), (f"#gap_row_{number}", 1)):
                 cell = self.probes.cell(block.row, SIDE + work)
                 spots[key] = Spot(title, cell.row, cell.col)
+
+    def fine(self, test: Node) -> None:
+        """Whether the inputs are such that anything can be said."""
+        self.probes.work(self.whole_row, 2, "test", test=test)
 
     def sheet(self) -> Sheet:
         """The finished sheet."""
@@ -263,7 +268,7 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
         values = probes.cells_down(row, VALUE, count)
-        best = f"{way.upper()}(values)"
+        f"{way.upper()}(values)"
         # each stretch would need probes of its own
         known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
         value = probes.work(row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE))

@@ -276,7 +276,9 @@ class _Block:
             "IF(closed,IF(back>0,rocker,crank),part)", closed=closed, back=back,
             crank=self.text("crank"), rocker=self.text("rocker"), part=self.text("turned"),
         )  # fmt: skip
-        value = formula("IF(AND(closed,back=0),turn,range)", closed=closed, back=back, turn=turn, range=self._range(symbol))
+        value = formula(
+            "IF(AND(closed,back=0),turn,range)", closed=closed, back=back, turn=turn, range=self._range(symbol)
+        )
         self._extent(f"swing_{symbol}", symbol, self.plan.mechanism.angle_unit.text, value, "angle", words)
 
     def _range(self, symbol: str) -> Node:
@@ -291,7 +293,7 @@ class _Block:
 
     def about(self, symbol: str) -> Node:
         """What is added where the probes of an extreme have not settled, or the rows are too far apart."""
-        return formula('IF(_leaps>0,about,more)', about=self.text("about"), more=about(self.plan, symbol))
+        return formula("IF(_leaps>0,about,more)", about=self.text("about"), more=about(self.plan, symbol))
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
@@ -331,7 +333,12 @@ class _Block:
         cell = self.value(key)
         smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
         poor = formula("value<limit", value=cell, limit=POOR if degrees else 0.698)
-        grade = formula('IF(_stretches>1,"",IF(poor,bad,good))', poor=poor, bad=f": {self.text('poor')}", good=f": {self.text('fair')}")
+        grade = formula(
+            'IF(_stretches>1,"",IF(poor,bad,good))',
+            poor=poor,
+            bad=f": {self.text('poor')}",
+            good=f": {self.text('fair')}",
+        )
         after, digits = _after_number(unit), 1 if degrees else 2
         words = self.bound(
             'IFERROR(range&grade&about,"")', grade=grade, about=self.about(group.transmission),
@@ -357,18 +364,17 @@ class _Block:
         parts: list[Node | str] = [formula("IF(count=rows,everywhere,some)", count=count, rows=rows,
                                            everywhere=self.text("line.all", rows=plan.rows), some=closed)]  # fmt: skip
         if plan.found.limits:
-            parts.append(
-                formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes"))
-            )
+            parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", self.words(f"grashof_{loop.group}")]
         for group in plan.found.transmission[:1]:
             parts.append(formula('IF(ISNUMBER(value),what&words,"")', value=self.value(f"transmission_{group.number}"),
                                  what=f"; {self.text('line.transmission')} ", words=self.words(f"transmission_{group.number}")))  # fmt: skip
         gap = self.words("largest_gap")
+        self.extremes.fine(self._inputs_are_fine())
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
-            fine=self._inputs_are_fine(), count=count, nowhere=self.text("line.nowhere"), gap=gap,
+            fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
             closed=self.text("gap.closed"),
             good=joined(*parts), inputs=self.text("line.inputs"),
         )  # fmt: skip
@@ -389,20 +395,16 @@ class _Block:
         """Whether there is such a position, and all that is derived from lengths and modes is a number (the tolerance is
         none where a length or mode is wrong)."""
         rows = self.plan.blocks["derived"].rows.values()
-        derived = RangeRef(CellRef(min(rows), VALUE, True, True), CellRef(max(rows), VALUE, True, True))
+        derived = RangeRef(
+            CellRef(min(rows), VALUE, True, True, self.plan.main), CellRef(max(rows), VALUE, True, True, self.plan.main)
+        )
         test, holes = "SUMPRODUCT((numbers=_position)*1)=1,ISNUMBER(SUM(derived))", {}
         typed = self.plan.blocks["dimensions"].rows.values()
         if typed:  # a length that is emptied is no number
             test += ",COUNT(typed)=many"
-            first, last = (CellRef(row, VALUE, True, True) for row in (min(typed), max(typed)))
+            first, last = (CellRef(row, VALUE, True, True, self.plan.main) for row in (min(typed), max(typed)))
             holes = {"typed": RangeRef(first, last), "many": float(len(typed))}
         return formula(f"AND({test})", numbers=Symbol(f"{ALL}#number"), derived=derived, **holes)
-
-
-def _restyled(fill, style):  # type: ignore[no-untyped-def]
-    from dataclasses import replace
-
-    return replace(fill, style=style)
 
 
 def _in(value: Node, degrees: bool) -> Node:
