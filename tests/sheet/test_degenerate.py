@@ -37,7 +37,8 @@ def test_what_must_happen(case):
     for row in case.missing:
         assert case.says in status[row]
     assert laid.spot("#rows_closed") == laid.plan.rows - len(case.missing)
-    assert laid.spot("#leaps") == len(case.leaps)
+    if not case.undetermined:  # a link that turned round while it could turn freely has made no leap that all see
+        assert laid.spot("#leaps") == len(case.leaps)
     assert laid.words("largest_gap") == "largest gap of a joint: rounding only"
     for symbol, rows in case.values.items():
         shown = laid.column(symbol)
