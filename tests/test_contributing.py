@@ -58,7 +58,13 @@ def test_a_worksheet_function_is_named_in_its_table_and_its_kernel():
 
 def test_turkish_words_stand_in_one_place():
     """Beside `words/`: alphabets (what counts as a letter), and the exports' own programs and files."""
-    letters = ("description/scope.py", "engine/resolve.py", "formula/names.py", "formats/ods/values.py", "cli/streams.py")
+    letters = (
+        "description/scope.py",
+        "engine/resolve.py",
+        "formula/names.py",
+        "formats/ods/values.py",
+        "cli/streams.py",
+    )
     found = modules_with(r"[ğışİŞĞ]")
     others = {m for m in found if not m.startswith(("words/", "exporting/")) and m not in letters}
     assert others == set()

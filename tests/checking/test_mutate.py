@@ -75,7 +75,11 @@ def test_the_sheet_alone_notices_a_pin_that_moves(tmp_path):
     workbook, plan = laid_out("four-bar")
     found = mutate(saved(workbook, tmp_path / "four-bar.xlsx"), 160 if IN_CI else 60, seed=1)
     pins = {f"{plan.table}!{column_letters(plan.at.spots[name].col)}" for name in ("A.x", "A.y", "B.x", "B.y")}
-    moved = [damage for damage in found.damages if damage.where.rstrip("0123456789:").split(":")[0].rstrip("0123456789") in pins]
+    moved = [
+        damage
+        for damage in found.damages
+        if damage.where.rstrip("0123456789:").split(":")[0].rstrip("0123456789") in pins
+    ]
     assert len(moved) > 3
     assert all(damage.sheet for damage in moved)
 

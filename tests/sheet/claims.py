@@ -1,8 +1,8 @@
 """What the first sheet says of a motion, judged by a dense numerical sweep.
 
-The judge knows the equations as mathematics (`kinematics.sweep`), never the sheet's formulas: it sweeps the driver between its
-first and last value on a fine grid, finds by bisection and narrowing where the mechanism closes and where quantities are
-extreme, and compares with the named cells after inputs were typed. A wrong word counts as a failure.
+The judge knows the equations as mathematics (`kinematics.sweep`), never the sheet's formulas: it sweeps the driver
+between its first and last value on a fine grid, finds by bisection and narrowing where the mechanism closes and where
+quantities are extreme, and compares with the named cells after inputs were typed. A wrong word counts as a failure.
 
     python tests/sheet/claims.py [--random N] [--changes N]       all templates and N random mechanisms; counts by kind
 """
@@ -68,7 +68,8 @@ class Claims:
 
 
 class Sheets:
-    """A mechanism's workbook, ready for changed inputs: without its drawing, with the first sheet's colour rules as cells."""
+    """A mechanism's workbook, ready for changed inputs: without its drawing, with the first sheet's colour rules as
+    cells."""
 
     def __init__(self, mechanism):
         self.mechanism = mechanism
@@ -349,7 +350,7 @@ class Truth:
                 ]
                 whole = self._held(column)
 
-                def near(u, sign=sign):
+                def near(u, sign=sign, whole=whole):
                     known = self.known(u)
                     raw = np.asarray(change(known[symbol]), float)
                     nearest = np.clip(np.rint((u - 1) * self.fine).astype(int), 0, len(self.u) - 1)

@@ -105,9 +105,7 @@ def test_direction_begins_anew_after_rows_without_a_position():
     assert theta[begun[0]] == pytest.approx(theta[begun[1]], abs=1e-9)
 
 
-@pytest.mark.parametrize(
-    "typed", [{"a3": 0}, {"a4": -56}, {"mode_1": 2}, {"mode_1": 0}], ids=lambda typed: f"{typed}"
-)
+@pytest.mark.parametrize("typed", [{"a3": 0}, {"a4": -56}, {"mode_1": 2}, {"mode_1": 0}], ids=lambda typed: f"{typed}")
 def test_no_row_claims_a_position_for_inputs_that_cannot_be(typed):
     """A length of 0 or less between joints, an assembly that is none: the tolerance is #N/A and with it every row."""
     laid = Laid(FOUR_BAR)

@@ -161,7 +161,6 @@ def _compare_column(
     closed: NDArray[np.bool_],
     opened: NDArray[np.bool_] | None,
 ) -> None:
-    spot = plan.at.spots[symbol]
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
     unit = plan.equations.of(symbol).unit.kind if symbol != plan.mechanism.driver.symbol else ""

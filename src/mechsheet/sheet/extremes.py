@@ -1,9 +1,9 @@
 """The sheet of extremes: the smallest and the largest value of a quantity over the motion, not only over the rows.
 
-From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row beside it,
-and one at the vertex of the parabola through the row and these two. Where the best row is the last before a limit, the second
-probe is made at the limit. What is given has been attained: the best of the row and the probes. Over a whole turn the rows at its ends
-are neighbours, which is decided by formulas: start and step may change.
+From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row
+beside it, and one at the vertex of the parabola through the row and these two. Where the best row is the last before a
+limit, the second probe is made at the limit. What is given has been attained: the best of the row and the probes. Over
+a whole turn the rows at its ends are neighbours, which is decided by formulas: start and step may change.
 """
 
 from __future__ import annotations
@@ -135,7 +135,8 @@ class Extremes:
             self.probes.work(row, work, "length", length=distance(*end))
 
     def _whole(self) -> None:
-        """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out, else 0."""
+        """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out,
+        else 0."""
         plan, probes = self.plan, self.probes
         probes.put(self.whole_row, probes.side, plan.text("extremes.whole"), styles.LABEL)
         driver = plan.mechanism.driver
@@ -271,7 +272,9 @@ class Extremes:
         f"{way.upper()}(values)"
         # each stretch would need probes of its own
         known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
-        value = probes.work(row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE))
+        value = probes.work(
+            row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
+        )
         places = probes.cells_down(row, AT, count)
         place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
         if count == 1:
@@ -296,7 +299,8 @@ class Extremes:
     # --- between the rows -------------------------------------------------------------------------------------
 
     def _gap(self, number: int, block: Block) -> None:
-        """The least margin of a group between rows that exist: two probes where the parabola through the rows dips lowest."""
+        """The least margin of a group between rows that exist: two probes where the parabola through the rows dips
+        lowest."""
         plan, probes, row = self.plan, self.probes, block.row
         symbol = plan.equations.margins[number]
         margins, least = Symbol(ALL + symbol), Symbol(f"{ALL}#least_{number}")

@@ -44,7 +44,9 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.line.all": ("closes in all {rows} positions", "{rows} konumun hepsinde kapanıyor"),
     "verdict.line.closes": ("closes in", "kapandığı konum sayısı:"),
     "verdict.line.positions": ("positions", ""),
-    "verdict.line.nowhere": ("closes in no position: these links cannot be joined", "hiçbir konumda kapanmıyor: bu uzuvlar birleştirilemez"),
+    "verdict.line.nowhere": (
+        "closes in no position: these links cannot be joined", "hiçbir konumda kapanmıyor: bu uzuvlar birleştirilemez"
+    ),
     "verdict.line.inputs": (
         "look at the yellow cells: a length is not above 0 or does not fit, an assembly is neither 1 nor -1, or there is no "
         "such position",
@@ -68,7 +70,9 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.gap": ("gap", "açıklık"),
     "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
     "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
-    "verdict.gap.typed": ("a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"),
+    "verdict.gap.typed": (
+        "a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"
+    ),
     "verdict.leaps": ("leaps", "sıçrama"),
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),
     "verdict.leaps.some": ("turns of over 90° in a step: smaller step", "bir adımda 90° üstü dönme: adımı küçültün"),
@@ -94,7 +98,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.poor": ("poor below 40°", "40° altı kötü"),
     "extremes.title": ("Extremes between the rows", "Satırlar arasındaki uç değerler"),
     "extremes.about": (
-        "The table's formulas at further values of the driver: where limits, smallest and largest values lie between two rows.",
+        "The table's formulas at further values of the driver: "
+        "where limits, smallest and largest values lie between two rows.",
         "Tablonun formülleri, tahrikin başka değerlerinde: sınırlar, en küçük ve en büyük değerler iki satırın arasında.",
     ),
     "extremes.row": ("at row", "satır"),

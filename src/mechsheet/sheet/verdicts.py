@@ -1,7 +1,7 @@
 """What the first sheet says of the mechanism, live: one line under the title, and the block of lines that it is made of.
 
-Every line has a named cell. All is said of the motion between the first and the last value of the driver as they stand there,
-rows that exist only; whether these make a whole turn is asked of the cells.
+Every line has a named cell. All is said of the motion between the first and the last value of the driver as they stand
+there, rows that exist only; whether these make a whole turn is asked of the cells.
 """
 
 from __future__ import annotations
@@ -75,11 +75,12 @@ class _Block:
         """A formula of the first sheet."""
         return self.plan.at.bind(formula(text, **holes), self.plan.main)
 
-    def line(self, key: str, symbol: Content, unit: str, value: Node, digits: int, words: Node) -> CellRef:
-        """One line; the cell of its value."""
+    def line(self, key: str, symbol: Content, unit: str, value: Node, digits: int | Style, words: Node) -> CellRef:
+        """One line; the cell of its value, which has so many decimals or a style of its own."""
         row = self.rows[key]
         self.writer.line(row, symbol, unit, None)
-        self.writer.formula(row, VALUE, value, styles.decimals(styles.RESULT, digits))
+        style = styles.decimals(styles.RESULT, digits) if isinstance(digits, int) else digits
+        self.writer.formula(row, VALUE, value, style)
         self.writer.formula(row, MEANING, words, styles.VERDICT)
         return self.value(key)
 
@@ -217,15 +218,14 @@ class _Block:
                         typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
                         closed=self.text("gap.closed"), open=self.text("gap.open", sheet=self.checks.title))  # fmt: skip
-        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), 4, words)
-        self.writer.fills[-2] = _restyled(
-            self.writer.fills[-2], styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        )
+        style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
+        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
         # where rounding is largest says nothing, and another program rounds otherwise
         place = self.checks.worst_at("gap")
         self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
-        self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key),
-                    open=self.text("gap.open", sheet=self.checks.title), over=self.text("gap.typed", sheet=self.checks.title))  # fmt: skip
+        wrong = {"open": self.text("gap.open", sheet=self.checks.title)}
+        wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
+        self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key), **wrong)
         self.colour(key, "said=closed", styles.GOOD, said=self.words(key), closed=self.text("gap.closed"))
         cell = self.value("leaps")
         words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=self.value("rows_closed"), count=cell,
@@ -287,8 +287,10 @@ class _Block:
     def _extent(self, key: str, symbol: str, unit: str, value: Node, kind: str, words: Node) -> None:
         """A swing or stroke: of one stretch; #N/A of several, which the mechanism cannot pass between."""
         node = self.bound("IF(_stretches<>1,NA(),IFERROR(value,NA()))", value=value)
-        said = self.bound('IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
-                          about=self.about(symbol), several=self.text("swing.several"), unsure=self.text("unsure"))  # fmt: skip
+        said = self.bound(
+            'IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
+            about=self.about(symbol), several=self.text("swing.several"), unsure=self.text("unsure"),
+        )  # fmt: skip
         self.line(key, rich(symbol), unit, node, places(self.plan, kind), said)
 
     def about(self, symbol: str) -> Node:
@@ -312,8 +314,8 @@ class _Block:
         node = self.bound("IF(wraps>0,IFERROR(value,NA()),NA())", value=value,
                           wraps=Symbol(f"#wraps_{symbol}"))  # fmt: skip
         cell = self.value(f"time_ratio_{symbol}")
-        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))', ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
-                           ways=self.text("ratio", symbol=plain(symbol)),
+        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))', 
+                           ratio=cell, unsure=self.text("unsure"), about=self.about(symbol), ways=self.text("ratio", symbol=plain(symbol)),
                            none=self.text("ratio.none", symbol=plain(symbol)))  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
 
@@ -323,8 +325,8 @@ class _Block:
         low, high = Symbol(f"#min_{group.transmission}"), Symbol(f"#max_{group.transmission}")
         at = [Symbol(f"#{way}_at_{group.transmission}") for way in ("min", "max")]
         if group.kind == "RRR":  # the angle between coupler and follower itself, 0 to 180 degrees
-            folded = (low, formula("PI()-high", high=high))
-            largest = high
+            folded: tuple[Node, Node] = (low, formula("PI()-high", high=high))
+            largest: Node = high
         else:  # the rod against the guide: the angle of transmission is what is missing to 90 degrees
             folded = (formula("PI()/2+low", low=low), formula("PI()/2-high", high=high))
             largest = formula("PI()/2-MAX(0,low,-high)", low=low, high=high)
@@ -368,8 +370,9 @@ class _Block:
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", self.words(f"grashof_{loop.group}")]
         for group in plan.found.transmission[:1]:
-            parts.append(formula('IF(ISNUMBER(value),what&words,"")', value=self.value(f"transmission_{group.number}"),
-                                 what=f"; {self.text('line.transmission')} ", words=self.words(f"transmission_{group.number}")))  # fmt: skip
+            key, what = f"transmission_{group.number}", f"; {self.text('line.transmission')} "
+            said = formula('IF(ISNUMBER(value),what&words,"")', value=self.value(key), what=what, words=self.words(key))
+            parts.append(said)
         gap = self.words("largest_gap")
         self.extremes.fine(self._inputs_are_fine())
         words = self.bound(
@@ -398,7 +401,8 @@ class _Block:
         derived = RangeRef(
             CellRef(min(rows), VALUE, True, True, self.plan.main), CellRef(max(rows), VALUE, True, True, self.plan.main)
         )
-        test, holes = "SUMPRODUCT((numbers=_position)*1)=1,ISNUMBER(SUM(derived))", {}
+        test = "SUMPRODUCT((numbers=_position)*1)=1,ISNUMBER(SUM(derived))"
+        holes: dict[str, Node | float | str] = {}
         typed = self.plan.blocks["dimensions"].rows.values()
         if typed:  # a length that is emptied is no number
             test += ",COUNT(typed)=many"
