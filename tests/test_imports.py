@@ -13,13 +13,14 @@ ALLOWED = {
     "arguments": {"formula", "formats.archive"},
     "units": set(),
     "model": {"formula.nodes", "units"},
+    "words": {"model"},
     "formula": set(),
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
     "reference": {"model", "formula.nodes"},
     "engine": {"formula"},
     "description": {"model", "formula", "units"},
-    "kinematics": {"model", "formula", "units"},
-    "sheet": {"model", "formula", "kinematics", "units"},
+    "kinematics": {"model", "formula", "units", "words"},
+    "sheet": {"model", "formula", "kinematics", "units", "words"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
@@ -30,6 +31,7 @@ ALLOWED = {
     "exporting": {
         "model",
         "units",
+        "words",
         "formula",
         "kinematics",
         "sheet",

@@ -15,8 +15,7 @@ from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.kinematics.naming import FreshNames, given_names, without_group
 from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
-
-NOTHING = Words("", "")
+from mechsheet.words.equations import NOTHING, phrase
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +66,7 @@ class Lowering:
                 turns = self._names.reserve("turns", equation.group)
                 whole = al.mul(al.mul(al.TWO, al.PI), Symbol(turns))
                 return [
-                    Step(raw, al.atan2(x, y), None, half_turn_words(label), unit),
+                    Step(raw, al.atan2(x, y), None, phrase("within_half_a_turn", angle=label), unit),
                     Step(turns, al.ZERO, counts_turns=True),
                     Step(symbol, al.add(Symbol(raw), whole), None, label, unit),
                 ]
@@ -93,14 +92,8 @@ class Lowering:
         return steps, self._areas[key]
 
 
-def half_turn_words(angle: Words) -> Words:
-    """The direction of which an angle without jumps is made."""
-    return Words(f"{angle.en}, within half a turn", angle.tr)
-
-
 def area_words(equation: Equation, group: Group | None) -> Words:
     """The area by which an angle is found: of a group's triangle, or of a link's own."""
     if group is None:
-        return Words(f"area of the triangle of {equation.symbol}", f"{equation.symbol} üçgeninin alanı")
-    p, q, r = group.pins
-    return Words(f"area of triangle {p}{q}{r}", f"{p}{q}{r} üçgeninin alanı")
+        return phrase("area_for", symbol=equation.symbol)
+    return phrase("area", name="".join(group.pins))

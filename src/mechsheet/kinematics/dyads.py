@@ -11,6 +11,7 @@ from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Words
 from mechsheet.units import LENGTH
+from mechsheet.words.equations import NOTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +30,7 @@ class Solved:
     sides: tuple[Node, ...] = ()
 
 
-ONE_ASSEMBLY = (Words("", ""),)
+ONE_ASSEMBLY = (NOTHING,)
 
 
 def half_turn_unless(mode: Node) -> Node:

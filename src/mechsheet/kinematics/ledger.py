@@ -19,6 +19,7 @@ from mechsheet.kinematics.naming import FreshNames
 from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.model import Words
 from mechsheet.units import ANGLE, NUMBER, Unit
+from mechsheet.words.equations import NOTHING
 
 
 class Ledger:
@@ -99,7 +100,7 @@ class Ledger:
 
     def number(self, node: Node) -> float:
         """Value of a constant expression."""
-        probe = Equation("", node, "constant", NUMBER, Words("", ""))
+        probe = Equation("", node, "constant", NUMBER, NOTHING)
         return float(evaluate_equation(probe, self.values, self.rows)[0])
 
     def is_positive(self, node: Node) -> bool:

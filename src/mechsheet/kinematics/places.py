@@ -15,9 +15,9 @@ from mechsheet.formula.nodes import Call, Node, TriangleAngle
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words
 from mechsheet.units import ANGLE, LENGTH
+from mechsheet.words.equations import link_words, phrase
 
 
 def length_node(quantity: Quantity) -> Node:
@@ -110,7 +110,7 @@ class LinkPlaces:
                 case Cartesian(x, y):
                     self._places[point] = cartesian(length_node(x), length_node(y))
                 case Polar(r, angle):
-                    label = Words(f"direction of {point} on {self.words.en}", f"{self.words.tr}: {point} doğrultusu")
+                    label = phrase("direction_in_link", point=point, link=self.words)
                     hoisted = self.ledger.hoist_angle(f"beta_{point}", angle_of(angle), label)
                     self._places[point] = polar(length_node(r), hoisted)
                 case Distances():
@@ -143,10 +143,7 @@ class LinkPlaces:
             f"gamma{n}",
             TriangleAngle(c, a, b),
             ANGLE,
-            Words(
-                f"angle {given.second}{given.first}{point} of {self.words.en}",
-                f"{self.words.tr}: {given.second}{given.first}{point} açısı",
-            ),
+            phrase("angle_in_link", name=f"{given.second}{given.first}{point}", link=self.words),
             exists=[triangle_closes(ledger, a, b, c)],
         )
         turned = Angle(gamma) if given.side == "left" else Angle(al.neg(gamma))
@@ -156,7 +153,7 @@ class LinkPlaces:
         if start.is_zero:
             return offset
         # in cells of its own: places that are given by this one would repeat its formula, and theirs in turn
-        label = Words(f"{point} in the frame of {self.words.en}", f"{self.words.tr} takımında {point}")
+        label = phrase("place_in_link", point=point, link=self.words)
         u = ledger.hoist(f"u_{point}", al.add(start.u, offset.u), LENGTH, label)
         v = ledger.hoist(f"v_{point}", al.add(start.v, offset.v), LENGTH, label)
         return cartesian(u, v)
@@ -170,7 +167,7 @@ def arm(places: LinkPlaces, start: str, end: str) -> tuple[Node, Angle]:
         places.way(start, end),
         places.known_length(start, end),
         name,
-        Words(f"{start}–{end} on {places.words.en}", f"{places.words.tr}: {start}–{end}"),
+        phrase("length_in_link", start=start, end=end, link=places.words),
     )
 
 

@@ -30,8 +30,9 @@ from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
-from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity, Words
+from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
 from mechsheet.units import LENGTH
+from mechsheet.words.equations import phrase, same
 
 PROBED_ROWS = 200
 """Rows at the start, and as many again spread over the rest, on which modes are picked."""
@@ -170,7 +171,7 @@ def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
         ledger.reserve("tol"),
         al.mul(NumberNode(CLOSING), _largest_length(mechanism)),
         LENGTH,
-        Words("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır"),
+        phrase("tolerance"),
         "constant",
     )
     return ledger
@@ -301,7 +302,7 @@ def _outputs(mechanism: Mechanism, ledger: Ledger) -> None:
         if unknown:
             faults.append(Fault(f'"{unknown[0]}" is not known here', key=f"outputs.{output.symbol}.formula"))
             continue
-        label = output.label or Words(output.symbol, output.symbol)
+        label = output.label or same(output.symbol)
         ledger.define(output.symbol, output.formula, output.unit, label, "output")
     if faults:
         raise MechanismError(faults)

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.classification import FourBar
@@ -64,6 +64,7 @@ class Extremes:
         spots, title = self.plan.at.spots, self.probes.title
         whole = self.probes.cell(self.whole_row, 1)
         spots["#whole"] = Spot(title, whole.row, whole.col)
+        spots["#fine"] = Spot(title, whole.row, whole.col + 1)
         for (symbol, way), block in self.blocks.items():
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
@@ -75,6 +76,10 @@ class Extremes:
             for key, work in ((f"#gap_least_{number}", 0), (f"#gap_row_{number}", 1)):
                 cell = self.probes.cell(block.row, SIDE + work)
                 spots[key] = Spot(title, cell.row, cell.col)
+
+    def fine(self, test: Node) -> None:
+        """Whether the inputs are such that anything can be said."""
+        self.probes.work(self.whole_row, 2, "test", test=test)
 
     def sheet(self) -> Sheet:
         """The finished sheet."""
@@ -232,7 +237,7 @@ class Extremes:
             wraps=wraps, here=here, vertex=vertex, low=low, high=high,
         )  # fmt: skip
         vertex_at = probes.work(row + 1, AT, "inside", inside=inside)
-        beside = formula("middle+IF(middle>here,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
+        beside = formula("middle+IF(middle-here>1E-6,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
         probes.work(
             row + 2, AT,
             "IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,IF(wraps>0,beside,MAX(low,MIN(high,beside)))))",
@@ -263,7 +268,10 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
         values = probes.cells_down(row, VALUE, count)
-        value = probes.work(row + 2, SIDE, f"{way.upper()}(values)", styles.RESULT, values=values)
+        f"{way.upper()}(values)"
+        # each stretch would need probes of its own
+        known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
+        value = probes.work(row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE))
         places = probes.cells_down(row, AT, count)
         place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
         if count == 1:
@@ -277,9 +285,12 @@ class Extremes:
         )
         probes.work(row + 2, SIDE + 1, "_start+(within-1)*_step", styles.RESULT, within=within)
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
+        low, high = probes.cell(row + 1, SIDE), probes.cell(row + 1, SIDE + 1)
+        # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
-            row + 2, SIDE + 2, f"ABS(value-{way.upper()}(earlier))>settled*ABS(value-other)",
-            value=value, earlier=probes.cells_down(row, VALUE, PROBES), settled=SETTLED, other=other,
+            row + 2, SIDE + 2, "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,ABS(value-last)>settled*ABS(value-other))",
+            value=value, last=probes.cell(row + PROBES, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
+            low=low, high=high,
         )  # fmt: skip
 
     # --- between the rows -------------------------------------------------------------------------------------
@@ -309,6 +320,13 @@ class Extremes:
         probes.work(row + 2, AT, "IFERROR(MAX(here-1,MIN(here+1,vertex)),here)", here=here, vertex=vertex)
         probes.work(row, SIDE, "MIN(margins)", margins=probes.cells_down(row, VALUE, 3))
         probes.work(row, SIDE + 1, "first", first=first)
+
+
+def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
+    """What is added to the words of an extreme, or of two, whose probes have not settled."""
+    unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
+    return formula('IF(_stretches>1,rows,IF(IFERROR(OR(_unsettled,unsettled),FALSE),about,""))', unsettled=unsettled,
+                   about=plan.text("verdict.about"), rows=plan.text("verdict.rows.only"))  # fmt: skip
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:

@@ -3,8 +3,9 @@
     exists, beside an equation      the group's margin in a column of its own, read as IF(margin < -tol, NA(), the equation):
                                     never what a program makes of ACOS(2)
     Direction(y, x)                 ATAN2 and as many turns as bring it within half a turn of the row above
-    TriangleAngle(a, b, c)          2 ATAN2(...) of the half-angle form of the law of cosines: acos loses half its digits at a
-                                    dead centre, this loses none that the sides have
+    TriangleAngle(a, b, c)          2 ATAN2(...) of the half-angle form of the law of cosines: acos gives an error where rounding
+                                    makes a cosine of 1 + 1e-16, as at every third dead centre, and loses up to half its digits
+                                    in a thin triangle; this loses only what the sides have lost
 
     tan(alpha / 2) = sqrt((a^2 - (b - c)^2) / ((b + c)^2 - a^2))        alpha opposite a
 
@@ -33,6 +34,7 @@ from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import LENGTH, Unit
+from mechsheet.words.equations import phrase
 
 TURN = al.mul(al.TWO, al.PI)
 
@@ -170,9 +172,7 @@ class _Lowering:
             reaches = next(each for each in equation.exists if each.reach)
             others = [each for each in equation.exists if each is not reaches]
             number = equation.group
-            label = Words(
-                "how far from coming apart (not joined below 0)", "ayrılmaya uzaklık (0'ın altında birleşmez)"
-            )
+            label = phrase("margin")
             name = self.names.reserve("k", number)
             margin = replace(
                 equation, symbol=name, expression=reaches.margin, role="intermediate", unit=LENGTH, label=label

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
@@ -21,6 +21,7 @@ from mechsheet.sheet.plan import (
     VERDICT_ROW,
     Plan,
 )
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.summaries import write_summaries
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.verdicts import write_verdicts
@@ -185,7 +186,7 @@ def _sweep(writer: Writer) -> None:
         Validation(
             Area(step, VALUE, step, VALUE),
             "custom",
-            low=Binary("<>", CellRef(step, VALUE), Number(0.0)),
+            low=formula("cell<>0", cell=CellRef(step, VALUE)),
             error_title=plan.text("hint.number.title"),
             error_message=plan.text("hint.step"),
         )
@@ -219,13 +220,13 @@ def _assembly(writer: Writer) -> None:
 
 def _mode_words(plan: Plan, group: Group, row: int) -> Node:
     plus, minus = (Text(words.of(plan.language)) for words in group.assemblies)
-    return Call("IF", (Binary(">", CellRef(row, VALUE, True, True), Number(0.0)), plus, minus))
+    return formula("IF(cell>0,plus,minus)", cell=CellRef(row, VALUE, True, True), plus=plus, minus=minus)
 
 
 def _at_position(plan: Plan, column: RangeRef) -> Node:
     """The value of a column in the row of the position shown."""
     position = plan.at.reference("#position", plan.main, None)
-    return Call("INDEX", (column, Binary("+", position, Number(1.0))))
+    return formula("INDEX(column,position+1)", column=column, position=position)
 
 
 def _position(writer: Writer) -> None:

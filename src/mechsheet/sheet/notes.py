@@ -6,7 +6,6 @@ import math
 
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.references import cell_name, column_letters
-from mechsheet.kinematics.naming import body_words, link_words
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.lowering import Assignment
@@ -16,6 +15,7 @@ from mechsheet.sheet.positions import group_title
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
 from mechsheet.units import DEG, NUMBER
+from mechsheet.words.equations import body_words, link_words
 
 SYMBOL, UNIT, EQUATION, MEANING, PLACE = range(5)
 WIDTHS = (13, 9, 78, 44, 18)

@@ -19,7 +19,6 @@ from mechsheet.formula.nodes import (
     shifted,
     transform,
 )
-from mechsheet.kinematics.naming import body_words
 from mechsheet.sheet import styles
 from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
@@ -39,6 +38,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
+from mechsheet.words.equations import body_words
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
 COLUMNS_OF_A_PAGE = 19

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text
+from mechsheet.formula.nodes import Call, CellRef, Node, Symbol
 from mechsheet.formula.printer import quote_sheet
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken, taken_near
 from mechsheet.model import Dimension, TableRequest
@@ -21,6 +21,7 @@ from mechsheet.sheet.charts import driver_axis
 from mechsheet.sheet.expansion import Expansion, definitions, expand, needed, varying
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.positions import places
+from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import (
     Anchor,
@@ -100,16 +101,16 @@ class _Table:
         driver = plan.at.cell(plan.mechanism.driver.symbol, self.title, plan.at.first)
         fills.append(Fill(FIRST, 0, driver, styles.decimals(styles.HEAD, self._driver_places()), rows=plan.rows))
         fills.append(value)
-        for index, (symbol, formula) in enumerate(expansion.helpers):
+        for index, (symbol, helper) in enumerate(expansion.helpers):
             cells += self._helper_heading(index, symbol)
             inner = styles.decimals(styles.INNER, places(plan, self._unit(symbol).kind))
             if index < len(self.angles):
                 cells.append(Cell(NAME_ROW, self._helper_col(index), plan.text("table.near"), styles.NOTE))
                 start = self._start(self.angles[index])
                 fills.append(Fill(HEAD_ROW, self._helper_col(index), start, inner, cols=self.count))
-            fills.append(self._fill(self._helper_col(index), formula, inner))
+            fills.append(self._fill(self._helper_col(index), helper, inner))
         area = Area(FIRST, 1, self.last, self.count)
-        missing = Call("ISNA", (CellRef(FIRST, 1),))
+        missing = formula("ISNA(cell)", cell=CellRef(FIRST, 1))
         return Sheet(
             self.title,
             tuple(cells),
@@ -168,7 +169,7 @@ class _Table:
         above, start = Symbol(ABOVE.format(symbol=symbol)), Symbol(START.format(symbol=symbol))
         driven = al.sub(Symbol(self.plan.mechanism.driver.symbol), Symbol(FIRST_DRIVER))
         line = al.add(start, al.mul(al.number(self.windows[symbol].slope), driven))
-        return Call("IF", (Call("ISNUMBER", (above,)), above, line))
+        return formula("IF(ISNUMBER(above),above,line)", above=above, line=line)
 
     def _start(self, symbol: str) -> Node:
         """The angle [rad] near which all columns start: that of the table of positions in the first row that exists, carried
@@ -181,7 +182,8 @@ class _Table:
             there = self._there(driver, row)
             way = al.sub(there, self._bound(FIRST_DRIVER))
             angle = al.sub(angle, al.mul(al.number(window.slope), way))
-        return Call("IFERROR", (angle, Number(round(window.centre + window.slope * plan.driver[0], 6))))
+        described = round(window.centre + window.slope * plan.driver[0], 6)
+        return formula("IFERROR(angle,described)", angle=angle, described=described)
 
     def _there(self, symbol: str, row: Node) -> Node:
         """An angle [rad] in a row of the table of positions."""
@@ -248,8 +250,8 @@ class _Table:
             Cell(HEAD_ROW, 0, _with_unit(plan, plan.mechanism.driver.symbol, " ↓"), styles.HEAD),
         ]
         unit = self.column.unit.text
-        label = Binary("&", Text(f"{plain(request.column)} = "), CellRef(HEAD_ROW, 1))
-        label = Binary("&", label, Text(unit if unit == "°" else f" {unit}")) if unit else label
+        after = unit if unit in ("", "°") else f" {unit}"
+        label = joined(f"{plain(request.column)} = ", CellRef(HEAD_ROW, 1), after)
         fills = [Fill(NAME_ROW, 1, label, styles.HEAD, cols=self.count)]
         degrees = self.column.unit.in_degrees
         for index, quantity in enumerate(request.columns):

@@ -194,6 +194,7 @@ def unwrapped(values: Any, turn: float, above: float) -> Any:
 
     A value after NaN stays as it is. Where a value lies just half a turn away, the rounding of each sum decides.
     """
+    values = np.atleast_1d(values)  # one for all rows: then the first decides for all
     before = np.concatenate(([above], values[:-1]))
     steps = (before - values) / turn
     near = np.rint(steps)
