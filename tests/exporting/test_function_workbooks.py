@@ -23,7 +23,7 @@ from mechsheet.exporting.function_sheet import FIRST as FIRST_CALL
 from mechsheet.exporting.functions import functions_of
 from mechsheet.exporting.lambdas import named_functions
 from mechsheet.exporting.routines import Source
-from mechsheet.exporting.workbooks import functions_workbook
+from mechsheet.exporting.workbooks import NEEDS_ROW, functions_workbook
 from mechsheet.formats import read, write
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue
