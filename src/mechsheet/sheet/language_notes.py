@@ -94,8 +94,8 @@ NOTES: dict[str, tuple[str, str]] = {
         "2·arctan2(√…; √…): where the links lie in a line, rounding may ask the arccosine for a cosine of "
         "1.0000000000000002, an error, and in a thin triangle it loses digits.",
         "Üçgenin açıları, burada yazıldığı gibi kosinüs teoremindendir. Hücrelerde bunun yarım açı biçimi, "
-        "2·arctan2(√…; √…), vardır: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir kosinüs verebilir, arkkosinüs orada "
-        "hatadır; ince bir üçgende de basamak yitirir.",
+        "2·arctan2(√…; √…), vardır: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir kosinüs "
+        "verebilir, arkkosinüs orada hatadır; ince bir üçgende de basamak yitirir.",
     ),
     "notes.assumptions.continuous": (
         "An angle goes on without jumps from row to row, through as many turns as the link makes.",

@@ -170,14 +170,14 @@ class Limits:
             cells = self._margins_at(row + index)
             named: dict[str, Node] = {f"group{number}x": cell for number, cell in zip(symbols, cells, strict=True)}
             probes.work(row + index, VALUE, _chosen(symbols), **named, group=opened if index == 1 else group)
-        known, last = (probes.cell(row, AT), here), (outside, beyond)
+        known, end = (probes.cell(row, AT), here), (outside, beyond)
         one: tuple[Node, Node]
         one, two, three = ((probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in (1, 2, 3))
         # with several groups a little inside: where one is just open, nothing is known of those after it
         # where the margin is least near the missing row, it goes there as a square does: u(m) is no parabola
         second = "IFERROR(IF(f<beyond/2,chord,zero),one)" + ("+(inside-outside)*aside" if several else "")
         probes.work(
-            row + 2, AT, second, zero=self._zero((known, last, one), inside, outside, APART), one=one[0], inside=inside,
+            row + 2, AT, second, zero=self._zero((known, end, one), inside, outside, APART), one=one[0], inside=inside,
             chord=formula("one+(inside-one)*SQRT(-f/(here-f))", inside=inside, one=one[0], here=here, f=one[1]),
             outside=outside, aside=ASIDE, f=one[1], beyond=beyond,
         )  # fmt: skip
