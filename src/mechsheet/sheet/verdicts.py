@@ -314,9 +314,11 @@ class _Block:
         node = self.bound("IF(wraps>0,IFERROR(value,NA()),NA())", value=value,
                           wraps=Symbol(f"#wraps_{symbol}"))  # fmt: skip
         cell = self.value(f"time_ratio_{symbol}")
-        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
-                           ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
-                           ways=self.text("ratio", symbol=plain(symbol)), none=self.text("ratio.none", symbol=plain(symbol)))  # fmt: skip
+        words = self.bound(
+            'IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
+            ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
+            ways=self.text("ratio", symbol=plain(symbol)), none=self.text("ratio.none", symbol=plain(symbol)),
+        )  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
 
     def transmission(self, group: Group) -> None:
