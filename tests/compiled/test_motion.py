@@ -18,7 +18,7 @@ TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.t
 
 def shown_in_cells(workbook, plan, symbol):
     """What stands in the column that people read; NaN for anything but a number."""
-    spot = plan.at.shown[symbol]
+    spot = plan.at.spots[symbol]
     sheet = workbook.sheet(spot.sheet)
     rows = range(plan.at.first, plan.at.last + 1)
     cells = {cell.row: cell.content for cell in sheet.cells if cell.col == spot.col}
