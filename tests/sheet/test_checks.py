@@ -77,7 +77,7 @@ DAMAGE = {
     "crank pin": ("A.x", doubled),
     "fixed point": ("B0.x", doubled),
     "constant angle": ("gamma3", doubled),
-    "limit": ("psi", lambda node: node.args[2]),  # clipped instead of #N/A
+    "limit": ("k", lambda node: Call("MAX", (Number(0.0), node))),  # clipped instead of #N/A
 }
 
 

@@ -35,19 +35,28 @@ def text_of(name):
 
 @pytest.mark.parametrize("name", REACH)
 def test_range_of_the_slide(name):
-    """The sweep lies inside the range; carried on in the sheet, it ends at the limit, in the named cells."""
+    """What the first sheet says: the sweep, cut off where the slide can go no further; and of a sweep carried on in the cells."""
     laid = Laid(text_of(name))
     low, high = REACH[name]
     start, step = laid.spot("#start"), laid.spot("#step")
-    ends = sorted((start, start + (laid.plan.rows - 1) * step))
-    assert low <= ends[0] and ends[1] <= high and all(laid.exists)
-    assert [laid.spot("#input_from"), laid.spot("#input_to")] == pytest.approx(ends, abs=1e-9)
+    first, last = sorted((start, start + (laid.plan.rows - 1) * step))
+    found = sorted((laid.spot("#input_from"), laid.spot("#input_to")))
+    assert found == pytest.approx([max(low, first), min(high, last)], abs=1e-6)
+    assert all(laid.exists) == (low <= first and last <= high)
     if math.isfinite(high):
-        inside = high - 1.0
-        laid.change(_start=inside, _step=2.0 / (laid.plan.rows - 1))
-        assert not all(laid.exists)
+        laid.change(_start=high - 1.0, _step=2.0 / (laid.plan.rows - 1))
+        assert 0 < sum(laid.exists) < laid.plan.rows
         assert laid.spot("#input_to") == pytest.approx(high, abs=1e-6)
         assert laid.spot("#limit_1") == pytest.approx(high, abs=1e-6)
+
+
+def test_no_row_where_the_slide_is_no_length():
+    """Typed to begin at -1: as long as the cylinder is 0 or shorter there is no position, and no number of the boom."""
+    laid = Laid(text_of("cylinder")).change(_start=-1.0)
+    slide, boom = laid.column("s23"), laid.column("theta14")
+    assert min(slide) < 0 < max(slide)
+    assert [isinstance(angle, float) for angle in boom] == laid.exists
+    assert not any(there for there, length in zip(laid.exists, slide, strict=True) if length <= 0)
 
 
 def test_boom_by_the_law_of_cosines():

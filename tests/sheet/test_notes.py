@@ -75,10 +75,14 @@ def test_rows_are_high_enough(name):
             assert heights[row] >= 13 * needed
 
 
+EMPTY = ("verdict.line.positions",)
+"""Words that one of the languages has elsewhere in the sentence."""
+
+
 def test_every_word_in_both_languages():
     same = {"±", "Grashof", "", "No.", "12.5", "rad"}
     for key, (english, turkish) in WORDS.items():
-        assert (english == "") == (turkish == ""), key
+        assert (english == "") == (turkish == "") or key in EMPTY, key
         assert english != turkish or english in same or not re.search(r"[^\W\d]{3}", re.sub(r"{\w+}", "", english)), key
         assert set(re.findall(r"{\w+}", english)) == set(re.findall(r"{\w+}", turkish)), key
 

@@ -4,7 +4,6 @@ import pytest
 from laid import Laid, template_text
 
 from mechsheet.formula.nodes import ErrorValue
-from mechsheet.sheet.positions import blank_unit
 
 NA = ErrorValue("#N/A")
 
@@ -36,16 +35,16 @@ def test_nothing_exists():
         assert cell(laid, name) == NA, name
         assert cell(laid, name, 3) in (NA, None), name
         assert cell(laid, name, 4).endswith(": 0 of 25 positions"), name
-    for line in laid.plan.blocks["stands"].rows:
-        if line.partition(" ")[0] in ("swing", "stroke", "ratio", "transmission"):
-            assert laid.stands(line) == NA, line
+    for line in laid.plan.blocks["verdicts"].rows:
+        if line.startswith(("swing", "stroke", "time_ratio", "transmission", "input")):
+            assert laid.spot(f"#{line}") == NA, line
 
 
 @pytest.mark.parametrize(("language", "words"), [("en", "{} of 25 positions"), ("tr", "25 konumun {} tanesi")])
 def test_a_part_exists(language, words):
     """a1 = 110 leaves a part of the rows: the numbers are those of these rows, and the words say so."""
     laid = Laid(FOUR_BAR, language).change(a1=110)
-    there = int(laid.stands("rows"))
+    there = int(laid.spot("#rows_closed"))
     assert 0 < there < 25
     for name in NAMES:
         assert cell(laid, name, 4).endswith(": " + words.format(there)), name
@@ -69,12 +68,12 @@ def test_smallest_swing_is_of_a_linkage_that_assembles():
 
 
 def test_pole_in_the_first_row():
-    """The first value of an output that has none there is its error, not an empty text."""
+    """The first value of an output that has none there is no number, not an empty text."""
     text = FOUR_BAR.replace("[summary]", '[summary]\nstart = { of = "pole", take = "first" }')
     text = text.replace("[outputs]", '[outputs]\npole = { formula = "1/sin(theta12)" }')
     laid = Laid(text)
-    assert cell(laid, "start") == ErrorValue("#DIV/0!")
-    assert cell(laid, "start", 4).endswith(": 24 of 25 positions")
+    assert laid.column("pole")[0] == ErrorValue("#DIV/0!")
+    assert cell(laid, "start") == NA
 
 
 @pytest.mark.parametrize("start", [0, 120, 170])
@@ -83,19 +82,5 @@ def test_position_shown_starts_at_a_row_that_exists(start):
     text = FOUR_BAR.replace("value = 70,", "value = 110,").replace("start = 0", f"start = {start}")
     laid = Laid(text)
     shown = laid.spot("#position")
-    exists = laid.plan.at.shown["#exists"]
-    flags = [laid.values.get(exists.sheet, exists.row + row, exists.col) for row in range(laid.plan.rows)]
-    assert shown == flags.index(1.0)
+    assert shown == laid.exists.index(True)
     assert isinstance(laid.values.get(laid.plan.main, laid.plan.blocks["variables"].rows["theta14"], 1), float)
-
-
-@pytest.mark.parametrize(("mine", "theirs"), [("deg", "rad"), ("rad", "deg")])
-def test_helper_columns_of_an_output_are_headed_by_its_own_unit(mine, theirs):
-    """An output in degrees of a mechanism in radians, and the other way round."""
-    text = FOUR_BAR.replace("[mechanism]\n", f'[mechanism]\nangle_unit = "{theirs}"\n', 1).replace(
-        'unit = "deg"', f'unit = "{mine}"'
-    )
-    plan = Laid(text).plan
-    kinds = [column.kind for column in plan.columns if column.symbol == "mu"]
-    assert "blank" in kinds
-    assert blank_unit(plan, "mu") == ("°" if mine == "deg" else "rad")

@@ -112,6 +112,7 @@ def lowered(mechanism: Mechanism, equations: Equations) -> Assignments:
 class _Lowering:
     def __init__(self, mechanism: Mechanism, equations: Equations) -> None:
         self.equations = equations
+        self.driver = mechanism.driver.symbol
         found = [*(equation.symbol for equation in equations.all), *(group.mode for group in equations.groups)]
         self.names = FreshNames([*given_names(mechanism), *found])
         self.tests: dict[tuple[Condition, ...], Node] = {}
@@ -150,7 +151,8 @@ class _Lowering:
 
     def _tolerance(self, expression: Node) -> Node:
         """No number while an input is none that a mechanism can have: then no row claims a position."""
-        lengths = tuple(Symbol(name) for name in self.equations.positive)
+        # a driven slide is a column: where it is no length, its group comes apart in that row
+        lengths = tuple(Symbol(name) for name in self.equations.positive if name != self.driver)
         modes = [Symbol(group.mode) for group in self.equations.groups if group.mode]
         wrong: list[Node] = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
         wrong += [formula("ABS(mode)<>1", mode=mode) for mode in modes]
