@@ -12,6 +12,7 @@ from mechsheet.engine import evaluate
 sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 
 import bench_engine
+import bench_sweep
 import tables
 
 ROWS = 73
@@ -37,3 +38,10 @@ def test_the_four_bar_and_the_two_way_table():
     expected = bench_engine.pump_by_hand(ROWS)
     for col in range(len(bench_engine.ACROSS)):
         assert np.allclose(pump.arrays("Table", col + 1, 7, ROWS + 6)[0], expected[:, col], rtol=1e-12, atol=1e-12)
+
+
+def test_the_sweep_of_the_four_bar():
+    theta12 = bench_sweep.driver(ROWS)
+    found, expected = bench_sweep.ours(theta12), bench_sweep.by_hand(theta12)
+    for name, column in expected.items():
+        assert np.allclose(found[name], column, rtol=1e-12, atol=1e-12), name

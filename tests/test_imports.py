@@ -35,6 +35,8 @@ ALLOWED = {
     },
 }
 PARTS = sorted(ALLOWED)
+FORMATS = {"reading": {"reading"}, "": {"", "reading"}, "xlsx": {"", "reading", "xlsx"}, "ods": {"", "reading", "ods"}}
+"""Folder of formats ("" for what lies beside them) -> the folders it may import: the two formats are strangers."""
 
 
 def modules_of(part: str) -> list[Path]:
@@ -73,6 +75,28 @@ def forbidden(part: str) -> list[str]:
 def test_part_imports_only_what_it_may(part):
     assert modules_of(part)
     assert forbidden(part) == []
+
+
+@pytest.mark.parametrize("folder", FORMATS)
+def test_folders_of_formats_import_downwards(folder):
+    files = sorted((SOURCE / "formats" / folder).glob("*.py"))
+    wrong = [
+        f"{path.relative_to(SOURCE).as_posix()}:{line}: {module}"
+        for path in files
+        for line, module in sorted(imports(path))
+        if module.startswith("formats.") and _folder_of_formats(module) not in FORMATS[folder]
+    ]
+    assert files
+    assert wrong == []
+
+
+def _folder_of_formats(module: str) -> str:
+    name = module.split(".")[1]
+    return name if (SOURCE / "formats" / name).is_dir() else ""
+
+
+def test_every_folder_of_formats_has_a_rule():
+    assert {path.parent.name for path in (SOURCE / "formats").glob("*/__init__.py")} == set(FORMATS) - {""}
 
 
 def test_nobody_imports_the_command_line():

@@ -26,7 +26,7 @@ from mechsheet.building import build
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.engine import compile_book, evaluate
-from mechsheet.formats import read, refresh
+from mechsheet.formats import read, update_values
 from mechsheet.formula.book import Book, BookSheet, DefinedName
 from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.formula.parser import parse_formula
@@ -156,7 +156,7 @@ def workbook_case(sources: list[tuple[str, Parts]], rng: random.Random, folder: 
         changes = {(book.sheets[0].title, 3, 2): 5.0}
 
         values = compile_book(book).evaluate(changes)
-        refresh(path, folder / f"out{suffix}", book, values, changes)
+        update_values(path, folder / f"out{suffix}", book, values, changes)
         read(folder / f"out{suffix}")
 
     return run

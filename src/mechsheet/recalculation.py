@@ -78,9 +78,9 @@ class Result:
 
     def write(self, output: Path) -> None:
         """Write the workbook with all its values refreshed and nothing else changed."""
-        from mechsheet.formats import refresh
+        from mechsheet.formats import update_values
 
-        refresh(self.path, output, self.book, self.values, self.changes)
+        update_values(self.path, output, self.book, self.values, self.changes)
 
 
 def plain(value: Scalar) -> object:

@@ -179,13 +179,13 @@ class Session:
 
     def write(self, output: str | Path) -> None:
         """Write the workbook with its values as they are now and nothing else changed. Raises OutputError."""
-        from mechsheet.formats import refresh
+        from mechsheet.formats import update_values
 
         if self._path is None:
             raise ValueError("a session of a book that was not read from a file")
         titles = [sheet.title for sheet in self._book.sheets]
         changes = {(titles[sheet], row, col): value for (sheet, row, col), value in self._live.inputs.items()}
-        refresh(self._path, Path(output), self._book, self._live.values(), changes)
+        update_values(self._path, Path(output), self._book, self._live.values(), changes)
 
     # places
 

@@ -16,7 +16,7 @@ from mechsheet.compute import computed
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.engine import evaluate
-from mechsheet.formats import read, refresh, write
+from mechsheet.formats import read, update_values, write
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 
@@ -168,7 +168,7 @@ def test_random_inputs_come_back(tmp_path, name):
         spots = plan.at.spots
         values = drawn(plan, draw).items()
         changes = {(spots[key].sheet, spots[key].row, spots[key].col): value for key, value in values}
-        refresh(path, output, book, evaluate(book, changes), changes)
+        update_values(path, output, book, evaluate(book, changes), changes)
         try:
             text = pull(output).text
         except MechsheetError as error:

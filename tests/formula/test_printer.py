@@ -132,3 +132,8 @@ def test_every_function_is_found_by_both_spellings():
             assert canonical_name(spelling(name, dialect), dialect) == name
             assert canonical_name(spelling(name, dialect).lower(), dialect) == name
     assert canonical_name("_xlfn._xlws.SORT") == "SORT"
+
+
+@pytest.mark.parametrize("text", ["A:B", "$C:C", "3:4", "$5:$5", "Data!A:B", "A1:B1048576", "A1:XFD2", "A$2:B$1048576"])
+def test_whole_columns_and_rows_are_written_as_such(text):
+    assert print_formula(parse_formula(text)) == text

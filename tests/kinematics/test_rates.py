@@ -1,6 +1,7 @@
-"""First and second derivatives of every variable, from the equations and the groups' closures, against differences.
+"""First and second derivatives, from the equations and the groups' closures, against two strangers to both.
 
-Eight points around each position, with weights that are exact for polynomials of degree eight.
+Variables and points: the reference, which has them from the constraints on link poses, to rounding. Every symbol besides:
+differences over eight points around each position, with weights that are exact for polynomials of degree eight.
 """
 
 from pathlib import Path
@@ -9,12 +10,13 @@ import numpy as np
 import pytest
 
 from chosen import IN_CI, some
+from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.rates import PRIME, rates_over
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
-from mechsheet.kinematics.sweep import sweep
+from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
 
 TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
@@ -24,6 +26,53 @@ STEP = 2e-3
 CALM = 0.25
 """Rows are judged where each group is this far from its dead centre (of the most in the sweep): beside it differences, which
 reach over the limit, are worth nothing."""
+DEAD = 1e6
+"""A row in which something moves so many times as fast as the driver is a dead centre: there is no derivative."""
+
+
+def worst_against_reference(mechanism):
+    """The largest difference from the reference's derivatives, as a part of size and derivative; how many were compared."""
+    equations = solve(mechanism)
+    driver = driver_values(mechanism, dimension_values(mechanism))
+    rates = rates_over(equations, sweep(mechanism, equations, driver), {mechanism.driver.symbol: (1.0, 0.0)})
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes))
+    stroke = 1.0 if mechanism.driver.unit in ("deg", "rad") else float(np.max(np.abs(driver)))
+    lengths = {equation.symbol for equation in equations.all if equation.unit == "length"}
+    expected = reference.rates(solution)
+    parts = {symbol: stroke / (solution.size if symbol in lengths else 1.0) for symbol in expected}
+    rows = solution.exists.copy()
+    for symbol, (once, _) in expected.items():
+        rows[rows] = np.abs(once[rows]) * parts[symbol] < DEAD
+    assert rows.sum() >= solution.exists.sum() - 2  # where it turns back
+    worst = 0.0
+    for symbol, derivatives in expected.items():
+        for order, column in enumerate(derivatives, 1):
+            found = np.broadcast_to(rates.get(symbol + PRIME * order, 0.0), driver.shape)
+            size = 1.0 / (parts[symbol] * stroke ** (order - 1))
+            error = np.abs(found - column)[rows] / (size + np.abs(column[rows]))
+            worst = max(worst, float(np.max(error, initial=0.0)))
+            assert np.isfinite(error).all(), (symbol, order)
+    return worst, int(rows.sum()) * len(expected)
+
+
+@pytest.mark.parametrize("template", TEMPLATES, ids=lambda path: path.stem)
+def test_templates_against_the_reference(template):
+    worst, compared = worst_against_reference(load(template))
+    assert compared > 0
+    assert worst < 1e-11
+
+
+def test_random_mechanisms_against_the_reference():
+    judged = 0
+    for seed in range(60 if IN_CI else 15):
+        try:
+            worst, compared = worst_against_reference(loads(Grower(seed, 1 + seed % 3).text(), "random.toml"))
+        except MechsheetError:  # it closes nowhere: a random one may
+            continue
+        assert worst < 1e-10, f"seed {seed}"
+        judged += compared
+    assert judged > 5_000
 
 
 def by_both(mechanism, rows=40):
@@ -80,11 +129,11 @@ def assert_agree(mechanism, once=1e-8, twice=2e-6):
 
 
 @pytest.mark.parametrize("template", some(TEMPLATES, 5), ids=lambda path: path.stem)
-def test_templates(template):
+def test_templates_against_differences(template):
     assert assert_agree(load(template)) > 0
 
 
-def test_random_mechanisms():
+def test_random_mechanisms_against_differences():
     judged = 0
     for seed in range(120 if IN_CI else 25):
         try:

@@ -27,7 +27,7 @@ from mechsheet.description import load
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
 from mechsheet.engine import compile_book
-from mechsheet.formats import read, refresh
+from mechsheet.formats import read, update_values
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.programs import Answers, answers_to_all, names_of, refuse_unknown
@@ -237,7 +237,7 @@ class _Run:
     def _written(self, setting: Setting, folder: Path) -> Path:
         """The file with only its input cells changed: stored results stay what they were."""
         output = folder / f"set-{setting.number}{self.path.suffix}"
-        refresh(self.path, output, self.book, _Stored(self.book), self._changes(setting))
+        update_values(self.path, output, self.book, _Stored(self.book), self._changes(setting))
         return output
 
     def _note(self, found: Comparison, setting: Setting) -> None:

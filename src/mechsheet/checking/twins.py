@@ -11,7 +11,7 @@ from mechsheet.checking.cells import column_scale
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.report import Comparison, Report, Tally, difference
 from mechsheet.checking.trees import Formulas, neutral, stretches
-from mechsheet.formats import READERS, read
+from mechsheet.formats import FORMATS, read
 from mechsheet.formula.book import Book, BookSheet, CellStore
 from mechsheet.formula.nodes import Node, Scalar
 from mechsheet.formula.printer import print_formula
@@ -34,7 +34,7 @@ def with_twins(reports: Sequence[Report]) -> list[Report]:
 
 def _are_twins(one: Path, other: Path) -> bool:
     suffixes = {one.suffix.lower(), other.suffix.lower()}
-    return len(suffixes) == 2 and suffixes <= READERS.keys() and one.with_suffix("") == other.with_suffix("")
+    return len(suffixes) == 2 and suffixes <= FORMATS.keys() and one.with_suffix("") == other.with_suffix("")
 
 
 def _with_twin(report: Report, path: Path, twin: Path) -> Report:

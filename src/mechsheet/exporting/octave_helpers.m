@@ -53,10 +53,14 @@ function y = choose(condition, a, b)
 end
 
 function y = continuous(x)
-% The angles with whole turns added: none is more than half a turn from the last one that is a number.
+% The angles with whole turns added: none is more than half a turn from the one before; anew after one that is no number.
   y = x;
-  known = isfinite(x);
-  y(known) = unwrap(x(known));
+  edges = diff([0; isfinite(x(:)); 0]);
+  first = find(edges == 1);
+  last = find(edges == -1) - 1;
+  for n = 1:numel(first)
+    y(first(n):last(n)) = unwrap(x(first(n):last(n)));
+  end
 end
 
 function y = triangle(c, a, b)

@@ -32,10 +32,11 @@ def _rounded(x: ArrayLike, digits: float) -> Array:
 
 
 def _continuous(angles: ArrayLike) -> Array:
-    """The angles with whole turns added, so that none is more than half a turn from the last one that is a number."""
+    """The angles with whole turns added: none is more than half a turn from the one before; anew after NaN."""
     angles = np.array(angles, float)
-    known = np.isfinite(angles)
-    angles[known] = np.unwrap(angles[known])
+    edges = np.flatnonzero(np.diff(np.isfinite(angles), prepend=False, append=False))
+    for first, end in edges.reshape(-1, 2):
+        angles[first:end] = np.unwrap(angles[first:end])
     return angles
 
 

@@ -14,44 +14,27 @@ if TYPE_CHECKING:
     from mechsheet.formula.nodes import Scalar
     from mechsheet.sheet.workbook import Workbook
 
-READERS = {
-    ".xlsx": "xlsx_read:read_xlsx",
-    ".xlsm": "xlsx_read:read_xlsx",
-    ".ods": "ods_read:read_ods",
-    ".ots": "ods_read:read_ods",
-}
-"""Suffix -> module and function, imported when first used."""
-
-WRITERS = {".xlsx": "xlsx_write:write_xlsx", ".ods": "ods_write:write_ods"}
-"""Suffix -> module and function; imported when first used, because a writer brings its library along."""
-
-REFRESHERS = {
-    ".xlsx": "xlsx_refresh:refresh_xlsx",
-    ".xlsm": "xlsx_refresh:refresh_xlsx",
-    ".ods": "ods_refresh:refresh_ods",
-    ".ots": "ods_refresh:refresh_ods",
-}
-"""Suffix -> module and function that writes a workbook's file back with other values."""
+FORMATS = {".xlsx": "xlsx", ".xlsm": "xlsx", ".ods": "ods", ".ots": "ods"}
+"""Suffix -> the folder that reads the format and updates its values."""
+WRITTEN = (".xlsx", ".ods")
 
 
 def read(path: Path) -> Book:
     """The workbook in a file, read by the reader of its suffix (an unknown suffix as .xlsx). Raises WorkbookError."""
-    reader = cast("Callable[[Path], Book]", _function(READERS.get(path.suffix.lower(), READERS[".xlsx"])))
-    return reader(path)
+    return cast("Book", _function(_format_of(path), "read")(path))
 
 
 def write(workbook: Workbook, path: Path, form: str = "") -> None:
     """Write `workbook` in the format `form` ("xlsx", "ods"), else the one that `path` ends with. Raises OutputError."""
-    place = WRITERS.get(f".{form}" if form else path.suffix.lower())
-    if place is None:
+    suffix = f".{form}" if form else path.suffix.lower()
+    if suffix not in WRITTEN:
         raise OutputError(
-            Fault(f'no format is called "{path.suffix}"', readable_name(path), hint=f"formats: {', '.join(WRITERS)}")
+            Fault(f'no format is called "{path.suffix}"', readable_name(path), hint=f"formats: {', '.join(WRITTEN)}")
         )
-    writer = cast("Callable[[Workbook, Path], None]", _function(place))
-    writer(workbook, path)
+    _function(FORMATS[suffix], "write")(workbook, path)
 
 
-def refresh(source: Path, output: Path, book: Book, values: Any, changes: Mapping[Any, Scalar]) -> None:
+def update_values(source: Path, output: Path, book: Book, values: Any, changes: Mapping[Any, Scalar]) -> None:
     """Copy the workbook file `source` to `output` with the values given and nothing else changed.
 
     book     what was read from `source`
@@ -60,13 +43,15 @@ def refresh(source: Path, output: Path, book: Book, values: Any, changes: Mappin
 
     Raises WorkbookError, and OutputError when `output` cannot be written or is to have another format.
     """
-    suffix = source.suffix.lower()
-    function = _function(REFRESHERS.get(suffix, REFRESHERS[".xlsx"]))
-    cast("Callable[[Path, Path, Book, Any, Mapping[Any, Scalar]], None]", function)(
-        source, output, book, values, changes
-    )
+    _function(_format_of(source), "update_values")(source, output, book, values, changes)
 
 
-def _function(place: str) -> object:
-    module, name = place.split(":")
-    return getattr(import_module(f"{__name__}.{module}"), name)
+def _format_of(path: Path) -> str:
+    return FORMATS.get(path.suffix.lower(), "xlsx")
+
+
+def _function(form: str, module: str) -> Callable[..., object]:
+    """`write_xlsx` of xlsx/write.py, and so on; imported when first used, because a writer brings its library along."""
+    verb = module.partition("_")[0]
+    function: Callable[..., object] = getattr(import_module(f"{__name__}.{form}.{module}"), f"{verb}_{form}")
+    return function

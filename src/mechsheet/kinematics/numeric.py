@@ -118,21 +118,32 @@ def triangle_angle(opposite: Any, beside: Any, other: Any) -> Any:
 
 
 def without_jumps(angles: Any) -> Any:
-    """The angles [rad] with whole turns added, so that none is more than half a turn from the last one that exists."""
+    """The angles [rad] with whole turns added, so that none is more than half a turn from the one before.
+
+    After a position without one an angle begins anew, within half a turn: nobody knows how the mechanism came there.
+    """
     angles = np.asarray(angles, float)
     if angles.ndim == 0 or len(angles) < 2:
         return angles
     known = np.isfinite(angles)
     if known.all():
-        held = angles
-    else:
-        last = np.maximum.accumulate(np.where(known, np.arange(len(angles)), -1))
-        held = np.where(last >= 0, angles[last], 0.0)
-    steps = np.where(known[1:], _round((held[:-1] - held[1:]) / math.tau, 0), 0.0)
-    if not steps.any():
+        return _unwrapped(angles)
+    result = angles.copy()
+    edges = np.flatnonzero(np.diff(known, prepend=False, append=False))
+    for first, end in edges.reshape(-1, 2):
+        result[first:end] = _unwrapped(angles[first:end])
+    return result
+
+
+def _unwrapped(angles: Array) -> Array:
+    """Turns are counted where an angle jumps, which is in few places."""
+    steps = (angles[:-1] - angles[1:]) / math.tau
+    jumps = np.flatnonzero(np.abs(steps) >= 0.5)
+    if not len(jumps):
         return angles
-    turns = np.concatenate(([0.0], np.cumsum(steps)))
-    return angles + math.tau * turns
+    turns = np.zeros(len(angles))
+    turns[jumps + 1] = _round(steps[jumps], 0)
+    return np.asarray(angles + math.tau * np.cumsum(turns))
 
 
 def evaluate_equation(

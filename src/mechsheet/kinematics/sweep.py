@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -10,8 +9,8 @@ import numpy as np
 
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
-from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
-from mechsheet.model import Cartesian, Link, Mechanism, Polar
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.model import Mechanism
 
 CHUNKS = (200, 4_000)
 """Rows looked at first, and next, for one that exists; then all."""
@@ -53,10 +52,14 @@ def rough_poses(mechanism: Mechanism, modes: Mapping[str, int]) -> dict[str, tup
             break
     row = int(np.argmax(np.minimum(good, DISTINCT)))  # the first that is good enough, else the best there is
     size = max([abs(value) for value in dimensions.values()], default=1.0) or 1.0
-    return {
-        link.name: _pose(link, {name: float(column[row]) for name, column in values.items()}, dimensions, size)
-        for link in mechanism.links[1:]
-    }
+    there = {name: float(column[row]) for name, column in values.items()}
+    found = {}
+    for link in mechanism.links[1:]:
+        x, y = (
+            float(value(part, there)) / size for part in (equations.poses[link.name].x, equations.poses[link.name].y)
+        )
+        found[link.name] = (round(x, DIGITS) * size, round(y, DIGITS) * size, round(there[link.angle_symbol], DIGITS))
+    return found
 
 
 def _distinct(equations: Equations, values: Mapping[str, Array]) -> Array:
@@ -74,21 +77,3 @@ def _distinct(equations: Equations, values: Mapping[str, Array]) -> Array:
             part = apart / largest if largest > 0 else np.zeros_like(apart)
         found = np.where(exists, np.minimum(found, part), -1.0)
     return found
-
-
-def _pose(
-    link: Link, values: Mapping[str, float], dimensions: Mapping[str, float], size: float
-) -> tuple[float, float, float]:
-    theta = values[link.angle_symbol]
-    for point, place in link.points.items():
-        if isinstance(place, Cartesian):
-            u, v = number(place.x, dimensions), number(place.y, dimensions)
-        elif isinstance(place, Polar):
-            r, angle = number(place.r, dimensions), number(place.angle, dimensions)
-            u, v = r * math.cos(angle), r * math.sin(angle)
-        else:
-            continue
-        x = values[f"{point}.x"] - u * math.cos(theta) + v * math.sin(theta)
-        y = values[f"{point}.y"] - u * math.sin(theta) - v * math.cos(theta)
-        return (round(x / size, DIGITS) * size, round(y / size, DIGITS) * size, round(theta, DIGITS))
-    return (0.0, 0.0, theta)

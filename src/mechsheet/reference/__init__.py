@@ -6,6 +6,7 @@ It knows nothing of equations, formulas, cells or the groups that the workbook i
 from .continuity import leaps
 from .geometry import dimension_values, driver_values
 from .poses import Solution, assemblies, outputs, solve, variables
+from .rates import rates
 from .residual import residuals, worst
 
 __all__ = [
@@ -15,6 +16,7 @@ __all__ = [
     "driver_values",
     "leaps",
     "outputs",
+    "rates",
     "residuals",
     "solve",
     "variables",

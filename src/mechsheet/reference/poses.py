@@ -35,6 +35,7 @@ class Solution:
     points         point → (n, 2) in the ground frame
     residual       (n,) worst residual of all constraints, as a length (angles times `size`)
     size           characteristic length, to measure errors by
+    system, state  the constraints, and the poses (n, columns) in their own lengths: what further analyses start from
     """
 
     mechanism: Mechanism
@@ -47,6 +48,8 @@ class Solution:
     points: Mapping[str, Array]
     residual: Array
     size: float
+    system: System
+    state: Array
 
 
 def variables(solution: Solution) -> dict[str, Array]:
@@ -245,4 +248,6 @@ def _solution(built: System, driver: Array, value: Array, state: Array, alive: M
         points=points,
         residual=worst * built.scale,
         size=geometry.size(mechanism, built.dimensions),
+        system=built,
+        state=state,
     )

@@ -96,6 +96,10 @@ class System:
         """First column (x) of a link in the state."""
         return 3 * self.bodies[link]
 
+    def local(self, link: str, xy: Array) -> tuple[float, float]:
+        """A place in a link's frame in the system's own lengths; the ground's frame counts from `origin`."""
+        return _local(self.bodies[link], xy, self.scale, self.origin)
+
 
 def system(mechanism: Mechanism, dimensions: Mapping[str, float]) -> System:
     """The constraint system for the given values of all dimensions.
@@ -143,6 +147,11 @@ def _origin(mechanism: Mechanism, dimensions: Mapping[str, float], located: geom
     return middle if np.all(np.isfinite(middle)) else np.zeros(2)
 
 
+def _local(body: int, xy: Array, scale: float, origin: Array) -> tuple[float, float]:
+    x, y = (xy - origin if body == 0 else xy) / scale
+    return float(x), float(y)
+
+
 class _Builder:
     """Turns joints and driver into equations; `points` counts the massless points it needed."""
 
@@ -171,9 +180,7 @@ class _Builder:
         return found
 
     def _local(self, body: int, xy: Array) -> tuple[float, float]:
-        """Place in a body's frame, scaled; the ground's frame counts from `origin`."""
-        x, y = (xy - self.origin if body == 0 else xy) / self.scale
-        return float(x), float(y)
+        return _local(body, xy, self.scale, self.origin)
 
     def _meetings(self) -> list[Equation]:
         """k links that share a point meet k - 1 times.

@@ -61,7 +61,7 @@ def mechanism_sheet(
     writer.put(0, 0, mechanism.title.of(plan.language), styles.TITLE)
     source = mechanism.source.of(plan.language)
     if source:
-        writer.put(LEGEND_ROW, CHARTS, plan.text("source", source=source), styles.SUBTITLE)
+        writer.put(VERDICT_ROW, CHARTS, plan.text("source", source=source), styles.SUBTITLE)
     _legend(writer)
     _position(writer)
     _dimensions(writer)

@@ -43,7 +43,7 @@ from mechsheet.sheet.workbook import (
 )
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
-COLUMNS_OF_A_PAGE = 17
+COLUMNS_OF_A_PAGE = 19
 """Columns that are still readable on one page of A4, landscape."""
 
 CHARACTERS_OF_A_LINE = 15

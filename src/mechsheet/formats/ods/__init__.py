@@ -1,0 +1,1 @@
+"""Workbooks as .ods: written, read, and written back with other values."""

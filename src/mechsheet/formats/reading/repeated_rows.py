@@ -1,0 +1,163 @@
+"""Rows that repeat the row above, taken out of the XML before the parser sees them.
+
+The parser reads row by row until a row makes a pattern; rows that match it are taken whole, the next one that does not goes
+to the parser again. Only bytes that follow a row's end tag at once are matched, and only in parts without comments, CDATA
+sections and processing instructions, so that what looks like a row is one. What a pattern matches, the parser would read
+in the same way: `test_row_pattern.py` of both formats compares.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from typing import Protocol
+
+_BATCH = 2048
+"""Rows handed over at once."""
+_MOST_KEPT = 1 << 22
+"""A row that is longer goes to the parser in pieces."""
+_PATTERNS = 4
+"""Patterns that are tried: rows with an error between rows without, say."""
+_FIRST = 8
+"""The rows before are too few to be worth a pattern."""
+_PRICE = 64
+"""Making a pattern takes as long as parsing dozens of rows: so many rows must have been matched for each ..."""
+_CREDIT = 8 * _PRICE
+"""... after the first few."""
+_PATIENCE = 32
+"""Rows that make no pattern, after which pieces go to the parser whole for a while."""
+_LONGEST_PAUSE = 64
+_HEAD = re.compile(rb"(?:\xef\xbb\xbf)?<\?xml\s[^>]*\?>")
+_ENCODING = re.compile(rb"""\sencoding\s*=\s*["']([^"']*)""")
+_HIDING = re.compile(rb"<[!?]")
+
+Groups = tuple[bytes, ...]
+
+
+class Pattern(Protocol):
+    """What the rows below a row look like."""
+
+    expression: re.Pattern[bytes]
+
+    def ready(self) -> bool:
+        """Whether a row that matches would be the next one of all runs of formulas."""
+
+    def accepts(self, groups: Groups, down: int) -> bool:
+        """Whether a row that matches is right in what the expression cannot say; `down` rows were matched before it."""
+
+    def take(self, rows: list[Groups]) -> bytes:
+        """Take what consecutive rows hold; returns what the parser should read to know where it is."""
+
+
+class RepeatedRows:
+    """Stands between the pieces of a part and the parser.
+
+    end    a row's end tag
+    learn  makes a pattern of the bytes of a row that the parser has just read, if that can be done
+    count  how many rows the parser has met: what looks like a row may be passed over by those who use the parser
+    taken  how many rows the parser has not seen
+    """
+
+    def __init__(self, end: bytes, learn: Callable[[bytes], Pattern | None], count: Callable[[], int]) -> None:
+        self.taken = 0
+        self._end = end
+        self._learn = learn
+        self._count = count
+        self._patterns: list[Pattern] = []
+        self._credit = _CREDIT
+        self._parsed = 0
+        self._failures = 0
+        self._whole = 0
+        self._pause = 1
+
+    def through(self, pieces: Iterable[bytes]) -> Iterator[bytes]:
+        """What is left for the parser, which must have read each before it asks for the next."""
+        stream = iter(pieces)
+        data = next(stream, b"")
+        head = _HEAD.match(data)
+        checked = head.end() if head else 0
+        at, fresh = 0, False  # the parser has read data[:at]; `fresh`: which ends with the end of a row
+        hidden = not _is_utf8(data)
+        while not hidden:
+            notes: list[bytes] = []
+            if fresh:
+                at = self._match(data, at, notes)
+            stop = self._next_stop(data, at, fresh)
+            if stop > at:
+                part = data[at:stop]
+                hidden = _HIDING.search(data, max(at, checked), stop) is not None
+                whole, before = fresh and not self._whole, self._count()
+                at = stop
+                yield b"".join((*notes, part))
+                fresh = part.endswith(self._end) and self._count() > before + len(notes)
+                if whole and fresh:
+                    self._consider(part)
+                continue
+            if notes:
+                yield b"".join(notes)
+            piece = next(stream, None)
+            if piece is None:
+                break
+            data, at, checked = data[at:] + piece, 0, 0
+        yield data[at:]
+        yield from stream
+
+    def _next_stop(self, data: bytes, at: int, fresh: bool) -> int:
+        """Up to where the parser should read next: the end of a row. `at` when more data is needed first."""
+        if self._whole:
+            self._whole -= 1
+            stop = data.rfind(self._end, at)
+        else:
+            stop = data.find(self._end, at)
+        if stop >= 0:
+            return stop + len(self._end)
+        if fresh and len(data) - at <= _MOST_KEPT:
+            return at
+        return max(at, len(data) - data.endswith(b"<"))  # what the last byte begins is seen with the next piece
+
+    def _match(self, data: bytes, at: int, notes: list[bytes]) -> int:
+        """Take all rows from `at` on that match; where they end. The parser should read the notes before it goes on."""
+        index = 0
+        while index < len(self._patterns):
+            pattern = self._patterns[index]
+            match = pattern.expression.match
+            rows: list[Groups] = []
+            found = match(data, at)
+            if found is not None and pattern.ready():
+                while found is not None and len(rows) < _BATCH and pattern.accepts(groups := found.groups(), len(rows)):
+                    rows.append(groups)
+                    at = found.end()
+                    found = match(data, at)
+            if not rows:
+                index += 1
+                continue
+            notes.append(pattern.take(rows))
+            self.taken += len(rows)
+            self._credit = min(_CREDIT, self._credit + len(rows))
+            self._failures = 0
+            self._patterns.insert(0, self._patterns.pop(index))
+            index = 0
+        return at
+
+    def _consider(self, row: bytes) -> None:
+        """Make a pattern of a row that has been parsed, if that is worth it."""
+        self._parsed += 1
+        pattern = self._learn(row) if self._credit >= _PRICE and self._parsed >= _FIRST else None
+        if pattern is not None:
+            self._credit -= _PRICE
+            self._patterns = [pattern, *self._patterns[: _PATTERNS - 1]]
+            return
+        self._failures += 1
+        if self._failures >= _PATIENCE:
+            self._failures = 0
+            self._whole = self._pause
+            self._pause = min(2 * self._pause, _LONGEST_PAUSE)
+
+
+def _is_utf8(data: bytes) -> bool:
+    """Whether a part is UTF-8, or ASCII, by its first bytes."""
+    head = _HEAD.match(data)
+    if head is None:
+        return data.startswith(b"<") and not data.startswith(b"<?")
+    encoding = _ENCODING.search(head[0])
+    return encoding is None or encoding[1].lower() in (b"utf-8", b"us-ascii")

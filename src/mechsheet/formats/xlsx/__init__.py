@@ -1,0 +1,1 @@
+"""Workbooks as .xlsx: written, read, and written back with other values."""

@@ -1,0 +1,239 @@
+"""The <sheetData> of a worksheet as text, a column of a band at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from mechsheet.diagnostics import Fault, OutputError
+from mechsheet.formula.functions import FUNCTIONS
+from mechsheet.formula.nodes import (
+    Binary,
+    Boolean,
+    Call,
+    CellRef,
+    ErrorValue,
+    Missing,
+    NameRef,
+    Node,
+    Number,
+    RangeRef,
+    Scalar,
+    Text,
+    Unary,
+    shifted,
+    walk,
+)
+from mechsheet.formula.printer import print_formula
+from mechsheet.formula.references import area_name, cell_address, column_letters
+from mechsheet.sheet.workbook import Area, Cell, Fill, Rich, Sheet, Style
+
+from ..bands import Band, bands, column_values
+from ..fill_down_text import ColumnTexts
+from ..xml_text import number, numbers, ooxml_escaped, plain_value
+
+MAX_CACHED_POINTS = 4096
+"""Longer series carry no copy of their values: every program reads them from the cells anyway."""
+MAX_FORMULA = 8192
+"""Most characters of a formula in Excel, without the equals sign."""
+MAX_FORMULA_TEXT = 255
+"""Most characters of a text in a formula in Excel."""
+
+
+@dataclass(slots=True)
+class SheetData:
+    """What is needed to write the cells of one sheet.
+
+    style_index  the number of a style in the workbook's table
+    strings      the numbers of the texts in the workbook's table, by place
+    texts      the first formula of each fill, by the place where it begins
+    functions  names of the workbook that are functions
+    shared     the number of each shared formula, by the same place, in order of writing
+    shareable  whether a fill can be shared, by the same place
+    """
+
+    sheet: Sheet
+    style_index: Callable[[Style], int]
+    strings: dict[tuple[int, int], int]
+    texts: dict[tuple[int, int], str]
+    functions: frozenset[str] = frozenset()
+    shared: dict[tuple[int, int], int] = field(default_factory=dict)
+    shareable: dict[tuple[int, int], bool] = field(default_factory=dict)
+    fill_down: ColumnTexts = field(default_factory=lambda: ColumnTexts("excel", ooxml_escaped))
+
+    def rows(self) -> Iterator[str]:
+        """The rows as text, in pieces of a few megabytes at most."""
+        heights = dict(self.sheet.row_heights)
+        for band in bands(self.sheet):
+            columns = [self._constant(cell) for cell in band.cells]
+            for fill in band.fills:
+                columns += self._fill(fill, band)
+            columns.sort(key=lambda column: column[0])
+            height = heights.get(band.first)
+            # Heights are in pixels, the file wants points.
+            kind = "" if height is None else f' ht="{number(height * 0.75)}" customHeight="1"'
+            heads = [f'<row r="{row + 1}"{kind}>' for row in range(band.first, band.last)]
+            ends = ["</row>"] * len(heads)
+            yield "".join(map("".join, zip(heads, *(texts for _, texts in columns), ends, strict=True)))
+
+    def _constant(self, cell: Cell) -> tuple[int, list[str]]:
+        head = f'<c r="{column_letters(cell.col)}{cell.row + 1}" s="{self.style_index(cell.style)}"'
+        match cell.content:
+            case None:
+                return cell.col, [f"{head}/>"]
+            case bool(value):
+                return cell.col, [f'{head} t="b"><v>{int(value)}</v></c>']
+            case str() | Rich():
+                return cell.col, [f'{head} t="s"><v>{self.strings[cell.row, cell.col]}</v></c>']
+            case value:
+                return cell.col, [f"{head}><v>{number(value)}</v></c>"]
+
+    def _fill(self, fill: Fill, band: Band) -> Iterator[tuple[int, list[str]]]:
+        style = self.style_index(fill.style)
+        dynamic = calls_one_of(fill.formula, self.functions)
+        mark = ' cm="1"' if dynamic else ""
+        for col in range(fill.col, fill.col + fill.cols):
+            letters = column_letters(col)
+            heads = [f'<c r="{letters}{row + 1}" s="{style}"{mark}' for row in range(band.first, band.last)]
+            formulas = self._dynamic(fill, col, band) if dynamic else self._formulas(fill, col, band)
+            values = column_values(fill, col, band.first, band.last)
+            yield col, _formula_cells(heads, formulas, values, cell_address(self.sheet.title, band.first, col))
+
+    def _formulas(self, fill: Fill, col: int, band: Band) -> list[str]:
+        """The <f> elements of one column of a fill."""
+        start = (fill.row, fill.col)
+        if fill.rows * fill.cols == 1:
+            return [f"<f>{self.texts[start]}</f>"]
+        if not self._is_shared(fill):
+            return [f"<f>{text}</f>" for text in self.fill_down.rows(fill, col, band.first, band.last)]
+        index = self.shared.setdefault(start, len(self.shared))
+        if (band.first, col) == start:
+            area = area_name(fill.row, fill.col, fill.rows, fill.cols)
+            return [f'<f t="shared" ref="{area}" si="{index}">{self.texts[start]}</f>']
+        return [f'<f t="shared" si="{index}"/>'] * (band.last - band.first)
+
+    def _is_shared(self, fill: Fill) -> bool:
+        """Whether the cells of a fill refer to its first formula; asked band by band, found once."""
+        start = (fill.row, fill.col)
+        if start not in self.shareable:
+            self.shareable[start] = can_be_shared(fill)
+        return self.shareable[start]
+
+    def _dynamic(self, fill: Fill, col: int, band: Band) -> list[str]:
+        """The <f> elements of dynamic arrays of one cell each: without, Excel shows `=@Pump(...)` for a call of a LAMBDA."""
+        letters = column_letters(col)
+        texts = self.fill_down.rows(fill, col, band.first, band.last)
+        return [f'<f t="array" ref="{letters}{row}">{text}</f>' for row, text in enumerate(texts, band.first + 1)]
+
+
+def _formula_cells(heads: list[str], formulas: list[str], values: Sequence[Scalar], place: str) -> list[str]:
+    """Cells from their beginnings, their <f> elements and their values."""
+    texts = numbers(values)
+    if texts is not None:
+        return [f"{h}>{f}<v>{v}</v></c>" for h, f, v in zip(heads, formulas, texts, strict=True)]
+    typed = (_typed(plain_value(value, place)) for value in values)
+    return [f"{h}{t}>{f}<v>{v}</v></c>" for h, f, (t, v) in zip(heads, formulas, typed, strict=True)]
+
+
+def _typed(value: float | str | bool | ErrorValue) -> tuple[str, str]:
+    """The type attribute of a formula's cell and its value."""
+    match value:
+        case bool():
+            return ' t="b"', str(int(value))
+        case str():
+            return ' t="str"', ooxml_escaped(value)
+        case ErrorValue(code):
+            return ' t="e"', code
+        case _:
+            return "", number(value)
+
+
+_SHARED_SIGNS = frozenset(["+", "-", "*", "/", "^", "&", "%", "=", "<", ">", "<=", ">=", "<>"])
+"""Operators of a shared formula: no union, no intersection, no range between what is computed."""
+
+_NOT_SHARED = frozenset({"LET", "LAMBDA"})
+
+
+def can_be_shared(fill: Fill) -> bool:
+    """Whether the cells of a fill may refer to its first formula instead of repeating it.
+
+    A shared formula holds references to its own sheet, names of the workbook, constants, operators and functions of Excel
+    2007: no sheet, union, intersection, array constant, #REF! or structured reference, relative or not ([MS-XLS] 2.5.198.103
+    SharedParsedFormula; none of 7,594 shared formulas in Excel's own files has one). Strict readers
+    refuse a workbook with another one, and Excel moves it wrongly (github.com/JanKallman/EPPlus issue 92).
+    """
+    # In its last row or column a reference may leave the sheet.
+    last = shifted(fill.formula, fill.rows - 1, fill.cols - 1)
+    return all(_fits_shared(node) for node in walk(fill.formula)) and not any(
+        isinstance(node, ErrorValue) for node in walk(last)
+    )
+
+
+def _fits_shared(node: Node) -> bool:
+    match node:
+        case Number() | Text() | Boolean() | Missing() | RangeRef() | NameRef(_, None) | CellRef(sheet=None):
+            return True
+        case Unary(op, _) | Binary(op, _, _):
+            return op in _SHARED_SIGNS
+        case Call(name, _):
+            known = FUNCTIONS.get(name)
+            return known is not None and name not in _NOT_SHARED and not known.ooxml.startswith("_xlfn.")
+    return False
+
+
+def calls_one_of(formula: Node, functions: Collection[str]) -> bool:
+    """Whether a formula calls a function that is a name of the workbook."""
+    return bool(functions) and any(isinstance(node, Call) and node.name in functions for node in walk(formula))
+
+
+def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
+    """The text of each fill's first formula, escaped, by its place.
+
+    Raises OutputError for all that are longer than Excel can hold, in their first cell or in their last.
+    """
+    texts: dict[tuple[int, int], str] = {}
+    faults = []
+    for fill in sheet.fills:
+        text = print_formula(fill.formula, "excel")
+        last = text
+        if fill.rows * fill.cols > 1:
+            last = print_formula(shifted(fill.formula, fill.rows - 1, fill.cols - 1), "excel")
+        length = max(len(text), len(last))
+        if length > MAX_FORMULA:
+            place = cell_address(sheet.title, fill.row, fill.col)
+            faults.append(Fault(f"the formula has {length} characters, Excel allows {MAX_FORMULA}", key=place))
+        longest = max((len(node.value) for node in walk(fill.formula) if isinstance(node, Text)), default=0)
+        if longest > MAX_FORMULA_TEXT:
+            place = cell_address(sheet.title, fill.row, fill.col)
+            message = f"the formula holds a text of {longest} characters, Excel allows {MAX_FORMULA_TEXT}"
+            faults.append(Fault(message, key=place))
+        texts[fill.row, fill.col] = ooxml_escaped(text)
+    if faults:
+        raise OutputError(faults)
+    return texts
+
+
+def cached_values(sheet: Sheet, area: Area) -> list[float | str | None]:
+    """The numbers and texts that stand in a column or row of cells; None where there is none or an error.
+
+    Empty when there are more than MAX_CACHED_POINTS.
+    """
+    first_row, first_col, last_row, last_col = area.first_row, area.first_col, area.last_row, area.last_col
+    if (last_row - first_row + 1) * (last_col - first_col + 1) > MAX_CACHED_POINTS:
+        return []
+    found: dict[tuple[int, int], Scalar] = {}
+    for cell in sheet.cells:
+        if first_row <= cell.row <= last_row and first_col <= cell.col <= last_col:
+            found[cell.row, cell.col] = cell.content.plain if isinstance(cell.content, Rich) else cell.content
+    for fill in sheet.fills:
+        top, bottom = max(first_row, fill.row), min(last_row + 1, fill.row + fill.rows)
+        for col in range(max(first_col, fill.col), min(last_col + 1, fill.col + fill.cols)):
+            if top < bottom:
+                for row, value in enumerate(column_values(fill, col, top, bottom), top):
+                    found[row, col] = value
+    places = [(r, c) for r in range(first_row, last_row + 1) for c in range(first_col, last_col + 1)]
+    return [_cached(found.get(place)) for place in places]
+
+
+def _cached(value: Scalar) -> float | str | None:
+    return value if isinstance(value, (float, int, str)) and not isinstance(value, bool) else None

@@ -1,0 +1,96 @@
+"""First and second derivatives of every variable by the driver, from the constraints on link poses.
+
+With F(q) = d e, where q are the poses, d the driver's value and e is 1 in the driven condition:
+
+    J q' = e,    J q'' = - J' q'        J = dF/dq,   J' how it changes along q'
+
+Source: the implicit function theorem; J' by a complex step (W. Squire, G. Trapp, "Using complex variables to estimate
+derivatives of real functions", 1998), which has no rounding error of a difference.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..model import Mechanism
+from . import geometry
+from .expressions import number
+from .geometry import Array
+from .poses import Solution
+from .system import Equation, System, residual
+
+_STEP = 1e-30
+
+
+def rates(solution: Solution) -> dict[str, tuple[Array, Array]]:
+    """First and second derivative (n,), (n,) by the driver of all that `variables` gives but outputs.
+
+    In the file's length unit and radians, by the driver's own unit of these. NaN in rows that do not exist; at a dead
+    centre, where there is no derivative, numbers that are large beyond reason.
+    """
+    built, mechanism = solution.system, solution.mechanism
+    rows = np.flatnonzero(solution.exists)
+    state = solution.state[rows]
+    first, second = _of_poses(built, state)
+    driver_unit = built.scale if mechanism.driver.joint else 1.0
+    found: dict[str, tuple[Array, Array]] = {}
+    for symbol, quantity in _quantities(built, mechanism).items():
+        gradient, turning = _gradients([quantity], state, first)
+        by_rows = (
+            np.einsum("mkc,mc->m", gradient, first),
+            np.einsum("mkc,mc->m", gradient, second) + np.einsum("mkc,mc->m", turning, first),
+        )
+        unit = 1.0 if quantity.kind == "angle" else built.scale
+        columns = np.full((2, len(solution.driver)), np.nan)
+        for order, column in enumerate(by_rows, 1):
+            columns[order - 1, rows] = column * unit / driver_unit**order
+        found[symbol] = (columns[0], columns[1])
+    found[mechanism.driver.symbol] = (np.ones(len(solution.driver)), np.zeros(len(solution.driver)))
+    return found
+
+
+def _of_poses(built: System, state: Array) -> tuple[Array, Array]:
+    """First and second derivatives (m, columns) of the state by the driver, in the system's own lengths."""
+    equations = [equation for block in built.blocks for equation in block.equations]
+    unknown = [column for block in built.blocks for column in block.columns]
+    driven = np.array([[float(equation.driven)] for equation in equations])
+    first, second = np.zeros_like(state), np.zeros_like(state)
+    jacobian, _ = _gradients(equations, state, first)
+    jacobian = jacobian[:, :, unknown]
+    first[:, unknown] = np.linalg.solve(jacobian, driven)[:, :, 0]
+    _, turning = _gradients(equations, state, first)
+    second[:, unknown] = np.linalg.solve(jacobian, -turning @ first[:, :, None])[:, :, 0]
+    return first, second
+
+
+def _gradients(equations: Sequence[Equation], state: Array, along: Array) -> tuple[Array, Array]:
+    """Gradients (m, k, columns) of k conditions by the whole state, and how these change along a direction (m, columns)."""
+    moved = state + 1j * _STEP * along
+    found = np.zeros((len(state), len(equations), state.shape[1]), complex)
+    for i, equation in enumerate(equations):
+        _, gradient = residual(equation, moved, np.zeros(len(state)))
+        for slot, entry in enumerate(gradient):
+            found[:, i, 3 * (equation.body if slot < 3 else equation.on) + slot % 3] += entry
+    return found.real, found.imag / _STEP
+
+
+def _quantities(built: System, mechanism: Mechanism) -> dict[str, Equation]:
+    """Every variable as a condition whose residual it is, but for a constant."""
+    found: dict[str, Equation] = {}
+    owners = {point: link.name for link in reversed(mechanism.links) for point in link.points}
+    for link in mechanism.links[1:]:
+        found[link.angle_symbol] = Equation("angle", built.bodies[link.name], 0)
+    for joint in mechanism.joints:
+        line = built.local(joint.on, geometry.through(joint, built.places, built.dimensions))
+        pin = built.local(joint.link, built.places[joint.link][joint.point])
+        angle = number(joint.angle, built.dimensions)
+        found[joint.symbol] = Equation(
+            "displacement", built.bodies[joint.link], built.bodies[joint.on], pin, line, angle
+        )
+    for point, owner in owners.items():
+        spot = built.local(owner, built.places[owner][point])
+        found[f"{point}.x"] = Equation("meet x", built.bodies[owner], 0, spot)
+        found[f"{point}.y"] = Equation("meet y", built.bodies[owner], 0, spot)
+    return found

@@ -1,0 +1,47 @@
+"""What is read from a file by the patterns of repeated rows, and by the parser alone."""
+
+import re
+
+import pytest
+
+from mechsheet.diagnostics import WorkbookError
+from mechsheet.formats import read
+from mechsheet.formats.reading.repeated_rows import RepeatedRows
+
+
+def everything(path):
+    """All that is read from a file, or why it is not."""
+    try:
+        book = read(path)
+    except WorkbookError as problem:
+        return re.sub(r": line \d+, column \d+", "", str(problem))
+    return [
+        (
+            [(row, col, repr(value)) for row, col, value in sheet.constants.items()],
+            [(row, col, repr(value)) for row, col, value in sheet.cached.items()],
+            sheet.blocks,
+        )
+        for sheet in book.sheets
+    ]
+
+
+def alone(path):
+    """The same by the parser alone."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(RepeatedRows, "through", lambda self, pieces: iter(pieces))
+        return everything(path)
+
+
+def rows_taken(path):
+    """How many rows the parser has not seen."""
+    counts = []
+    through = RepeatedRows.through
+
+    def counted(self, pieces):
+        yield from through(self, pieces)
+        counts.append(self.taken)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(RepeatedRows, "through", counted)
+        everything(path)
+    return sum(counts)

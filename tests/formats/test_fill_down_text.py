@@ -1,0 +1,50 @@
+"""Texts of fill-down runs equal the printed texts of shifted trees."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechsheet.formats.fill_down_text import texts_down
+from mechsheet.formats.xml_text import attribute, ooxml_escaped
+from mechsheet.formula.nodes import Binary, Call, CellRef, RangeRef, Text, shifted
+from mechsheet.formula.parser import parse_formula
+from mechsheet.formula.printer import print_formula
+
+FORMULAS = (
+    "1+2",
+    "A1",
+    "A3*$B$2+A3",
+    "A3-A2",
+    "SUM(A$1:A3)",
+    "SUM($A3:B$9)+SUM(A3:A5)",
+    "A3&\"{0} < 'x'\"",
+    "MMULT({1,2;3,4},A3:B4)",
+    "IF(A3>0,-A3^2,name)",
+    "Sheet888888!A3+'o''clock 777777 & {1}'!A3:B3",
+    "A:A+A3",
+    "A3%+B777777+C888888",
+)
+
+
+@pytest.mark.parametrize("formula", FORMULAS)
+@pytest.mark.parametrize(("dialect", "escape"), [("excel", ooxml_escaped), ("openformula", attribute)])
+@pytest.mark.parametrize("rows", [range(5), range(7, 300), range(-1, 2)])
+def test_texts_are_those_of_the_shifted_trees(formula, dialect, escape, rows):
+    tree = parse_formula(formula)
+    expected = [escape(print_formula(shifted(tree, n), dialect)) for n in rows]
+    assert list(texts_down(tree, rows, dialect, escape)) == expected
+
+
+def test_references_that_leave_the_sheet_become_errors():
+    tree = Binary("+", CellRef(1, 0), CellRef(5, 0))
+    assert list(texts_down(tree, range(-2, 0), "excel", str)) == ["#REF!+A4", "A1+A5"]
+
+
+def test_a_text_with_the_mark_itself():
+    tree = Call("LEN", (Binary("&", Text("\0000\0"), CellRef(1, 0)),))
+    assert list(texts_down(tree, range(2), "excel", str)) == ['LEN("\0000\0"&A2)', 'LEN("\0000\0"&A3)']
+
+
+def test_a_range_with_one_moving_corner():
+    tree = Call("SUM", (RangeRef(CellRef(0, 0, True, True), CellRef(2, 0)),))
+    assert list(texts_down(tree, range(2), "openformula", str)) == ["SUM([.$A$1:.A3])", "SUM([.$A$1:.A4])"]

@@ -1,0 +1,158 @@
+"""Would the tests notice? One small fault at a time is put into a copy of the source, and the tests must fail.
+
+    python tools/mutation.py --tests tests/kinematics tests/golden --sample 60 src/mechsheet/kinematics/rrr.py ...
+
+Faults: a comparison or its limit, + for -, * for /, a constant plus one, `and` for `or`, a condition turned round, a result
+that is None. Printed are the share that was noticed and each fault that was not, with its line. A fault that changes
+nothing a user could see (an order of tests, a limit that no number meets exactly) may stay.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parent.parent
+SOURCE = ROOT / "src"
+OTHER = {
+    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
+    ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
+    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.And: ast.Or, ast.Or: ast.And,
+}  # fmt: skip
+TURNED_BY_OPERATOR = (ast.Eq, ast.NotEq, ast.In, ast.NotIn, ast.Is, ast.IsNot)
+"""Comparisons whose other operator is their opposite: turning the whole condition round would be the same fault twice."""
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A module with one fault: its text, and what was changed where."""
+
+    module: Path
+    line: int
+    change: str
+    text: str
+
+
+def mutants(module: Path) -> Iterator[Mutant]:
+    """Every fault that can be put into a module."""
+    tree = ast.parse(module.read_text(encoding="utf-8"))
+    for node in _code(tree):
+        for owner, field, other in _faults(node):
+            before, kept = ast.unparse(node), getattr(owner, field)
+            setattr(owner, field, other)
+            change = f"{_short(before)}  ->  {_short(ast.unparse(node))}"
+            yield Mutant(module, node.lineno, change, ast.unparse(ast.fix_missing_locations(tree)))
+            setattr(owner, field, kept)
+
+
+def _code(node: ast.AST) -> Iterator[Any]:
+    """The nodes of what is executed: no annotations, no texts of errors."""
+    for field, child in ast.iter_fields(node):
+        if field in ("annotation", "returns", "decorator_list") or isinstance(node, ast.Raise):
+            continue
+        for each in child if isinstance(child, list) else [child]:
+            if isinstance(each, ast.AST):
+                yield each
+                yield from _code(each)
+
+
+def _faults(node: ast.AST) -> Iterator[tuple[Any, str, Any]]:
+    """(node, its field, the wrong value of that) of each fault of a node."""
+    match node:
+        case ast.Compare(ops=ops):
+            for index, op in enumerate(ops):
+                yield node, "ops", [*ops[:index], OTHER[type(op)](), *ops[index + 1 :]]
+        case ast.BinOp(op=op) | ast.BoolOp(op=op) if type(op) in OTHER:
+            yield node, "op", OTHER[type(op)]()
+        case ast.Constant(value=value) if type(value) in (int, float):
+            yield node, "value", value + 1
+        case ast.Return(value=value) if value is not None and ast.unparse(value) != "None":
+            yield node, "value", ast.Constant(None)
+        case ast.If(test=test) | ast.IfExp(test=test) | ast.While(test=test) if _turns(test):
+            yield node, "test", ast.UnaryOp(ast.Not(), test)
+        case ast.UnaryOp(op=ast.USub()):
+            yield node, "op", ast.UAdd()
+        case ast.UnaryOp(op=ast.Not(), operand=operand):
+            yield node, "operand", ast.UnaryOp(ast.Not(), operand)
+
+
+def _turns(test: ast.expr) -> bool:
+    if isinstance(test, ast.Compare) and len(test.ops) == 1:
+        return not isinstance(test.ops[0], TURNED_BY_OPERATOR)
+    return not (isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not))
+
+
+def _short(text: str) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= 90 else line[:87] + "..."
+
+
+def passes(source: Path, tests: Sequence[str], seconds: float) -> bool:
+    """Whether the tests pass with the package in `source`; a run that takes longer than `seconds` does not."""
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
+    try:
+        done = subprocess.run(
+            command,
+            cwd=ROOT,
+            env={**os.environ, "PYTHONPATH": str(source), "PYTHONDONTWRITEBYTECODE": "1"},
+            capture_output=True,
+            timeout=seconds,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return False
+    return done.returncode == 0
+
+
+def main() -> int:
+    """Run the faults of the modules named, or a sample of them."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("modules", nargs="+", type=Path)
+    parser.add_argument("--tests", nargs="+", required=True, help="what pytest is given, the fastest first")
+    parser.add_argument("--sample", type=int, default=0, help="so many faults, drawn from all (0: all of them)")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--budget", type=float, default=3600.0, help="no new fault after so many seconds")
+    options = parser.parse_args()
+    found = [mutant for module in options.modules for mutant in mutants(module.resolve())]
+    tried = found
+    if 0 < options.sample < len(found):
+        tried = random.Random(options.seed).sample(found, options.sample)
+    begin = time.monotonic()
+    with tempfile.TemporaryDirectory() as folder:
+        source = Path(folder) / "src"
+        shutil.copytree(SOURCE, source)
+        shutil.copytree(ROOT / "templates", Path(folder) / "templates")  # the package finds them beside its source
+        if not passes(source, options.tests, 3600.0):
+            print("the tests fail without any fault")
+            return 2
+        limit = max(20.0, 4.0 * (time.monotonic() - begin))
+        noticed, ran = 0, 0
+        for mutant in tried:
+            if time.monotonic() - begin > options.budget:
+                break
+            ran += 1
+            place = source / mutant.module.relative_to(SOURCE)
+            kept = place.read_text(encoding="utf-8")
+            place.write_text(mutant.text, encoding="utf-8")
+            if passes(source, options.tests, limit):
+                print(f"{mutant.module.relative_to(ROOT)}:{mutant.line}: {mutant.change}", flush=True)
+            else:
+                noticed += 1
+            place.write_text(kept, encoding="utf-8")
+    print(f"{noticed} of {ran} faults noticed ({len(found)} possible), {time.monotonic() - begin:.0f} s")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
