@@ -49,14 +49,19 @@ class PageAssignments(Assignments):
     plain: Mapping[str, Node]
 
 
-def lowered(mechanism: Mechanism, equations: Equations, kept: Collection[str]) -> PageAssignments:
-    """The equations of a page. `kept`: symbols that are read by charts, summaries and paths, and so are columns."""
-    return _Lowering(mechanism, equations, frozenset(kept)).result()
+def lowered(mechanism: Mechanism, equations: Equations, kept: Collection[str], drawn: bool) -> PageAssignments:
+    """The equations of a page.
+
+    kept   symbols that are read by charts, summaries and paths, and so are columns
+    drawn  True when the drawing needs every point: else one that nobody reads is left out
+    """
+    return _Lowering(mechanism, equations, frozenset(kept), drawn).result()
 
 
 class _Lowering:
-    def __init__(self, mechanism: Mechanism, equations: Equations, kept: frozenset[str]) -> None:
+    def __init__(self, mechanism: Mechanism, equations: Equations, kept: frozenset[str], drawn: bool) -> None:
         self.equations = equations
+        self.drawn = drawn
         self.kept = kept
         modes = [group.mode for group in equations.groups if group.mode]
         symbols_found = [equation.symbol for equation in equations.all]
@@ -80,6 +85,7 @@ class _Lowering:
                 self._lower(equation)
         closes = {group.number: self._closes(group) for group in self.equations.groups}
         read = self._read(closes.values())
+        self.plain |= {each.symbol: each.expression for each in (*self.constants, *self.columns) if each.symbol not in read}
         constants, columns = (
             tuple(each for each in found if each.symbol in read) for found in (self.constants, self.columns)
         )
@@ -223,7 +229,8 @@ class _Lowering:
         """Symbols that somebody reads: the roots, variables and outputs, and all that they read."""
         by_symbol = {each.symbol: each for each in (*self.constants, *self.columns)}
         waiting = [*roots, *self.kept, *(group.transmission for group in self.equations.groups)]
-        waiting += [each.symbol for each in by_symbol.values() if each.role in ("variable", "output", "point")]
+        roles = ("variable", "output", "point") if self.drawn else ("variable", "output")
+        waiting += [each.symbol for each in by_symbol.values() if each.role in roles]
         read: set[str] = set()
         while waiting:
             name = waiting.pop()

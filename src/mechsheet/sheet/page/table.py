@@ -1,0 +1,228 @@
+"""The table of a page: a heading, the formula as mathematics, one row for each value of the driver, to be filled further down."""
+
+from __future__ import annotations
+
+import math
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform
+from mechsheet.formula.parser import parse_description
+from mechsheet.sheet import styles
+from mechsheet.sheet.mathematics import written
+from mechsheet.sheet.page.degrees import in_degrees, together
+from mechsheet.sheet.page.plan import PagePlan
+from mechsheet.sheet.page.top import status_words
+from mechsheet.sheet.plan import TableColumn
+from mechsheet.sheet.positions import first_open, heading, places, shown_number
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
+
+MOST_STEPPED = 400
+"""Rows in which the driver is the row above and a step; in more the rounding of so many sums would be seen."""
+
+NARROWEST, WIDEST = 10.0, 26.0
+"""Widths of columns in characters."""
+
+STATUS_WIDTH = 24.0
+CHARACTERS, LINE, MOST_LINES = 1.5, 13.0, 5
+"""Small characters of a formula in a character's width, the height of such a line [pixels], and lines before a column widens."""
+
+
+class Table:
+    """Collects the cells of the table."""
+
+    def __init__(self, plan: PagePlan) -> None:
+        self.plan = plan
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.merges: list[Merge] = []
+        self.comments: list[Comment] = []
+        self.mathematics = {column.col: self._mathematics(column) for column in plan.columns}
+        self.widths = [self._width(column) for column in plan.columns]
+        self._note()
+        if plan.grouped:
+            self._groups()
+        for column in plan.columns:
+            self._column(column)
+
+    # --- over the table ---------------------------------------------------------------------------------------
+
+    def _note(self) -> None:
+        """How exact the angles are."""
+        plan = self.plan
+        key = {"RRR": "page.note", "RRP": "page.note.legs", "RPR": "page.note.legs"}
+        kinds = [key.get(group.kind, "page.note.plain") for group in plan.equations.groups]
+        inverse = {
+            name for each in plan.equations.columns for name in ("ACOS", "ASIN") if name in _functions(each.expression)
+        }
+        key_ = "page.note" if "ACOS" in inverse else "page.note.legs" if "ASIN" in inverse else "page.note.plain"
+        del kinds
+        self.cells.append(Cell(plan.note_row, 0, plan.text(key_), styles.NOTE))
+        self.merges.append(Merge(Area(plan.note_row, 0, plan.note_row, plan.status_column)))
+
+    def _groups(self) -> None:
+        """A heading over the columns of each group."""
+        plan, row, start = self.plan, self.plan.symbol_row - 1, 0
+        for col in range(1, len(plan.columns) + 1):
+            if col < len(plan.columns) and plan.columns[col].group == plan.columns[start].group:
+                continue
+            number = plan.columns[start].group
+            self.cells.append(Cell(row, start, self._group_title(number), styles.SECTION))
+            self.cells += [Cell(row, other, None, styles.SECTION) for other in range(start + 1, col)]
+            if col - start > 1:
+                self.merges.append(Merge(Area(row, start, row, col - 1)))
+            start = col
+
+    def _group_title(self, number: int) -> str:
+        plan = self.plan
+        if number <= 0:
+            return plan.text({0: "group.driver", -1: "group.outputs"}[number]) if number > -2 else ""
+        group = plan.equations.groups[number - 1]
+        return plan.text("page.group", number=number, links=status_words(plan, group))
+
+    def _mathematics(self, column: TableColumn) -> Rich | str:
+        """The formula as people write it."""
+        plan = self.plan
+        if column.kind == "driver" and not plan.mechanism.driver.values:
+            step = plan.text("name.step")
+            return plan.text("page.step", step=step) if self._stepped else f"{plan.text('name.start')} + n·{step}"
+        return "" if column.equation is None else written(column.equation.says, plan.language)
+
+    @property
+    def _stepped(self) -> bool:
+        return self.plan.rows <= MOST_STEPPED
+
+    def _width(self, column: TableColumn) -> float:
+        if column.kind == "status":
+            return STATUS_WIDTH
+        length = len(_text(self.mathematics[column.col]))
+        return max(NARROWEST, min(WIDEST, length / (CHARACTERS * (MOST_LINES - 1))))
+
+    @property
+    def formula_height(self) -> float:
+        """Height of the row of formulas [pixels]."""
+        lines = [
+            1 + math.ceil(len(_text(self.mathematics[col])) / (CHARACTERS * width))
+            for col, width in enumerate(self.widths)
+        ]
+        return LINE * max(2, *lines)
+
+    # --- columns ----------------------------------------------------------------------------------------------
+
+    def _column(self, column: TableColumn) -> None:
+        plan, first = self.plan, self.plan.at.first
+        title = "" if column.kind == "status" else heading(plan, column)
+        self.cells.append(Cell(plan.symbol_row, column.col, title or None, styles.HEAD))
+        self.cells.append(Cell(plan.symbol_row + 1, column.col, self.mathematics[column.col] or None, styles.FORMULA_TEXT))
+        match column.kind:
+            case "driver":
+                self._driver()
+            case "status":
+                self._fill(column.col, self._bound(status(plan), first), styles.STATUS)
+            case _:
+                self._equation(column)
+
+    def _fill(self, col: int, node: Node, style: Style, skip: int = 0) -> None:
+        if self.plan.rows > skip:
+            self.fills.append(Fill(self.plan.at.first + skip, col, node, style, rows=self.plan.rows - skip))
+
+    def _bound(self, node: Node, row: int) -> Node:
+        return transform(self.plan.at.bind(node, self.plan.main, row), together)
+
+    def _driver(self) -> None:
+        plan, driver, first = self.plan, self.plan.mechanism.driver, self.plan.at.first
+        degrees = driver.unit == "deg"
+        style = styles.decimals(styles.COLUMN, places(plan, "angle" if driver.unit in ("deg", "rad") else "length"))
+        if driver.values:
+            for row, value in enumerate(driver.values, first):
+                if isinstance(value, str):
+                    node = self._bound(parse_description(value), row)
+                    self.fills.append(Fill(row, 0, in_degrees(node) if degrees else node, style))
+                else:
+                    self.cells.append(Cell(row, 0, shown_number(value, degrees), styles.INPUT))
+            return
+        start = self._bound(self._checked(Symbol("#start")), first)
+        self.fills.append(Fill(first, 0, start, style))
+        if self._stepped:
+            further = formula("above+_step", above=CellRef(first, 0))
+        else:
+            top = CellRef(first, 0, row_abs=True)
+            further = formula("top+(ROW()-ROW(top))*_step", top=top)
+        self._fill(0, self._bound(further, first + 1), style, skip=1)
+
+    def _checked(self, start: Node) -> Node:
+        """The first value, while every length and every mode is one: else no row pretends to exist."""
+        equations = self.plan.equations
+        lengths = [Symbol(name) for name in equations.positive if name in self.plan.at.spots]
+        lengths = [length for length in lengths if not self.plan.at.spots[length.name].column]
+        tests = [formula("least>0", least=al.smallest(lengths))] if lengths else []
+        tests += [formula("ABS(mode)=1", mode=Symbol(group.mode)) for group in equations.groups if group.mode]
+        if not tests:
+            return start
+        test = tests[0] if len(tests) == 1 else Call("AND", tuple(tests))
+        return formula("IF(test,start,NA())", test=test, start=start)
+
+    def _equation(self, column: TableColumn) -> None:
+        plan, equation, first = self.plan, column.equation, self.plan.at.first
+        if equation is None:
+            raise ValueError(f"a column without an equation: {column.symbol}")
+        self.comments.append(Comment(plan.symbol_row, column.col, equation.label.of(plan.language)))
+        inner = styles.INNER if column.inner else styles.COLUMN
+        style = styles.decimals(inner, places(plan, equation.unit))
+        node = self._bound(equation.expression, first)
+        degrees = plan.at.spots[column.symbol].degrees
+        value = in_degrees(node) if degrees else node
+        if equation.first is None:
+            self._fill(column.col, value, style)
+            return
+        self.fills.append(Fill(first, column.col, value, style))
+        turn: Node = Number(360.0) if degrees else al.mul(al.TWO, al.PI)
+        near = formula(
+            "value+turn*IFERROR(ROUND((above-value)/turn,0),0)",
+            value=shifted(value, 1), turn=turn, above=CellRef(first, column.col),
+        )  # fmt: skip
+        self._fill(column.col, near, style, skip=1)
+
+    # --- colours ----------------------------------------------------------------------------------------------
+
+    def conditionals(self) -> list[Conditional]:
+        """The row that is drawn stands out; rows without a position are grey."""
+        plan, first = self.plan, self.plan.at.first
+        area = Area(first, 0, plan.last_looked_at, plan.status_column)
+        said = CellRef(first, plan.status_column, col_abs=True)
+        found = [Conditional(area, formula('said<>""', said=said), styles.MISSING)]
+        if plan.drawn:
+            top = CellRef(first, 0, True, True)
+            shown = plan.at.bind(formula("ROW()-ROW(top)=_position", top=top), plan.main)
+            found.insert(0, Conditional(area, shown, styles.CURRENT))
+        return found
+
+
+def status(plan: PagePlan) -> Node:
+    """Nothing where every group closes, else the first that does not."""
+    groups = [group for group in plan.equations.groups if plan.page.closes[group.number]]
+    closing = [formula("ISNUMBER(value)", value=Symbol(plan.page.closes[group.number])) for group in groups]
+    if not closing:
+        return Text("")
+    if len(closing) == 1:
+        words = plan.text("page.open", links=status_words(plan, groups[0]))
+        return formula('IF(closes,"",words)', closes=closing[0], words=words)
+    values = tuple(Symbol(plan.page.closes[group.number]) for group in groups)
+    numbers = [group.number for group in groups]
+    first: Node = first_open(closing)
+    if numbers != list(range(1, len(numbers) + 1)):
+        first = Call("CHOOSE", (first, *(Number(float(number)) for number in numbers)))
+    return formula(
+        'IF(COUNT(values)=count,"",words&first)'.replace("COUNT(values)", "counted"),
+        counted=Call("COUNT", values), count=float(len(values)), words=plan.text("page.open.group"), first=first,
+    )  # fmt: skip
+
+
+def _functions(node: Node) -> set[str]:
+    from mechsheet.formula.nodes import walk
+
+    return {part.name for part in walk(node) if isinstance(part, Call)}
+
+
+def _text(content: Rich | str) -> str:
+    return content.plain if isinstance(content, Rich) else content
