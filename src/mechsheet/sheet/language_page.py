@@ -30,6 +30,7 @@ PAGE: dict[str, tuple[str, str]] = {
     "page.group": ("group {number}: {links}", "{number}. grup: {links}"),
     "page.open": ("does not close: {links}", "kapanmıyor: {links}"),
     "page.open.group": ("does not close: group ", "kapanmıyor, grup: "),
+    "page.length": ("distance {name}", "{name} uzaklığı"),
     "page.rows": ("rows that close", "kapanan satır"),
     "page.of": ("of ", "/ "),
     "page.verdict.all": ("closes in all ", "bütün konumlarda kapanıyor: "),

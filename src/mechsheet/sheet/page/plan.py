@@ -6,12 +6,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from mechsheet.formula.names import folded, safe_name
+from mechsheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.charts import remarkable_points
-from mechsheet.sheet.classification import classification
+from mechsheet.sheet.classification import FourBar, classification
+from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.language import words
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
@@ -40,11 +42,13 @@ class PagePlan(Plan):
     page      the equations of the page
     drawn     False without the drawing
     note_row  where it is said how exact the angles are
+    lengths   sides of four-bar loops that are no dimensions, by the keys of their cells
     """
 
     page: PageAssignments = field(kw_only=True)
     drawn: bool = field(kw_only=True)
     note_row: int = 0
+    lengths: dict[str, Node] = field(default_factory=dict)
 
     @property
     def symbol_row(self) -> int:
@@ -94,6 +98,13 @@ def traced_points(mechanism: Mechanism) -> tuple[str, ...]:
     return tuple(asked) or remarkable_points(mechanism)
 
 
+def sides_of(mechanism: Mechanism, loop: FourBar) -> list[tuple[str, Node]]:
+    """Ground, first link, coupler and last link of a four-bar loop as lengths, each with a key of its own."""
+    ends = ((loop.start, loop.end), (loop.start, loop.pin), (loop.pin, loop.inner), (loop.inner, loop.end))
+    links = (mechanism.ground, loop.first, loop.coupler, loop.last)
+    return [(f"#{one}{other}", distance(link, one, other)) for link, (one, other) in zip(links, ends, strict=True)]
+
+
 # --- the top ---------------------------------------------------------------------------------------------------------
 
 
@@ -110,7 +121,9 @@ def _plan_top(plan: PagePlan) -> None:
     order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
     derived = sorted((dim for dim in mechanism.dimensions if dim.derived), key=lambda dim: order[dim.symbol])
     constants = [each.symbol for each in plan.equations.constants]
-    _block(plan, "derived", [*(dim.symbol for dim in derived), *constants])
+    for loop in found.four_bars:
+        plan.lengths |= {key: tree for key, tree in sides_of(mechanism, loop) if len(set(symbols(tree))) > 1}
+    _block(plan, "derived", [*(dim.symbol for dim in derived), *plan.lengths, *constants])
     grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
     transmission = [f"transmission_{group.number}" for group in found.transmission]
     _block(plan, "verdicts", ["rows_closed", *grashof, *transmission])
@@ -137,6 +150,8 @@ def _name_places(plan: PagePlan, modes: list[str]) -> None:
     for equation in plan.equations.constants:
         degrees = plan.shown_in_degrees(equation.unit)
         _place(plan, equation.symbol, rows["derived"][equation.symbol], degrees, equation.symbol, taken)
+    for key in plan.lengths:
+        _place(plan, key, rows["derived"][key], False, f"length_{key.removeprefix('#')}", taken)
     for mode in modes:
         _place(plan, mode, rows["assembly"][mode], False, mode, taken)
     for key, row in rows.get("sweep", {}).items():

@@ -14,7 +14,7 @@ from mechsheet.sheet.page.plan import PagePlan
 from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.positions import first_open, heading, places, shown_number
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
 
 MOST_STEPPED = 400
@@ -201,20 +201,20 @@ class Table:
 def status(plan: PagePlan) -> Node:
     """Nothing where every group closes, else the first that does not."""
     groups = [group for group in plan.equations.groups if plan.page.closes[group.number]]
-    closing = [formula("ISNUMBER(value)", value=Symbol(plan.page.closes[group.number])) for group in groups]
+    values = [Symbol(f"{SHOWN}{plan.page.closes[group.number]}") for group in groups]
+    closing = [formula("ISNUMBER(value)", value=value) for value in values]
     if not closing:
         return Text("")
     if len(closing) == 1:
         words = plan.text("page.open", links=status_words(plan, groups[0]))
         return formula('IF(closes,"",words)', closes=closing[0], words=words)
-    values = tuple(Symbol(plan.page.closes[group.number]) for group in groups)
     numbers = [group.number for group in groups]
     first: Node = first_open(closing)
     if numbers != list(range(1, len(numbers) + 1)):
         first = Call("CHOOSE", (first, *(Number(float(number)) for number in numbers)))
     return formula(
-        'IF(COUNT(values)=count,"",words&first)'.replace("COUNT(values)", "counted"),
-        counted=Call("COUNT", values), count=float(len(values)), words=plan.text("page.open.group"), first=first,
+        'IF(counted=count,"",words&first)',
+        counted=Call("COUNT", tuple(values)), count=float(len(values)), words=plan.text("page.open.group"), first=first,
     )  # fmt: skip
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol
 from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import body_words, link_words
@@ -11,9 +11,8 @@ from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.page.degrees import in_degrees, together
-from mechsheet.sheet.page.plan import PagePlan
+from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW, unit_text
 from mechsheet.sheet.positions import places, shown_number
 from mechsheet.sheet.quoted import formula, joined
@@ -168,6 +167,10 @@ class Top:
                 label = dim.label.of(plan.language) if dim.label else dim.value
                 self.line(rows[dim.symbol], rich(dim.symbol), unit_text(dim.unit), label)
                 self._result(rows[dim.symbol], parse_description(dim.value), dim.unit == "deg", value_style(plan, unit))
+        for key, tree in plan.lengths.items():
+            words = plan.text("page.length", name=key.removeprefix("#"))
+            self.line(rows[key], key.removeprefix("#"), plan.mechanism.length_unit, words)
+            self._result(rows[key], tree, False, value_style(plan, "length"))
         for equation in plan.equations.constants:
             row = rows[equation.symbol]
             self.line(row, rich(equation.symbol), plan.unit_shown(equation.unit), equation.label.of(plan.language))
@@ -193,17 +196,13 @@ class Top:
     def _grashof(self, row: int, loop: FourBar) -> None:
         """The type of a four-bar by its shortest and longest link; words, and the excess that decides."""
         plan = self.plan
-        ends = ((loop.start, loop.end), (loop.start, loop.pin), (loop.pin, loop.inner), (loop.inner, loop.end))
-        links = (plan.mechanism.ground, loop.first, loop.coupler, loop.last)
-        ground, first, coupler, last = lengths = tuple(
-            distance(link, *pins) for link, pins in zip(links, ends, strict=True)
-        )
-        del last
+        lengths = tuple(self._length(key, tree) for key, tree in sides_of(plan.mechanism, loop))
+        ground, first, coupler, _ = lengths
         shortest, longest, total = (Call(name, lengths) for name in ("MIN", "MAX", "SUM"))
         excess = CellRef(row, VALUE, True, True)
 
         def said(word: str, turning: str = "") -> str:
-            return plan.text(f"verdict.grashof.{word}", loop=loop.name, link=turning)
+            return plan.text(f"verdict.grashof.{word}", loop="", link=turning)
 
         turning = [link_words(link).of(plan.language) for link in (loop.first, loop.last)]
         which = formula(
@@ -212,13 +211,20 @@ class Top:
             crank=said("one", turning[0]), rockers=said("coupler"), follower=said("one", turning[1]),
         )  # fmt: skip
         words = formula(
-            "IF(2*longest>total,open,IF(ABS(excess)<1E-12*total,change,IF(excess>0,none,which)))",
-            longest=longest, total=total, excess=excess, which=which,
+            "loop&IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which)))",
+            loop=loop.name, excess=excess, shortest=shortest, coupler=coupler, which=which,
             open=said("open"), change=said("change"), none=said("none"),
         )  # fmt: skip
         self.line(row, plan.text("verdict.grashof"), plan.mechanism.length_unit, words)
         value = formula("2*(shortest+longest)-total", shortest=shortest, longest=longest, total=total)
         self.fill(row, VALUE, value, value_style(plan, "length"))
+
+    def _length(self, key: str, length: Node) -> Node:
+        """A length without the bars that its sign does not need; one that is no dimension has a cell."""
+        match length:
+            case Call("ABS", (Symbol(name),)) if name in self.plan.equations.positive:
+                return length.args[0]
+        return Symbol(key) if key in self.plan.at.spots else length
 
     def _transmission(self, row: int, group: Group) -> None:
         """The least acute angle of transmission over the rows of the table, and no others."""
