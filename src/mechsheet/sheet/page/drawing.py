@@ -8,11 +8,11 @@ the row that is drawn. Circles of points that turn about fixed pins need no colu
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Joint, Link
 from mechsheet.sheet import styles
@@ -38,6 +38,8 @@ MARGIN = 1.25
 
 LEFT, BOTTOM, CAPTION = -0.95, -0.95, 0.93
 STYLE = styles.decimals(styles.INNER, 4)
+WORDS = replace(styles.INNER, name="", align="left", wrap=True)
+"""Wrapped: a text that is too long would be drawn over the columns beside those that are folded away."""
 
 
 class PageDrawing:
@@ -81,10 +83,11 @@ class PageDrawing:
     # --- cells ------------------------------------------------------------------------------------------------
 
     def _text(self, col: int, content: Content) -> None:
-        self.cells.append(Cell(self.row, self.start + col, content, styles.INNER))
+        self.cells.append(Cell(self.row, self.start + col, content, WORDS if isinstance(content, str) else STYLE))
 
     def _formula(self, col: int, node: Node) -> CellRef:
-        self.fills.append(Fill(self.row, self.start + col, transform(node, together), STYLE))
+        style = WORDS if col == NAME else STYLE
+        self.fills.append(Fill(self.row, self.start + col, transform(node, together), style))
         return CellRef(self.row, self.start + col, True, True)
 
     def _ref(self, first: int, col: int, last: int | None = None) -> SeriesRef:
@@ -369,5 +372,3 @@ class PageDrawing:
         self.row += 1
         return series
 
-
-__all__ = ["PageDrawing", "Binary", "math"]

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from mechsheet.formula.names import folded, safe_name
-from mechsheet.formula.nodes import Node, symbols
+from mechsheet.formula.nodes import Node, Symbol, symbols
+from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Mechanism
@@ -102,7 +103,16 @@ def sides_of(mechanism: Mechanism, loop: FourBar) -> list[tuple[str, Node]]:
     """Ground, first link, coupler and last link of a four-bar loop as lengths, each with a key of its own."""
     ends = ((loop.start, loop.end), (loop.start, loop.pin), (loop.pin, loop.inner), (loop.inner, loop.end))
     links = (mechanism.ground, loop.first, loop.coupler, loop.last)
-    return [(f"#{one}{other}", distance(link, one, other)) for link, (one, other) in zip(links, ends, strict=True)]
+    values = dimension_values(mechanism)
+    found = []
+    for link, (one, other) in zip(links, ends, strict=True):
+        tree = distance(link, one, other)
+        for name in (f"{one}{other}", f"{other}{one}"):
+            # the description may have it as a dimension, under the name that it has here
+            if name in values and abs(evaluate(tree, values) - values[name]) <= 1e-12 * abs(values[name]):
+                tree = Symbol(name)
+        found.append((f"#{one}{other}", tree))
+    return found
 
 
 # --- the top ---------------------------------------------------------------------------------------------------------

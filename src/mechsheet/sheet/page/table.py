@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
 from mechsheet.formula.parser import parse_description
 from mechsheet.sheet import styles
 from mechsheet.sheet.mathematics import written
@@ -23,8 +23,8 @@ MOST_STEPPED = 400
 NARROWEST, WIDEST = 10.0, 26.0
 """Widths of columns in characters."""
 
-STATUS_WIDTH = 24.0
-CHARACTERS, LINE, MOST_LINES = 1.5, 13.0, 5
+STATUS_WIDTH = 14.0
+CHARACTERS, LINE, MOST_LINES = 1.65, 12.0, 4
 """Small characters of a formula in a character's width, the height of such a line [pixels], and lines before a column widens."""
 
 
@@ -50,14 +50,10 @@ class Table:
     def _note(self) -> None:
         """How exact the angles are."""
         plan = self.plan
-        key = {"RRR": "page.note", "RRP": "page.note.legs", "RPR": "page.note.legs"}
-        kinds = [key.get(group.kind, "page.note.plain") for group in plan.equations.groups]
-        inverse = {
-            name for each in plan.equations.columns for name in ("ACOS", "ASIN") if name in _functions(each.expression)
-        }
-        key_ = "page.note" if "ACOS" in inverse else "page.note.legs" if "ASIN" in inverse else "page.note.plain"
-        del kinds
-        self.cells.append(Cell(plan.note_row, 0, plan.text(key_), styles.NOTE))
+        parts = [part for each in plan.equations.columns for part in walk(each.expression)]
+        used = {part.name for part in parts if isinstance(part, Call)}
+        key = "page.note" if "ACOS" in used else "page.note.legs" if "ASIN" in used else "page.note.plain"
+        self.cells.append(Cell(plan.note_row, 0, plan.text(key), styles.NOTE))
         self.merges.append(Merge(Area(plan.note_row, 0, plan.note_row, plan.status_column)))
 
     def _groups(self) -> None:
@@ -216,12 +212,6 @@ def status(plan: PagePlan) -> Node:
         'IF(counted=count,"",words&first)',
         counted=Call("COUNT", tuple(values)), count=float(len(values)), words=plan.text("page.open.group"), first=first,
     )  # fmt: skip
-
-
-def _functions(node: Node) -> set[str]:
-    from mechsheet.formula.nodes import walk
-
-    return {part.name for part in walk(node) if isinstance(part, Call)}
 
 
 def _text(content: Rich | str) -> str:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, transform
 from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import body_words, link_words
@@ -14,14 +16,15 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.page.degrees import in_degrees, together
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW, unit_text
-from mechsheet.sheet.positions import places, shown_number
+from mechsheet.sheet.positions import shown_number
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.verdicts import POOR
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Merge, Style, Validation
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
+
+SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
 
 LEAST, MOST, MEAN = 5.0, 4.0, 1.0
 """Functions of AGGREGATE; with option 6 it leaves rows without a position out."""
@@ -93,7 +96,7 @@ class Top:
         self.put(LEGEND_ROW, VALUE, plan.text("legend.result"), styles.RESULT)
         source = plan.mechanism.source.of(plan.language)
         if source:
-            self.put(LEGEND_ROW, MEANING, plan.text("source", source=source), styles.SUBTITLE)
+            self.put(VERDICT_ROW, LAST + 1, plan.text("source", source=source), SOURCE)
 
     def _dimensions(self) -> None:
         plan = self.plan
@@ -155,7 +158,7 @@ class Top:
     # --- results ----------------------------------------------------------------------------------------------
 
     def _result(self, row: int, expression: Node, degrees: bool, style: Style) -> None:
-        bound = _tidied(self.plan.at.bind(expression, self.plan.main))
+        bound = transform(self.plan.at.bind(expression, self.plan.main), together)
         self.fills.append(Fill(row, VALUE, in_degrees(bound) if degrees else bound, style))
 
     def _derived(self) -> None:
@@ -297,15 +300,7 @@ class Top:
                 return formula("LOOKUP(9E+307,column)", column=column)
 
 
-def _tidied(node: Node) -> Node:
-    from mechsheet.formula.nodes import transform
-
-    return transform(node, together)
-
-
 def status_words(plan: PagePlan, group: Group) -> str:
     """The links of a group."""
     return ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
 
-
-__all__ = ["LAST", "POOR", "Top", "places", "status_words"]
