@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, Unary, transform
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Joint, Link
 from mechsheet.sheet import styles
@@ -22,7 +22,7 @@ from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.outlines import corners, direction_of, line_end, through_of
 from mechsheet.sheet.page.degrees import together
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
-from mechsheet.sheet.page.top import LEAST, MOST
+from mechsheet.sheet.page.top import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import unit_text
 from mechsheet.sheet.points import moving_points, pins_of
 from mechsheet.sheet.quoted import formula, joined
@@ -170,14 +170,15 @@ class PageDrawing:
             pivot = self._pivot(point)
             if symbol in at.spots and at.spots[symbol].column:
                 column = self._table_column(symbol, plan.last_looked_at)
-                lows.append(formula("AGGREGATE(least,6,column)", least=LEAST, column=column))
-                highs.append(formula("AGGREGATE(most,6,column)", most=MOST, column=column))
+                lows.append(over_rows(LEAST, column))
+                highs.append(over_rows(MOST, column))
             elif pivot is not None:
                 link, pin = pivot
                 centre = self._at_position(Symbol(f"{pin}.{axis}"))
                 arm = self._at_position(distance(link, pin, point))
-                lows.append(al.sub(centre, arm))
-                highs.append(al.add(centre, arm))
+                rows = self._over_rows(Symbol(symbol))
+                lows.append(formula("IFERROR(SUMPRODUCT(MIN(rows)),least)", rows=rows, least=al.sub(centre, arm)))
+                highs.append(formula("IFERROR(SUMPRODUCT(MAX(rows)),most)", rows=rows, most=al.add(centre, arm)))
             elif point in fixed:
                 lows.append(self._at_position(Symbol(symbol)))
                 highs.append(lows[-1])
@@ -187,22 +188,42 @@ class PageDrawing:
             return [al.ZERO], [al.ZERO]
         return lows, highs
 
+    def _over_rows(self, node: Node) -> Node:
+        """A tree over symbols for all rows of the table at once."""
+        plan, at = self.plan, self.plan.at
+
+        def change(part: Node) -> Node:
+            if not isinstance(part, Symbol):
+                return part
+            if part.name not in at.spots:
+                return self._over_rows(plan.page.plain[part.name])
+            spot = at.spots[part.name]
+            if not spot.column:
+                return at.reference(part.name, plan.main, None)
+            column = at.column(part.name, plan.main)
+            return Call("RADIANS", (column,)) if spot.degrees else column
+
+        return al.tidied(transform(node, change))
+
     def _slide_extent(self, symbol: str, lows: list[Node], highs: list[Node]) -> None:
         """Of a coordinate that is a displacement of the table, or a constant."""
         node = self.plan.page.plain.get(symbol, Symbol(symbol))
-        sign, bare = (-1, node.operand) if hasattr(node, "operand") else (1, node)
-        spot = self.plan.at.spots.get(bare.name) if isinstance(bare, Symbol) else None
-        if spot is None or not spot.column:
+        sign, bare = (-1, node.operand) if isinstance(node, Unary) else (1, node)
+        if not isinstance(bare, Symbol) or not self._has_column(bare.name):
             value = self._at_position(node)
             lows.append(value)
             highs.append(value)
             return
         column = self._table_column(bare.name, self.plan.last_looked_at)
-        ends = [formula("AGGREGATE(way,6,column)", way=way, column=column) for way in (LEAST, MOST)]
+        ends = [over_rows(way, column) for way in (LEAST, MOST)]
         if sign < 0:
             ends = [al.neg(end) for end in reversed(ends)]
         lows.append(ends[0])
         highs.append(ends[1])
+
+    def _has_column(self, symbol: str) -> bool:
+        spot = self.plan.at.spots.get(symbol)
+        return spot is not None and spot.column
 
     def _pivot(self, point: str) -> tuple[Link, str] | None:
         """The link with which a point turns about a fixed pin."""
@@ -263,13 +284,15 @@ class PageDrawing:
             fixed = point in mechanism.ground.points
             if point not in self.corners:
                 self._corner(point)
-            x, y = (SeriesRef(self.plan.main, Area(cell.row, cell.col, cell.row, cell.col)) for cell in self.corners[point])
-            look = ("triangle", 10, QUIET) if fixed else ("circle", 6, "FFFFFF") if point in pins else ("circle", 5, INK)
-            marker, size, inside = look
+            x, y = (
+                SeriesRef(self.plan.main, Area(cell.row, cell.col, cell.row, cell.col)) for cell in self.corners[point]
+            )
+            size, inside = (10, QUIET) if fixed else (6, "FFFFFF") if point in pins else (5, INK)
             found.append(
-                Series(plain(point), x, y, marker="triangle" if marker == "triangle" else "circle", marker_size=size,
-                       marker_line=INK, marker_fill=inside, show_name=True, label_side="below" if fixed else "above",
-                       in_legend=False)
+                Series(
+                    plain(point), x, y, marker="triangle" if fixed else "circle", marker_size=size, marker_line=INK,
+                    marker_fill=inside, show_name=True, label_side="below" if fixed else "above", in_legend=False,
+                )
             )  # fmt: skip
         return found
 
@@ -290,23 +313,28 @@ class PageDrawing:
             self._corner(base)
         for way in (LEAST, MOST):
             self._text(NAME, name)
-            end = formula("AGGREGATE(way,6,column)", way=way, column=column)
+            end = over_rows(way, column)
             along, across = (al.mul(end, Call(turn, (direction,))) for turn in ("COS", "SIN"))
             self._formula(X, self._chart_x(al.add(x, along)))
             self._formula(Y, self._chart_y(al.add(y, across)))
             self.row += 1
         refs = self._ref(first, X, self.row - 1), self._ref(first, Y, self.row - 1)
-        return Series(name, *refs, line=QUIET, width=1.5, dash="solid" if moving else "dash", in_legend=False)
+        return Series(
+            name, refs[0], refs[1], line=QUIET, width=1.5, dash="solid" if moving else "dash", in_legend=False
+        )
 
     def _block(self, joint: Joint) -> Series | None:
         """A square where a sliding joint's point is."""
         if joint.point not in self.corners:
             return None
         x, y = (
-            SeriesRef(self.plan.main, Area(cell.row, cell.col, cell.row, cell.col)) for cell in self.corners[joint.point]
+            SeriesRef(self.plan.main, Area(cell.row, cell.col, cell.row, cell.col))
+            for cell in self.corners[joint.point]
         )
         name = self.plan.text("drawing.block", symbol=plain(joint.symbol))
-        return Series(name, x, y, marker="square", marker_size=12, marker_line=INK, marker_fill="E3E5E8", in_legend=False)
+        return Series(
+            name, x, y, marker="square", marker_size=12, marker_line=INK, marker_fill="E3E5E8", in_legend=False
+        )
 
     def _traced(self) -> list[str]:
         """Points with a path that stand in the table."""
@@ -329,14 +357,18 @@ class PageDrawing:
             self.fills.append(Fill(plan.at.first, col, node, STYLE, rows=plan.rows))
             areas.append(SeriesRef(plan.main, Area(plan.at.first, col, plan.at.last, col)))
             self.path_columns += 1
-        return Series(plain(point), *areas, line=PATH_COLORS[index % len(PATH_COLORS)], width=1.25, in_legend=False)
+        return Series(
+            plain(point), areas[0], areas[1], line=PATH_COLORS[index % len(PATH_COLORS)], width=1.25, in_legend=False
+        )
 
     def _scale_bar(self) -> tuple[Series, Series]:
         """A bar of 1, 2 or 5 times a power of ten, at most a quarter of the window; its length is the label."""
         text, unit = self.plan.text, self.plan.mechanism.length_unit
         self._text(NAME, text("drawing.bar"))
         power = self._formula(MIDDLE, formula("10^INT(LOG10(half/2))", half=self.half))
-        length = self._formula(X, formula("power*IF(half>=10*power,5,IF(half>=4*power,2,1))", half=self.half, power=power))
+        length = self._formula(
+            X, formula("power*IF(half>=10*power,5,IF(half>=4*power,2,1))", half=self.half, power=power)
+        )
         words = self._formula(Y, joined(formula("ROUND(length,12)", length=length), f" {unit}" if unit else ""))
         self.row += 1
         first = self.row
@@ -348,7 +380,8 @@ class PageDrawing:
         x, y = self._ref(first, X, self.row), self._ref(first, Y, self.row)
         bar = Series(text("drawing.bar"), x, y, line=INK, width=2.0, in_legend=False)
         named = CellRef(words.row, words.col, True, True, self.plan.main)
-        end = Series(named, self._ref(self.row, X), self._ref(self.row, Y), show_name=True, label_side="right", in_legend=False)
+        at = self._ref(self.row, X), self._ref(self.row, Y)
+        end = Series(named, at[0], at[1], show_name=True, label_side="right", in_legend=False)
         self.row += 1
         return bar, end
 
@@ -371,4 +404,3 @@ class PageDrawing:
         )  # fmt: skip
         self.row += 1
         return series
-

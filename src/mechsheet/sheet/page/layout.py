@@ -37,6 +37,12 @@ from mechsheet.sheet.workbook import (
 TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)
 """Least widths of the columns over which the top stands, in characters."""
 
+NARROW = 10.0
+"""Width of a column beside the table."""
+
+COLUMNS_OF_A_PAGE = 26
+"""Columns that are still readable on one sheet of A4, landscape."""
+
 GAP, CHART_WIDTH = 12, 420
 """Pixels between charts, and of a chart of curves."""
 
@@ -100,11 +106,9 @@ def _page(plan: PagePlan) -> Sheet:
             footer=plan.footer,
             repeat_rows=(plan.symbol_row, plan.symbol_row),
             area=Area(0, 0, plan.at.last, last),
+            fit_width=1 + last // COLUMNS_OF_A_PAGE,
         ),
     )
-
-
-NARROW = 10.0
 
 
 def _note(table: Table) -> str:
@@ -184,7 +188,7 @@ def _column(plan: PagePlan, symbol: str) -> SeriesRef:
 
 
 def _axis(plan: PagePlan, symbol: str) -> Axis:
-    """Degrees in sensible steps; its ends are left to the program, since start, step and the number of rows are not fixed."""
+    """Degrees in sensible steps; its ends are left to the program, since start, step and rows are not fixed."""
     unit = shown_unit(plan, symbol)
     title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
     if symbol != plan.mechanism.driver.symbol or plan.mechanism.driver.unit != "deg":

@@ -1,4 +1,4 @@
-"""The equations as one writes them on the blackboard: law of cosines by arccos, arcsin of a leg, points where they are needed.
+"""The equations as one writes them on the blackboard: the law of cosines by arccos, points written where they are read.
 
     TriangleAngle(a, b, c)   IFERROR(ACOS(ROUND((b^2 + c^2 - a^2) / (2 b c), 12)), NA())
     leg of a right triangle  psi = IFERROR(ASIN(ROUND(n / a, 12)), NA()),  then  w = a cos(psi)
@@ -85,7 +85,9 @@ class _Lowering:
                 self._lower(equation)
         closes = {group.number: self._closes(group) for group in self.equations.groups}
         read = self._read(closes.values())
-        self.plain |= {each.symbol: each.expression for each in (*self.constants, *self.columns) if each.symbol not in read}
+        self.plain |= {
+            each.symbol: each.expression for each in (*self.constants, *self.columns) if each.symbol not in read
+        }
         constants, columns = (
             tuple(each for each in found if each.symbol in read) for found in (self.constants, self.columns)
         )
@@ -96,10 +98,10 @@ class _Lowering:
     def _lower(self, equation: Equation) -> None:
         group = self._group(equation)
         expression = self._seen(equation.expression)
-        if group is not None and equation.symbol == group.closes and any(each.reach for each in equation.exists):
-            if len(group.sides) == 2:
-                self._leg(equation, group)
-                return
+        reaches = any(each.reach for each in equation.exists)
+        if group is not None and equation.symbol == group.closes and reaches and len(group.sides) == 2:
+            self._leg(equation, group)
+            return
         match expression:
             case Direction(y, x):
                 raw = al.atan2(x, y)
@@ -205,7 +207,12 @@ class _Lowering:
                 continue
             for axis, part in (("x", other.expression.x), ("y", other.expression.y)):
                 tree = self._seen(part)
-                if al.is_simple(tree) or tree in self.legs or self._stays(tree) or part not in walk(equation.expression):
+                if (
+                    al.is_simple(tree)
+                    or tree in self.legs
+                    or self._stays(tree)
+                    or part not in walk(equation.expression)
+                ):
                     continue
                 if all(name in self.known for name in symbols(tree)):
                     name = self.names.reserve(f"{'s' if group.kind == 'RRR' else 'r'}_{axis}", group.number)
@@ -220,7 +227,11 @@ class _Lowering:
         """Its own measure where that is a column, else an angle or displacement that the group decides."""
         own = self._seen(Symbol(group.closes))
         moving = [each.symbol for each in self.columns]
-        for name in (*symbols(own), *group.unknowns, *(each.symbol for each in self.columns if each.group == group.number)):
+        for name in (
+            *symbols(own),
+            *group.unknowns,
+            *(each.symbol for each in self.columns if each.group == group.number),
+        ):
             if name in moving and any(each.symbol == name and each.group == group.number for each in self.columns):
                 return name
         return ""

@@ -152,7 +152,9 @@ def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
 def _name_places(plan: PagePlan, modes: list[str]) -> None:
     """A place for everything on top; it has a name where formulas are to read names."""
     mechanism, rows = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}
-    cells = {dim.symbol: dim.cell for dim in mechanism.dimensions} | {each.symbol: each.cell for each in mechanism.summaries}
+    cells = {dim.symbol: dim.cell for dim in mechanism.dimensions} | {
+        each.symbol: each.cell for each in mechanism.summaries
+    }
     taken = {folded(cell) for cell in cells.values() if cell}
     for dim in mechanism.dimensions:
         row = rows["derived" if dim.derived else "dimensions"][dim.symbol]

@@ -1,4 +1,4 @@
-"""The table of a page: a heading, the formula as mathematics, one row for each value of the driver, to be filled further down."""
+"""The table of a page: a heading, the formula as mathematics, one row for each driver value; made to be filled down."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NARROWEST, WIDEST = 10.0, 26.0
 
 STATUS_WIDTH = 14.0
 CHARACTERS, LINE, MOST_LINES = 1.65, 12.0, 4
-"""Small characters of a formula in a character's width, the height of such a line [pixels], and lines before a column widens."""
+"""Small characters in a character's width, the height of such a line [pixels], and the lines before a column widens."""
 
 
 class Table:
@@ -98,7 +98,7 @@ class Table:
     def formula_height(self) -> float:
         """Height of the row of formulas [pixels]."""
         lines = [
-            1 + math.ceil(len(_text(self.mathematics[col])) / (CHARACTERS * width))
+            math.ceil(0.3 + len(_text(self.mathematics[col])) / (CHARACTERS * width))
             for col, width in enumerate(self.widths)
         ]
         return LINE * max(2, *lines)
@@ -109,7 +109,9 @@ class Table:
         plan, first = self.plan, self.plan.at.first
         title = "" if column.kind == "status" else heading(plan, column)
         self.cells.append(Cell(plan.symbol_row, column.col, title or None, styles.HEAD))
-        self.cells.append(Cell(plan.symbol_row + 1, column.col, self.mathematics[column.col] or None, styles.FORMULA_TEXT))
+        self.cells.append(
+            Cell(plan.symbol_row + 1, column.col, self.mathematics[column.col] or None, styles.FORMULA_TEXT)
+        )
         match column.kind:
             case "driver":
                 self._driver()

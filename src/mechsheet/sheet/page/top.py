@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, transform
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
 from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.naming import body_words, link_words
@@ -26,8 +26,17 @@ SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 
 SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
 
-LEAST, MOST, MEAN = 5.0, 4.0, 1.0
-"""Functions of AGGREGATE; with option 6 it leaves rows without a position out."""
+LEAST, MOST, MEAN = "MINIFS", "MAXIFS", "AVERAGEIF"
+
+NUMBERS = "<1E+300"
+"""What numbers are, and errors are not: rows without a position are left out."""
+
+
+def over_rows(function: str, column: Node) -> Node:
+    """The least, the largest or the mean of the numbers of a column."""
+    if function == MEAN:
+        return formula("AVERAGEIF(column,numbers)", column=column, numbers=NUMBERS)
+    return Call(function, (column, column, Text(NUMBERS)))
 
 
 class Top:
@@ -79,9 +88,9 @@ class Top:
             CellRef(spot.row, spot.col, True, True), CellRef(self.plan.last_looked_at, spot.col, True, True)
         )
 
-    def over_rows(self, symbol: str, function: float) -> Node:
-        """AGGREGATE over a column, as people read it."""
-        return formula("AGGREGATE(function,6,column)", function=function, column=self.column(symbol))
+    def over_rows(self, symbol: str, function: str) -> Node:
+        """Over a column, as people read it."""
+        return over_rows(function, self.column(symbol))
 
     def cell(self, key: str) -> Node:
         """A cell on top by its key."""
@@ -264,7 +273,11 @@ class Top:
         self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
-        for test, style in (("OR(NOT(ISNUMBER(first)),n=0)", styles.BAD), ("n<rows", styles.WARN), ("n=rows", styles.GOOD)):
+        for test, style in (
+            ("OR(NOT(ISNUMBER(first)),n=0)", styles.BAD),
+            ("n<rows", styles.WARN),
+            ("n=rows", styles.GOOD),
+        ):
             condition = plan.at.bind(formula(test, first=first, n=count, rows=rows), plan.main)
             self.conditionals.append(Conditional(area, condition, style))
 
@@ -303,4 +316,3 @@ class Top:
 def status_words(plan: PagePlan, group: Group) -> str:
     """The links of a group."""
     return ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
-
