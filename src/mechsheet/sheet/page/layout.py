@@ -15,7 +15,7 @@ from mechsheet.sheet.drawing import marker
 from mechsheet.sheet.layout import description_sheet
 from mechsheet.sheet.page.drawing import PageDrawing
 from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page
-from mechsheet.sheet.page.table import Table
+from mechsheet.sheet.page.table import Table, note_last
 from mechsheet.sheet.page.top import LAST, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
 from mechsheet.sheet.symbols import plain
@@ -80,7 +80,7 @@ def _page(plan: PagePlan) -> Sheet:
     columns = [Column(col, col, width) for col, width in enumerate(widths)]
     if right >= len(widths):
         columns.append(Column(len(widths), right, NARROW))
-    note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: plan.status_column + 1])))
+    note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
     heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
     heights |= {
         0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row: NOTE_LINE * (note_lines + 1) - 8,
@@ -106,7 +106,7 @@ def _page(plan: PagePlan) -> Sheet:
             footer=plan.footer,
             repeat_rows=(plan.symbol_row, plan.symbol_row),
             area=Area(0, 0, plan.at.last, last),
-            fit_width=1 + last // COLUMNS_OF_A_PAGE,
+            fit_width=1 + plan.status_column // COLUMNS_OF_A_PAGE,
         ),
     )
 

@@ -24,6 +24,7 @@ NARROWEST, WIDEST = 10.0, 26.0
 """Widths of columns in characters."""
 
 STATUS_WIDTH = 14.0
+NOTE_COLUMNS = 12
 CHARACTERS, LINE, MOST_LINES = 1.65, 12.0, 4
 """Small characters in a character's width, the height of such a line [pixels], and the lines before a column widens."""
 
@@ -54,7 +55,7 @@ class Table:
         used = {part.name for part in parts if isinstance(part, Call)}
         key = "page.note" if "ACOS" in used else "page.note.legs" if "ASIN" in used else "page.note.plain"
         self.cells.append(Cell(plan.note_row, 0, plan.text(key), styles.NOTE))
-        self.merges.append(Merge(Area(plan.note_row, 0, plan.note_row, plan.status_column)))
+        self.merges.append(Merge(Area(plan.note_row, 0, plan.note_row, note_last(plan))))
 
     def _groups(self) -> None:
         """A heading over the columns of each group."""
@@ -194,6 +195,11 @@ class Table:
             shown = plan.at.bind(formula("ROW()-ROW(top)=_position", top=top), plan.main)
             found.insert(0, Conditional(area, shown, styles.CURRENT))
         return found
+
+
+def note_last(plan: PagePlan) -> int:
+    """The last of the columns over which the note stands: no more than a screen shows."""
+    return min(plan.status_column, NOTE_COLUMNS - 1)
 
 
 def status(plan: PagePlan) -> Node:
