@@ -13,7 +13,7 @@ $(VENV)/.ready: pyproject.toml requirements.lock
 	touch $@
 
 demo: $(VENV)/.ready
-	$(BIN)/python -m mechsheet.demo templates generated
+	$(BIN)/python tools/demo.py templates generated
 
 test: $(VENV)/.ready
 	$(MAKE) lint types

@@ -22,7 +22,7 @@ import numpy as np
 from mechsheet.engine import compile_book
 from mechsheet.formula.book import Book, BookBuilder
 from mechsheet.formula.parser import parse_formula
-from mechsheet.what_if import Session
+from mechsheet.library.session import Session
 
 DIMENSIONS = {
     "a_1": 70.0,

@@ -10,8 +10,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
 
-from mechsheet.building import build
 from mechsheet.description import load, loads
+from mechsheet.library.building import build
 from random_mechanisms import Grower
 
 ROOT = Path(__file__).parent.parent

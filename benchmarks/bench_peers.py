@@ -95,7 +95,7 @@ class Formulas:
     most = 361
 
     def __init__(self, path):
-        from mechsheet.programs import answers
+        from mechsheet.checking.programs import answers
 
         self.answers = answers("formulas", path)
 
@@ -171,7 +171,7 @@ def command_of(name, path, row, folder, change=0):
     if name == "gnumeric":
         table = folder / "gnumeric.csv"
         return ["ssconvert", "--recalc", str(path), str(table)], table
-    from mechsheet.programs import RECALCULATE
+    from mechsheet.checking.programs import RECALCULATE
 
     user = folder / "profile" / "user"
     if not user.exists():

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from mechsheet.checking import Comparison
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.compute import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.engine import evaluate
 from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.kinematics.solve import solve

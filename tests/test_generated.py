@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from chosen import some
-from mechsheet.building import FORMATS, build
 from mechsheet.description import load
+from mechsheet.library.building import FORMATS, build
 
 ROOT = Path(__file__).parent.parent
 TEMPLATES = sorted((ROOT / "templates").glob("*.toml"))

@@ -22,7 +22,6 @@ from types import FrameType
 
 import xlsxwriter
 
-from mechsheet.building import build
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.engine import compile_book, evaluate
@@ -31,6 +30,7 @@ from mechsheet.formula.book import Book, BookSheet, DefinedName
 from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
+from mechsheet.library.building import build
 
 ROOT = Path(__file__).parent.parent
 FOUND = Path(tempfile.gettempdir()) / "fuzz-found"

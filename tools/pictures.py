@@ -12,11 +12,11 @@ from pathlib import Path
 
 from screenshot import screenshot
 
-from mechsheet.building import build
 from mechsheet.checking import check
+from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.description import load
+from mechsheet.library.building import build
 from mechsheet.plotting import plot
-from mechsheet.programs import convert_with_libreoffice
 
 ROOT = Path(__file__).parent.parent
 PICTURES = ROOT / "docs" / "pictures"

@@ -25,7 +25,7 @@ from mechsheet.description import load
 HERE = Path(__file__).parent.parent
 TEMPLATES = HERE / "templates"
 DOCUMENT = HERE / "docs" / "proof.md"
-PLACES = ("positions", "mechanism", "checks", "drawing", "tables", "recomputed")
+PLACES = ("positions", "mechanism", "checks", "extremes", "drawing", "tables")
 
 
 def perturbed(count: int, seed: int, programs: tuple[str, ...], name: str) -> Perturbation:

@@ -14,35 +14,35 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from mechsheet.building import build, compile_workbook
     from mechsheet.checking import Comparison, Report, check
     from mechsheet.diagnostics import MechsheetError
     from mechsheet.exporting import export
-    from mechsheet.linkage import Linkage, Motion, load, loads, template
+    from mechsheet.library.building import build, compile_workbook
+    from mechsheet.library.linkage import Linkage, Motion, load, loads, template
+    from mechsheet.library.recalculation import Result, recalc
+    from mechsheet.library.session import Session, open_book
     from mechsheet.model import Mechanism
     from mechsheet.plotting import plot
-    from mechsheet.recalculation import Result, recalc
-    from mechsheet.what_if import Session, open_book
 
 _HOMES = {
-    "build": "building",
-    "compile_workbook": "building",
+    "build": "library.building",
+    "compile_workbook": "library.building",
     "check": "checking",
     "Comparison": "checking",
     "Report": "checking",
     "export": "exporting",
-    "load": "linkage",
-    "loads": "linkage",
-    "template": "linkage",
-    "Linkage": "linkage",
-    "Motion": "linkage",
+    "load": "library.linkage",
+    "loads": "library.linkage",
+    "template": "library.linkage",
+    "Linkage": "library.linkage",
+    "Motion": "library.linkage",
     "MechsheetError": "diagnostics",
     "Mechanism": "model",
     "plot": "plotting",
-    "open_book": "what_if",
-    "recalc": "recalculation",
-    "Result": "recalculation",
-    "Session": "what_if",
+    "open_book": "library.session",
+    "recalc": "library.recalculation",
+    "Result": "library.recalculation",
+    "Session": "library.session",
 }
 """Name -> module: imported when first used, so that `mechsheet --help` need not load numpy."""
 

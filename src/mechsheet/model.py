@@ -1,23 +1,20 @@
 """A mechanism as frozen data: links, points, joints, a driver. No behaviour, no file format, no solution.
 
-Quantities. A `Quantity` is a float in internal units (the file's length unit, radians) or a string: an expression in the
-description's dialect (`+ - * / ^`, parentheses, numbers, `pi`, dimension symbols, and the functions of `FUNCTIONS`;
-`^` leans right and binds tighter than the unary minus; `atan2(y, x)`), whose dimensions enter in internal units and
-whose value is in internal units. The reader has checked that every expression parses and names only dimensions.
+Quantities. A `Quantity` is a plain number in internal units (the file's length unit, radians), which becomes an input cell
+where it has one; or an expression as a tree, which becomes a formula: its dimensions enter in internal units and its value
+is in internal units. The reader has parsed it and checked that it names only dimensions.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
-Quantity: TypeAlias = float | str
+from mechsheet.formula.nodes import Node
+from mechsheet.units import Unit
 
-FUNCTIONS = (
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "hypot", "abs", "sign",
-    "min", "max", "exp", "ln", "radians", "degrees",
-)  # fmt: skip
+Quantity: TypeAlias = float | Node
 
 GROUND = 1
 """The number of the fixed link."""
@@ -40,21 +37,26 @@ class Dimension:
     """A named constant: an input cell, or a derived one.
 
     value      a number in internal units (an angle in radians), or the expression of a derived dimension
-    derived    True when the description says `formula`
-    unit       "deg" (shown in degrees, used in radians), "rad", the length unit, or "1" for a plain number
+    unit       in which it is shown: degrees or radians, the length unit, or none for a plain number
     cell       the name of its cell, when the description chooses it
-    tolerance  in the unit shown (degrees for "deg")
+    tolerance  in the unit shown
     shown      a plain number as the description wrote it, in its unit (30 for 30 degrees), else None
+    written    the expression of a derived dimension as the description wrote it, else ""
     """
 
     symbol: str
     value: Quantity
-    unit: str
-    derived: bool = False
+    unit: Unit
     label: Words | None = None
     cell: str | None = None
     tolerance: float | None = None
     shown: float | None = None
+    written: str = ""
+
+    @property
+    def derived(self) -> bool:
+        """Whether it follows from other dimensions, as the description says by `formula`."""
+        return not isinstance(self.value, float)
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,11 +136,11 @@ class Driver:
     symbol             theta12, or the joint's symbol
     start, stop, step  the sweep in internal units (stop is included when the steps land on it); or
     values             the driver's values one by one
-    unit               unit in which a person reads and writes the values: "deg", "rad" or the length unit
+    unit               unit in which a person reads and writes the values: degrees, radians or the length unit
     """
 
     symbol: str
-    unit: str
+    unit: Unit
     link: str = ""
     relative_to: str = ""
     joint: str = ""
@@ -167,8 +169,8 @@ class Output:
     """A further quantity: an expression over variables (`C.x` too) and dimensions; `unit` as a dimension's, or any label."""
 
     symbol: str
-    formula: str
-    unit: str
+    formula: Node
+    unit: Unit
     label: Words | None = None
     cell: str | None = None
 
@@ -216,7 +218,7 @@ class Mechanism:
     title: Words
     source: Words
     length_unit: str
-    angle_unit: Literal["deg", "rad"]
+    angle_unit: Unit
     dimensions: tuple[Dimension, ...]
     links: tuple[Link, ...]
     joints: tuple[Joint, ...]
@@ -235,6 +237,13 @@ class Mechanism:
     def stem(self) -> str:
         """What files made of it are called: as the file it was read from, or by its name."""
         return self.file or self.name
+
+    def shown(self, unit: Unit) -> Unit:
+        """The unit in which people read a quantity of an equation: its own, or that of all lengths, of all angles."""
+        if unit.symbol:
+            return unit
+        known = self.angle_unit if unit.kind == "angle" else Unit(unit.kind, self.length_unit)
+        return replace(known, per=unit.per)
 
     @property
     def ground(self) -> Link:

@@ -7,7 +7,7 @@ from pathlib import Path
 from mechsheet.checking.audit import Audit, audit
 from mechsheet.checking.expected import expected_for
 from mechsheet.checking.inputs import description_in
-from mechsheet.compute import book_of, computed
+from mechsheet.compiled.evaluation import book_of, computed
 from mechsheet.description import load
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Node, shifted

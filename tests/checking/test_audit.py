@@ -8,13 +8,13 @@ from edited import TEMPLATES, audited, edited, laid_out, saved, with_column
 
 from chosen import IN_CI, part
 from mechsheet.checking import check
-from mechsheet.checking.trees import alike
-from mechsheet.compute import computed
+from mechsheet.checking.formula_diff import alike
+from mechsheet.checking.programs import convert_with_libreoffice
+from mechsheet.compiled.evaluation import computed
 from mechsheet.diagnostics import MechsheetError, WorkbookError
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Unary
 from mechsheet.formula.parser import parse_formula
-from mechsheet.programs import convert_with_libreoffice
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.workbook import Cell
 

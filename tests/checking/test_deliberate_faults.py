@@ -7,7 +7,7 @@ from edited import laid_out
 
 from chosen import part
 from mechsheet.checking import check
-from mechsheet.compute import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Call, CellRef, Unary, transform
 from mechsheet.sheet.workbook import Cell

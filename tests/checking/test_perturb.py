@@ -8,11 +8,11 @@ from edited import TEMPLATES, edited, laid_out, saved
 from chosen import IN_CI, part
 from mechsheet.checking import check, perturb
 from mechsheet.checking.perturb import drawn
-from mechsheet.compute import computed
+from mechsheet.checking.programs import PROGRAMS, stored_values
+from mechsheet.compiled.evaluation import computed
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.formats import read, write
 from mechsheet.formula.nodes import Unary
-from mechsheet.programs import PROGRAMS, stored_values
 
 
 @pytest.fixture(scope="module")

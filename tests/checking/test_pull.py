@@ -12,7 +12,7 @@ from mechsheet.checking.changes import input_places
 from mechsheet.checking.expected import expected_for
 from mechsheet.checking.perturb import drawn
 from mechsheet.checking.pull import pull
-from mechsheet.compute import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.engine import evaluate

@@ -11,13 +11,12 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from mechsheet.building import FORMATS
 from mechsheet.checking import check, with_twins
+from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import difference
-from mechsheet.checking.sought import names_an_equal_row
 from mechsheet.checking.twins import compare_twins
 from mechsheet.cli import main
-from mechsheet.compute import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write
@@ -25,6 +24,7 @@ from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Unary
 from mechsheet.formula.parser import parse_formula
 from mechsheet.kinematics.solve import solve
+from mechsheet.library.building import FORMATS
 from mechsheet.sheet.layout import lay_out
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"

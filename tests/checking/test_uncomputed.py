@@ -9,8 +9,8 @@ import pytest
 from click.testing import CliRunner
 
 from mechsheet.checking import check
+from mechsheet.checking.programs import libreoffice_command
 from mechsheet.cli import main
-from mechsheet.programs import libreoffice_command
 
 ROOT = Path(__file__).parent.parent.parent
 GENERATED = ROOT / "generated"

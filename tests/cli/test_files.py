@@ -14,6 +14,7 @@ from small import CRANK, run
 
 import mechsheet
 from chosen import part
+from mechsheet.compiled import Compiled
 from mechsheet.formats.seal import is_untouched
 
 posix = pytest.mark.skipif(os.name == "nt", reason="Windows has no such files")
@@ -268,8 +269,7 @@ def test_new_lists_titles():
     ],
 )
 def test_one_line_says_whether_it_closes(tmp_path, settings, said):
-    from mechsheet.building import compile_workbook
-    from mechsheet.verdict import verdict
+    from mechsheet.cli.verdict import verdict
 
     text = (Path(__file__).parents[2] / "templates" / "four-bar.toml").read_text(encoding="utf-8")
     overrides = {}
@@ -278,7 +278,7 @@ def test_one_line_says_whether_it_closes(tmp_path, settings, said):
     elif settings:
         overrides = dict(setting.split("=") for setting in settings)
     mechanism = mechsheet.loads(text, "four-bar.toml", overrides)
-    assert said in verdict(mechanism, *compile_workbook(mechanism))
+    assert said in verdict(Compiled(mechanism))
 
 
 def test_build_prints_the_verdict_beside_the_names(here):

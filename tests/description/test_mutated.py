@@ -5,13 +5,13 @@ import warnings
 import pytest
 
 from chosen import IN_CI
-from mechsheet.building import compile_workbook
 from mechsheet.description import loads
 from mechsheet.description.locate import located
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.diagnostics import DescriptionError, DescriptionWarning, Fault, MechanismError
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import solve
+from mechsheet.library.building import compile_workbook
 from mechsheet.sheet.layout import lay_out
 from mutations import DAMAGES, mutated
 

@@ -85,6 +85,8 @@ def test_spellings(typed: str, value: float) -> None:
         ("A1", "1", 'no dimension is called "A1"\n       = did you mean "a1"?'),
         ("gamma3", "1", 'the dimension "gamma3" is derived from others\n       = change the dimensions in its'),
         ("a1", "65,5", 'expected a number, found "65,5"\n       = write 65.5'),
+        ("a1", "−5", 'expected a number, found "−5"\n       = write -5'),
+        ("a1", "3 cm", 'expected a number, found "3 cm"\n       = a plain number in the dimension\'s own unit'),
         ("a1", "", 'expected a number, found ""\n       = a plain number in the dimension\'s own unit'),
         ("a1", "2*a2", 'expected a number, found "2*a2"'),
         ("a1", "nan", 'expected a number, found "nan"'),

@@ -8,6 +8,8 @@ import pytest
 from mechsheet.description import load, loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
+from mechsheet.formula.nodes import Symbol, Unary
+from mechsheet.formula.parser import parse_description
 from mechsheet.model import (
     Cartesian,
     ChartRequest,
@@ -24,57 +26,68 @@ from mechsheet.model import (
     TableRequest,
     Words,
 )
+from mechsheet.units import DEG, NUMBER, RAD, unit_of
 
 DATA = Path(__file__).parents[1] / "data"
 ORIGIN = Cartesian(0.0, 0.0)
+MM, CM = unit_of("mm", "mm"), unit_of("cm", "cm")
+
+
+def derived(symbol, formula, unit, **more):
+    return Dimension(symbol, parse_description(formula), unit, written=formula, **more)
 
 
 def test_four_bar() -> None:
     path = DATA / "four-bar.toml"
     values = {"a1": 70, "a2": 35, "a3": 62.3, "a4": 56, "b3": 126.6, "c3": 84.1}
-    coupler = {"A": ORIGIN, "B": Cartesian("a3", 0.0), "C": Distances("A", "b3", "B", "c3", "left")}
+    coupler = {
+        "A": ORIGIN,
+        "B": Cartesian(Symbol("a3"), 0.0),
+        "C": Distances("A", Symbol("b3"), "B", Symbol("c3"), "left"),
+    }
     assert load(path) == Mechanism(
         name="four-bar",
         title=Words("four-bar", "four-bar"),
         source=Words("", ""),
         length_unit="mm",
-        angle_unit="deg",
-        dimensions=tuple(Dimension(name, value, "mm", shown=value) for name, value in values.items()),
+        angle_unit=DEG,
+        dimensions=tuple(Dimension(name, value, MM, shown=value) for name, value in values.items()),
         links=(
-            Link("ground", 1, {"A0": ORIGIN, "B0": Cartesian("a1", 0.0)}),
-            Link("crank", 2, {"A0": ORIGIN, "A": Cartesian("a2", 0.0)}),
+            Link("ground", 1, {"A0": ORIGIN, "B0": Cartesian(Symbol("a1"), 0.0)}),
+            Link("crank", 2, {"A0": ORIGIN, "A": Cartesian(Symbol("a2"), 0.0)}),
             Link("coupler", 3, coupler),
-            Link("rocker", 4, {"B0": ORIGIN, "B": Cartesian("a4", 0.0)}),
+            Link("rocker", 4, {"B0": ORIGIN, "B": Cartesian(Symbol("a4"), 0.0)}),
         ),
         joints=(),
-        driver=Driver("theta12", "deg", "crank", "ground", "", 0.0, math.radians(360), math.radians(15), values=()),
+        driver=Driver("theta12", DEG, "crank", "ground", "", 0.0, math.radians(360), math.radians(15), values=()),
         sketch=Sketch({"B": (50.0, 55.0)}, {}),
-        outputs=(Output("mu", "theta14 - theta13", "deg"),),
+        outputs=(Output("mu", parse_description("theta14 - theta13"), DEG),),
         text=path.read_text(encoding="utf-8"),
     )
 
 
 def test_slider_crank() -> None:
     mechanism = load(DATA / "slider-crank.toml")
-    joint = Joint("s14", "prismatic", "piston", "ground", "B", (0.0, "a1"), 0.0, 0.0, "s14")
+    joint = Joint("s14", "prismatic", "piston", "ground", "B", (0.0, Symbol("a1")), 0.0, 0.0, "s14")
     assert mechanism.joints == (joint,)
-    assert mechanism.dimensions[-1] == Dimension("gamma3", math.radians(30), "deg", shown=30.0)
-    assert mechanism.links[2].points["C"] == Polar("b3", "-gamma3")
+    assert mechanism.dimensions[-1] == Dimension("gamma3", math.radians(30), DEG, shown=30.0)
+    assert mechanism.links[2].points["C"] == Polar(Symbol("b3"), Unary("-", Symbol("gamma3")))
 
 
 def test_adjustable_pump() -> None:
     mechanism = load(DATA / "adjustable-pump.toml")
     assert mechanism.joints == (
         Joint("s15", "prismatic", "plunger", "ground", "D", "A0", math.pi, 0.0, "s15"),
-        Joint("s4", "pin-slot", "plunger", "rocker", "D", ("c4", 0.0), math.radians(90), 0.0, "s4"),
+        Joint("s4", "pin-slot", "plunger", "rocker", "D", (Symbol("c4"), 0.0), math.radians(90), 0.0, "s4"),
     )
 
 
 def test_six_link_dwell() -> None:
     mechanism = load(DATA / "six-link-dwell.toml")
     alpha3 = mechanism.dimensions[-1]
-    assert (alpha3.derived, alpha3.unit, alpha3.shown) == (True, "deg", None)
-    assert alpha3.value == "acos((AC^2 + AB^2 - BC^2) / (2*AC*AB))"
+    assert (alpha3.derived, alpha3.unit, alpha3.shown) == (True, DEG, None)
+    assert alpha3.written == "acos((AC^2 + AB^2 - BC^2) / (2*AC*AB))"
+    assert alpha3.value == parse_description(alpha3.written)
     assert [link.number for link in mechanism.links] == [1, 2, 3, 4, 5, 6]
     assert mechanism.sketch.points == {"B": (740.0, 750.0), "D": (1140.0, 1270.0)}
 
@@ -88,21 +101,21 @@ def test_every_key_head(everything: Mechanism) -> None:
     assert everything.name == "every-key_1"
     assert everything.title == Words("Every key", "Her anahtar")
     assert everything.source == Words("first line\nsecond line", "first line\nsecond line")
-    assert (everything.length_unit, everything.angle_unit) == ("cm", "rad")
+    assert (everything.length_unit, everything.angle_unit) == ("cm", RAD)
     assert (everything.language, everything.references) == ("tr", "anchors")
 
 
 def test_every_key_dimensions(everything: Mechanism) -> None:
     label = Words("crank A0A", "krank A0A")
     assert everything.dimensions == (
-        Dimension("a1", 7.0, "cm", shown=7.0),
-        Dimension("a2", 3.5, "cm", label=label, cell="Krank", tolerance=0.1, shown=3.5),
-        Dimension("phi0", math.radians(30), "deg", tolerance=0.5, shown=30.0),
-        Dimension("half", 0.5, "1", shown=0.5),
-        Dimension("turn", 1.5, "rad", shown=1.5),
-        Dimension("late", "2*early", "cm", derived=True, label=Words("late", "late")),
-        Dimension("early", "a1*half", "cm", derived=True),
-        Dimension("gamma3", "acos(half)", "deg", derived=True, cell="Gama.3"),
+        Dimension("a1", 7.0, CM, shown=7.0),
+        Dimension("a2", 3.5, CM, label=label, cell="Krank", tolerance=0.1, shown=3.5),
+        Dimension("phi0", math.radians(30), DEG, tolerance=0.5, shown=30.0),
+        Dimension("half", 0.5, NUMBER, shown=0.5),
+        Dimension("turn", 1.5, RAD, shown=1.5),
+        derived("late", "2*early", CM, label=Words("late", "late")),
+        derived("early", "a1*half", CM),
+        derived("gamma3", "acos(half)", DEG, cell="Gama.3"),
     )
 
 
@@ -111,28 +124,28 @@ def test_every_key_links(everything: Mechanism) -> None:
     assert everything.ground is ground
     assert [link.number for link in everything.links] == [1, 2, 6, 7, 10]
     assert [link.angle_symbol for link in everything.links[1:]] == ["theta12", "theta16", "theta17", "theta1_10"]
-    assert ground.points["B0"] == Polar("a1", "-phi0")
+    assert ground.points["B0"] == Polar(Symbol("a1"), Unary("-", Symbol("phi0")))
     assert list(crank.points) == ["A0", "A"]
     assert coupler.label == Words("biyel", "biyel")
-    assert coupler.points["C"] == Distances("B", 5.0, "A", "2*a2", "right")
+    assert coupler.points["C"] == Distances("B", 5.0, "A", parse_description("2*a2"), "right")
     assert block.points == {"C": ORIGIN}
     assert rod.points == {"D": Polar(2.0, 0.25)}
 
 
 def test_every_key_joints(everything: Mechanism) -> None:
     assert everything.joints == (
-        Joint("guide", "prismatic", "block", "ground", "C", "B0", 0.5, "pi/2", "s17"),
-        Joint("s", "pin-slot", "coupler", "rod", "B", (1.0, "half*a1"), 0.0, 0.0, "s"),
-        Joint("s_b", "pin-slot", "coupler", "rod", "A", "D", "phi0", 0.0, "s_b"),
+        Joint("guide", "prismatic", "block", "ground", "C", "B0", 0.5, parse_description("pi/2"), "s17"),
+        Joint("s", "pin-slot", "coupler", "rod", "B", (1.0, parse_description("half*a1")), 0.0, 0.0, "s"),
+        Joint("s_b", "pin-slot", "coupler", "rod", "A", "D", Symbol("phi0"), 0.0, "s_b"),
     )
 
 
 def test_every_key_results(everything: Mechanism) -> None:
-    assert everything.driver == Driver("theta62", "rad", "crank", "coupler", values=(0.0, 1.5, "phi0"))
-    assert everything.sketch == Sketch({"B": (50.0, "a1")}, {"theta16": 0.75, "s17": "2*a1"})
+    assert everything.driver == Driver("theta62", RAD, "crank", "coupler", values=(0.0, 1.5, Symbol("phi0")))
+    assert everything.sketch == Sketch({"B": (50.0, Symbol("a1"))}, {"theta16": 0.75, "s17": parse_description("2*a1")})
     assert everything.outputs == (
-        Output("mu", "theta12 - theta16", "deg", Words("angle", "angle"), "Mu_1"),
-        Output("xc", "C.x + B0.y", "cm"),
+        Output("mu", parse_description("theta12 - theta16"), DEG, Words("angle", "angle"), "Mu_1"),
+        Output("xc", parse_description("C.x + B0.y"), CM),
     )
     assert everything.summaries == (
         Summary("stroke", "s17", "range", Words("stroke", "kurs"), "Kurs"),
@@ -142,7 +155,7 @@ def test_every_key_results(everything: Mechanism) -> None:
         ChartRequest(Words("angles", "angles"), "theta62", ("theta12", "mu", "C.x")),
         ChartRequest(paths=("C", "B")),
     )
-    columns = (math.radians(10), math.radians(20), "pi/6")
+    columns = (math.radians(10), math.radians(20), parse_description("pi/6"))
     assert everything.tables == (TableRequest("theta62", "phi0", columns, "xc", Words("two ways", "two ways")),)
 
 
@@ -168,7 +181,7 @@ def test_driven_displacement() -> None:
     driver_at, assembly_at = source.index("[driver]"), source.index("[assembly]")
     source = source[:driver_at] + "[driver]\n" + text + source[assembly_at:]
     source = source.replace('type = "prismatic"', 'type = "prismatic"\nname = "guide"')
-    expected = Driver("s14", "mm", joint="guide", start=230.0, stop=280.0, step=0.5)
+    expected = Driver("s14", MM, joint="guide", start=230.0, stop=280.0, step=0.5)
     assert loads(source).driver == expected
     assert loads(source.replace('joint = "guide"', 'joint = "guide"\nsymbol = "s14"')).driver == expected
 
@@ -194,7 +207,7 @@ def test_names_are_normalised() -> None:
         .replace('"a1"', '"ölçü"')
     )
     assert mechanism.dimensions[0].symbol == "ölçü"
-    assert mechanism.links[0].points["B0"] == Cartesian("ölçü", 0.0)
+    assert mechanism.links[0].points["B0"] == Cartesian(Symbol("ölçü"), 0.0)
 
 
 def test_line_ends_and_byte_order_mark() -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechsheet.description.rewrite import number_text, with_key, with_number, without_key
+from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.source import parse
 
 TEXT = """\
@@ -67,9 +67,9 @@ def test_given_and_taken_away_again():
 def test_elements_of_lists_and_new_tables():
     source = with_number(with_number(parse(TEXT, "x"), ("assembly", "B", 1), 55.0), ("assembly", "theta13"), 70.0)
     assert source.text.endswith("[assembly]\ntheta13 = 70\nB = [50, 55]   # as drawn\n")
-    source = with_key(parse("[dimensions]\na = 1\n", "x"), ("assembly", "B"), "[1, 2]")
+    source = with_value(parse("[dimensions]\na = 1\n", "x"), ("assembly", "B"), "[1, 2]")
     assert source.data["assembly"] == {"B": [1, 2]}
-    source = with_key(parse("assembly = {}\n", "x"), ("assembly", "B'"), "[1, 2]")
+    source = with_value(parse("assembly = {}\n", "x"), ("assembly", "B'"), "[1, 2]")
     assert source.data["assembly"] == {"B'": [1, 2]}
 
 

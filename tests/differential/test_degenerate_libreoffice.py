@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from chosen import part
-from mechsheet.building import compile_workbook
+from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.description import loads
 from mechsheet.formats import write
-from mechsheet.programs import convert_with_libreoffice, stored_values
+from mechsheet.library.building import compile_workbook
 from mechsheet.sheet.plan import EXISTS, STATUS
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "sheet"))

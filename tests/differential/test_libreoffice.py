@@ -9,12 +9,12 @@ import pytest
 from chosen import IN_CI
 from mechsheet.checking import check
 from mechsheet.checking.cells import angles_in, compare_cells
-from mechsheet.compute import computed
+from mechsheet.checking.programs import convert_with_libreoffice, stored_values
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write
 from mechsheet.kinematics.solve import solve
-from mechsheet.programs import convert_with_libreoffice, stored_values
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import KINDS, Grower
 

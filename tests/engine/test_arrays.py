@@ -6,6 +6,7 @@ import pytest
 from openpyxl.worksheet.formula import ArrayFormula
 
 from engine_cases import COLUMN, FIRST_ROW, FOLDER, array_cases, book_of, cells, load, same
+from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.engine import Live, compile_book
 from mechsheet.engine.layout import Area
 from mechsheet.formula.book import BookBuilder, Table
@@ -13,7 +14,6 @@ from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import parse_cell
-from mechsheet.programs import convert_with_libreoffice
 
 CASES = array_cases()
 STEP = 7

@@ -42,9 +42,9 @@ def worst_against_reference(mechanism, found, dimensions=None, modes=None):
     worst = 0.0
     for symbol, values in found.items():
         gap = np.asarray(values, float) - theirs[symbol]
-        unit = "angle" if symbol == mechanism.driver.symbol else equations.of(symbol).unit
+        unit = "angle" if symbol == mechanism.driver.symbol else equations.of(symbol).unit.kind
         if symbol == mechanism.driver.symbol:
-            gap = gap / (1.0 if mechanism.driver.unit in ("deg", "rad") else solution.size)
+            gap = gap / (1.0 if mechanism.driver.unit.kind == "angle" else solution.size)
         elif unit == "angle":
             gap = np.remainder(gap + math.pi, math.tau) - math.pi
         elif unit == "length":

@@ -11,11 +11,11 @@ from exported import TEMPLATES
 from ezdxf.enums import TextEntityAlignment
 from lxml import etree
 
-from mechsheet.building import compile_workbook
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.exporting import export
-from mechsheet.show import variables_of
+from mechsheet.library.building import compile_workbook
+from mechsheet.library.show import variables_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 BY_NAME = {path.stem: path for path in TEMPLATES}
@@ -136,5 +136,5 @@ def test_csv_is_what_the_engine_has(tmp_path):
             for text, column in zip(line.split(","), columns.values(), strict=True):
                 assert (None if text == "" else float(text)) == column[row]
         units = {word.split(" [")[0]: word.split(" [")[1].rstrip("]") for word in head.split(",") if "[" in word}
-        assert units[mechanism.driver.symbol] == mechanism.driver.unit
+        assert units[mechanism.driver.symbol] == mechanism.driver.unit.symbol
         assert all(unit == mechanism.length_unit for symbol, unit in units.items() if symbol.endswith(".x"))

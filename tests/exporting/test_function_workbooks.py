@@ -10,9 +10,10 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from mechsheet.building import build
+from mechsheet.checking.programs import answers
 from mechsheet.cli import main
-from mechsheet.compute import computed
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import OutputError
 from mechsheet.engine import evaluate
@@ -29,8 +30,8 @@ from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
-from mechsheet.programs import answers
-from mechsheet.recalculation import recalc
+from mechsheet.library.building import build
+from mechsheet.library.recalculation import recalc
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.tables import CHART_COLUMNS, FIRST
 from office_macros import Job as Office
@@ -60,7 +61,7 @@ def four_bar_with_tables():
 
 def values_of(mechanism, formulas: list[str]) -> list:
     """What the engine computes from formulas that call the mechanism's functions, written as LAMBDA."""
-    source = Source(mechanism, solve(mechanism))
+    source = Source(Compiled(mechanism))
     functions = functions_of(source, "tr")
     builder = BookBuilder()
     for function in named_functions(functions, {function.key: function.name for function in functions}):
@@ -274,7 +275,7 @@ def test_the_assembly_mode_reaches_the_functions(folder):
 @pytest.mark.parametrize("seed", [2, 5, 9])
 def test_functions_of_random_mechanisms_equal_the_table_of_positions(seed):
     mechanism = loads(Grower(seed, 1 + seed % 3).text(rows=7))
-    workbook = computed(functions_workbook(mechanism, "lambda")[0])
+    workbook = computed(functions_workbook(Compiled(mechanism), "lambda"))
     sheet = workbook.sheet("Functions")
     gaps = [fill.values[0] for fill in sheet.fills if fill.row == DIFFERENCE_ROW]
     assert len(gaps) > 5
@@ -288,13 +289,13 @@ def test_names_of_a_description_that_functions_use_themselves():
     text = PUMP.read_text(encoding="utf-8")
     text = text.replace("c4", "driver").replace("b1", "mode").replace("a3", "Tol")
     mechanism = loads(text.replace('language = "tr"', 'language = "tr"\nreferences = "anchors"'))
-    workbook = computed(functions_workbook(mechanism, "lambda")[0])
+    workbook = computed(functions_workbook(Compiled(mechanism), "lambda"))
     (table,) = [fill for fill in workbook.sheet("Tablo s15").fills if (fill.row, fill.col) == (FIRST, 1)]
     assert table.values[:2] == pytest.approx([252.0937, 247.4078], abs=6e-5)
 
 
 def test_a_function_too_long_for_excel_is_refused(tmp_path):
-    workbook = computed(functions_workbook(load(PUMP), "lambda")[0])
+    workbook = computed(functions_workbook(Compiled(load(PUMP)), "lambda"))
     long = replace(workbook.functions[0], name="Uzun", formula=parse_formula("+".join(["1234567"] * 1100)))
     with pytest.raises(OutputError, match=r"Uzun.*8192"):
         write(replace(workbook, functions=(*workbook.functions, long)), tmp_path / "long.xlsx")
@@ -306,7 +307,7 @@ def test_a_function_too_long_for_excel_is_refused(tmp_path):
 
 def test_the_basic_workbook_holds_its_module(tmp_path):
     path = tmp_path / "pump.ods"
-    write(computed(functions_workbook(load(PUMP), "basic")[0]), path)
+    write(computed(functions_workbook(Compiled(load(PUMP)), "basic")), path)
     with zipfile.ZipFile(path) as archive:
         names = set(archive.namelist())
         module = archive.read("Basic/Standard/Mechsheet.xml").decode()

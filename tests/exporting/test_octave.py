@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from exported import TEMPLATES, mechanisms, worst_against_reference
 
+from mechsheet.compiled import Compiled
 from mechsheet.description import load
 from mechsheet.exporting import export
 from mechsheet.exporting.program import program_of
@@ -43,7 +44,7 @@ def octave(folder, code):
 
 
 def arrays(mechanism, path):
-    names = program_of(mechanism, ()).shown
+    names = program_of(Compiled(mechanism), ()).shown
     lines = [line.split() for line in path.read_text().splitlines()]
     assert len(lines) == len(names)
     return {name: np.array([float(x) for x in line[1:]]) for name, line in zip(names, lines, strict=True)}

@@ -38,10 +38,7 @@ def at_a_position(mechanism):
     found = {symbol: float(column[row]) for symbol, column in reference.variables(solved).items()}
     driver = mechanism.driver
     units = {equation.symbol: equation.unit for equation in equations.columns} | {driver.symbol: driver.unit}
-    shown = {"angle": mechanism.angle_unit, "deg": "deg"}
-    degrees = {symbol: shown.get(unit) == "deg" for symbol, unit in units.items()}
-    for output in mechanism.outputs:
-        degrees[output.symbol] = output.unit == "deg"
+    degrees = {symbol: mechanism.shown(unit).in_degrees for symbol, unit in units.items()}
     values = {symbol: np.degrees(value) if degrees.get(symbol) else value for symbol, value in found.items()}
     return values[driver.symbol], values
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting import Job
@@ -19,8 +20,8 @@ from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import write
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
-from mechsheet.show import variables_of
+from mechsheet.kinematics.solve import dimension_values, driver_values
+from mechsheet.library.show import variables_of
 from office_macros import Job as Office
 from office_macros import with_macros
 from random_mechanisms import Grower
@@ -153,7 +154,7 @@ VALUED = (
 
 def formulas_of(mechanism, rows) -> tuple[list[str], list[tuple[str, int]]]:
     """Calls of every function of a mechanism at rows of its sweep; (variable, row) of each."""
-    source = Source(mechanism, solve(mechanism))
+    source = Source(Compiled(mechanism))
     functions = [function for function in functions_of(source, mechanism.language) if not function.basic]
     names = function_names(functions_of(source, mechanism.language))
     dimensions = dimension_values(mechanism)
@@ -174,7 +175,7 @@ def calls_of(mechanism) -> tuple[list[str], list[float | None], list[str]]:
     table = variables_of(mechanism)
     count = len(table[mechanism.driver.symbol])
     formulas, places = formulas_of(mechanism, (count // 3, count // 2))
-    source = Source(mechanism, solve(mechanism))
+    source = Source(Compiled(mechanism))
     units = ["deg" if in_degrees(source, symbol) else "" for symbol, _ in places]
     values = [table[symbol][row] for symbol, row in places]
     radians = [

@@ -10,7 +10,7 @@ from openpyxl.worksheet.table import Table
 from mechsheet.formats import read
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.printer import print_formula
-from mechsheet.recalculation import recalc
+from mechsheet.library.recalculation import recalc
 
 
 @pytest.fixture

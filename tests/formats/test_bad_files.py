@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from mechsheet.cli import main
 from mechsheet.formula.nodes import ErrorValue
-from mechsheet.recalculation import recalc
+from mechsheet.library.recalculation import recalc
 
 
 def run(path, *options):

@@ -6,9 +6,9 @@ import pytest
 import xlsxwriter
 from ods_files import cell, content, number, table, write_ods
 
+from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.formats import read
-from mechsheet.programs import convert_with_libreoffice
-from mechsheet.recalculation import recalc
+from mechsheet.library.recalculation import recalc
 
 TOTALS = {"SUBTOTAL(9,A2:A7)": 47.0, "SUBTOTAL(109,A2:A7)": 45.0, "AGGREGATE(9,4,A2:A7)": 63.0, "AGGREGATE(9,5,A2:A7)": 45.0,
           "SUM(A2:A7)": 63.0, "SUBTOTAL(103,A2:A7)": 4.0, "SUBTOTAL(102,A2:B7)": 4.0}  # fmt: skip

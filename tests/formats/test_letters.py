@@ -9,12 +9,12 @@ import subprocess
 import pytest
 
 from mechsheet.checking.cells import compare_cells
+from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.twins import compare_twins
-from mechsheet.compute import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write
 from mechsheet.formula.nodes import Binary, Call, CellRef, NameRef, Number, RangeRef, Text
-from mechsheet.programs import convert_with_libreoffice, stored_values
 from mechsheet.sheet.workbook import Cell, Fill, Name, Properties, Sheet, Workbook
 
 TITLES = ("Ömer'in çizelgesi", "Αρχική θέση", "Лист 1", "表 (二)", "A1", "1. satır", "it''s & <so>", "R1C1", "TRUE")

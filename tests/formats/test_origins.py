@@ -14,10 +14,10 @@ from openpyxl.chart import LineChart, Reference
 from openpyxl.comments import Comment
 from openpyxl.workbook.defined_name import DefinedName
 
+from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.formats import read
 from mechsheet.formula.nodes import ErrorValue
-from mechsheet.programs import convert_with_libreoffice
-from mechsheet.recalculation import recalc
+from mechsheet.library.recalculation import recalc
 
 VBA = bytes(range(256)) * 20
 

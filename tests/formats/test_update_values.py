@@ -19,7 +19,7 @@ from mechsheet.description import load
 from mechsheet.diagnostics import OutputError, WorkbookError
 from mechsheet.formats import read, write
 from mechsheet.formula.nodes import ErrorValue
-from mechsheet.recalculation import recalc
+from mechsheet.library.recalculation import recalc
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 FORMATS = ("xlsx", "ods")
@@ -62,7 +62,7 @@ def updated(source, output, settings=None):
 
 
 def built(name, folder):
-    from mechsheet.building import build
+    from mechsheet.library.building import build
 
     return {path.suffix[1:]: path for path in build(load(TEMPLATES / f"{name}.toml"), folder, FORMATS)}
 

@@ -11,8 +11,8 @@ import pytest
 
 from mechsheet.description import load
 from mechsheet.kinematics.solve import solve
+from mechsheet.library.show import cells_of_workbook, equations_text
 from mechsheet.sheet.layout import lay_out
-from mechsheet.show import cells_of_workbook, equations_text
 
 FOLDER = Path(__file__).parent
 TEMPLATES = sorted((FOLDER.parent.parent / "templates").glob("*.toml"))

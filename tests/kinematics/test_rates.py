@@ -37,8 +37,8 @@ def worst_against_reference(mechanism):
     rates = rates_over(equations, sweep(mechanism, equations, driver), {mechanism.driver.symbol: (1.0, 0.0)})
     modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
     solution = reference.solve(mechanism, start=rough_poses(mechanism, modes))
-    stroke = 1.0 if mechanism.driver.unit in ("deg", "rad") else float(np.max(np.abs(driver)))
-    lengths = {equation.symbol for equation in equations.all if equation.unit == "length"}
+    stroke = 1.0 if mechanism.driver.unit.kind == "angle" else float(np.max(np.abs(driver)))
+    lengths = {equation.symbol for equation in equations.all if equation.unit.kind == "length"}
     expected = reference.rates(solution)
     parts = {symbol: stroke / (solution.size if symbol in lengths else 1.0) for symbol in expected}
     rows = solution.exists.copy()
@@ -79,7 +79,7 @@ def by_both(mechanism, rows=40):
     """(symbol, which derivative, by differences, by equations, size) of every column, in the calm rows."""
     equations = solve(mechanism)
     driver = driver_values(mechanism, dimension_values(mechanism))[:rows]
-    turns = mechanism.driver.unit in ("deg", "rad")
+    turns = mechanism.driver.unit.kind == "angle"
     step = STEP if turns else STEP * float(np.max(np.abs(driver)))
     grid = (driver[:, None] + step * np.arange(-4, 5)).ravel()
     values = sweep(mechanism, equations, grid)
@@ -91,14 +91,12 @@ def by_both(mechanism, rows=40):
             apart = np.abs(value(group.apart, values))
         else:
             crossing = equations.of(group.closes)
-            apart = np.abs(values[crossing.symbol]) if crossing.unit == "number" else np.ones(len(grid))
+            apart = np.abs(values[crossing.symbol]) if crossing.unit.kind == "number" else np.ones(len(grid))
         apart = np.broadcast_to(apart, grid.shape).reshape(-1, 9)
         calm &= np.isfinite(values[group.closes].reshape(-1, 9)).all(axis=1)
         calm &= apart.min(axis=1) >= CALM * np.nanmax(apart, initial=1e-300)
     lengths = [
-        abs(dim.value)
-        for dim in mechanism.dimensions
-        if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
+        abs(dim.value) for dim in mechanism.dimensions if isinstance(dim.value, float) and dim.unit.kind == "length"
     ]
     lengths += [
         float(np.nanmax(np.abs(values[eq.symbol]), initial=0.0)) for eq in equations.columns if eq.role == "point"
@@ -107,9 +105,9 @@ def by_both(mechanism, rows=40):
         if equation.symbol == mechanism.driver.symbol or equation.role == "output":
             continue
         table = values[equation.symbol].reshape(-1, 9)
-        if equation.unit == "angle":
+        if equation.unit.kind == "angle":
             table = np.unwrap(table, axis=1)
-        size = max(lengths) if equation.unit == "length" else 1.0
+        size = max(lengths) if equation.unit.kind == "length" else 1.0
         for order, weights in ((1, ONCE), (2, TWICE)):
             found = np.broadcast_to(rates.get(equation.symbol + PRIME * order, 0.0), grid.shape).reshape(-1, 9)[:, 4]
             scale = step**order

@@ -9,8 +9,8 @@ import pytest
 
 from chosen import part, some
 from mechsheet import reference
-from mechsheet.building import compile_workbook
-from mechsheet.checking.sketching import with_modes
+from mechsheet.checking.modes_from_sketch import with_modes
+from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.source import parse
 from mechsheet.description.templates import template_names, template_text
@@ -19,15 +19,16 @@ from mechsheet.exporting.program import program_of
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.library.building import compile_workbook
+from mechsheet.library.show import overview_text
 from mechsheet.model import Sketch
-from mechsheet.show import overview_text
 
 FOUR_BAR = template_text("four-bar")
 TEMPLATES = [name for name in template_names() if "[assembly]" in template_text(name)]
 
 
 def octave(mechanism):
-    return program_of(mechanism, ())
+    return program_of(Compiled(mechanism), ())
 
 
 def modes_of(mechanism):
@@ -52,12 +53,12 @@ def sketched(name, *, pin=False):
         if pin:
             symbols[mechanism.driver.symbol] = float(driver[row])
         sketch = Sketch(points, symbols, float(driver[row]))
-        written = math.degrees(driver[row]) if mechanism.driver.unit == "deg" else driver[row]
+        written = mechanism.driver.unit.to_shown(driver[row])
         step = abs(driver[1] - driver[0])
         yield (
             replace(mechanism, sketch=sketch),
             float(written),
-            math.degrees(step) if mechanism.driver.unit == "deg" else step,
+            mechanism.driver.unit.to_shown(step),
         )
 
 

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from mechsheet.description import loads
-from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Cartesian, Polar
 from random_mechanisms import Grower

@@ -86,7 +86,7 @@ def judge(name, text, row):
     assert worst < HALF_A_STEP * 2
     caption = page.texts["shown"]
     value = taken.plan.driver[row]
-    shown = np.degrees(value) if mechanism.driver.unit == "deg" else value
+    shown = mechanism.driver.unit.to_shown(value)
     assert float(re.search(r"= (-?[\d.]+)", caption)[1]) == pytest.approx(shown, abs=1e-3)
     assert page.attributes["slider"]["aria-valuetext"] == caption
     return page
@@ -132,7 +132,7 @@ def test_fragment(name, fragment, row, tmp_path):
     if row is None:
         taken, _ = sampled(name)
         driver = np.array(taken.plan.driver)
-        shown = np.degrees(driver) if taken.plan.mechanism.driver.unit == "deg" else driver
+        shown = taken.plan.mechanism.driver.unit.to_shown(driver)
         row = int(np.argmin(np.abs(shown - float(fragment.removeprefix("#at=")))))
     judge(name, text, row)
 

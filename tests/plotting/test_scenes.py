@@ -10,7 +10,7 @@ import pytest
 
 from drawn_points import expected, fitted
 from mechsheet import reference
-from mechsheet.compute import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.engine import evaluate
@@ -65,7 +65,7 @@ def test_points_are_the_references(name, at):
     row = stage.sample.shown
     assert shown_value(stage, row) == pytest.approx(at, abs=1e-9)
     own = driver_values(mechanism, dimension_values(mechanism))
-    value = math.radians(at) if mechanism.driver.unit == "deg" else at
+    value = mechanism.driver.unit.to_internal(at)
     way = np.linspace(own[0], value, 400).tolist()  # the reference gets there from the sketch by a way of its own
     truth = reference.solve(replace(mechanism, driver=replace(mechanism.driver, values=tuple(way))))
     scene = stage.drawing(row)
@@ -77,7 +77,7 @@ def test_points_are_the_references(name, at):
 
 def shown_value(stage, row):
     value = stage.sample.plan.driver[row]
-    return math.degrees(value) if stage.sample.plan.mechanism.driver.unit == "deg" else value
+    return stage.sample.plan.mechanism.driver.unit.to_shown(value)
 
 
 @pytest.mark.parametrize("name", ["four-bar", "scotch-yoke", "peaucellier"])

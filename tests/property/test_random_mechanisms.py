@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from chosen import examples, part
 from judging import judged, only_positions, positions_only
-from mechsheet.compute import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out

@@ -17,10 +17,10 @@ from printed_numbers import (
 )
 
 from mechsheet import reference
-from mechsheet.building import build
 from mechsheet.description import load, loads
 from mechsheet.kinematics.solve import solve
-from mechsheet.recalculation import recalc
+from mechsheet.library.building import build
+from mechsheet.library.recalculation import recalc
 
 FULL_PUMP = [(column, float(s1)) for column, s1 in enumerate(SETTINGS, 1)]
 

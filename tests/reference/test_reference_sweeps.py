@@ -7,8 +7,10 @@ import pytest
 from reference_cases import CASES, EXAMPLES, read
 
 from mechsheet.diagnostics import MechanismError
+from mechsheet.formula.parser import parse_description
 from mechsheet.model import Cartesian, Driver, Joint, Link
 from mechsheet.reference import dimension_values, driver_values, residuals, solve, variables, worst
+from mechsheet.units import DEG
 
 EVERY = sorted(path.stem for path in CASES.glob("*.toml") if path.stem != "expressions")
 
@@ -138,7 +140,7 @@ def test_driven_by_a_cylinder():
 def test_driver_between_moving_links():
     found = solve(read("relative-driver"))
     assert np.abs(found.poses["coupler"][:, 2] - found.poses["crank"][:, 2] - found.driver).max() < 1e-13
-    forward = replace(found.mechanism, driver=Driver(symbol="theta12", unit="deg", link="crank", relative_to="ground"))
+    forward = replace(found.mechanism, driver=Driver(symbol="theta12", unit=DEG, link="crank", relative_to="ground"))
     start = {link: tuple(pose[0]) for link, pose in found.poses.items()}
     again = solve(forward, start=start, values=found.poses["crank"][:, 2])
     assert again.exists.all()
@@ -151,7 +153,7 @@ def test_group_of_class_three_is_followed():
     assert easy.exists.all()
     turning = easy.poses["output"][:, 2]
     assert (np.diff(turning) > 0).all() or (np.diff(turning) < 0).all()
-    hard = replace(easy.mechanism, driver=Driver(symbol="theta16", unit="deg", link="output", relative_to="ground"))
+    hard = replace(easy.mechanism, driver=Driver(symbol="theta16", unit=DEG, link="output", relative_to="ground"))
     start = {link: tuple(pose[0]) for link, pose in easy.poses.items()}
     found = solve(hard, start=start, values=turning)
     assert found.exists.all()
@@ -187,10 +189,12 @@ def test_point_whose_distances_make_no_triangle():
 
 def test_driver_value_that_is_no_number_is_no_row():
     m = read("fivelink")
-    found = solve(replace(m, driver=replace(m.driver, values=("acos(2)", 0.5, "1/0"))))
+    found = solve(
+        replace(m, driver=replace(m.driver, values=(parse_description("acos(2)"), 0.5, parse_description("1/0"))))
+    )
     assert found.exists.tolist() == [False, True, False]
     m = read("stephenson")
-    turned = replace(m, driver=replace(m.driver, link="output", values=(2.5, "acos(2)", 2.51)))
+    turned = replace(m, driver=replace(m.driver, link="output", values=(2.5, parse_description("acos(2)"), 2.51)))
     assert not solve(turned).exists[1]
 
 

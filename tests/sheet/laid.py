@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
-from mechsheet.compute import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.engine import compile_book, evaluate
 from mechsheet.kinematics.solve import solve

@@ -9,7 +9,7 @@ import pytest
 
 from chosen import IN_CI, some
 from mechsheet import reference
-from mechsheet.compute import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.engine import Live, compile_book
 from mechsheet.engine.layout import Area
@@ -147,7 +147,7 @@ def _half(laid, values):
 
 
 def _lengths(laid):
-    return {dim.symbol: dim.value for dim in laid.mechanism.dimensions if dim.unit == "mm" and not dim.derived}
+    return {dim.symbol: dim.value for dim in laid.mechanism.dimensions if dim.unit.kind == "length" and not dim.derived}
 
 
 def test_a_position_that_does_not_exist_draws_nothing():

@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 from laid import Laid, template_text
 
-from mechsheet.compute import book_of
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.engine import evaluate
 from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formula.nodes import Binary, Call, CellRef, Number, transform, walk
@@ -161,7 +162,8 @@ def test_rounding_of_a_last_difference_is_no_damage(name):
 @pytest.mark.parametrize("form", ["lambda", "basic"])
 def test_workbooks_with_functions_are_covered_too(form):
     laid = Laid(template_text("adjustable-pump"), copies=True)
-    workbook, plan = functions_workbook(laid.mechanism, form)
+    compiled = Compiled(laid.mechanism)
+    workbook, plan = functions_workbook(compiled, form), compiled.plan
     values = evaluate(book_of(workbook))
     spot = plan.at.spots["#differ"]
     assert values.get(spot.sheet, spot.row, spot.col) == 0

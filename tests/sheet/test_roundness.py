@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from chosen import first
-from mechsheet.building import compile_workbook
+from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.description import load
 from mechsheet.formats import write
-from mechsheet.programs import convert_with_libreoffice, stored_values
+from mechsheet.library.building import compile_workbook
 
 ROOT = Path(__file__).parents[2]
 INK = "FF00FF"

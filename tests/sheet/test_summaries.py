@@ -4,6 +4,7 @@ import pytest
 from laid import Laid, template_text
 
 from mechsheet.formula.nodes import ErrorValue
+from mechsheet.sheet.positions import blank_unit
 
 NA = ErrorValue("#N/A")
 
@@ -86,3 +87,15 @@ def test_position_shown_starts_at_a_row_that_exists(start):
     flags = [laid.values.get(exists.sheet, exists.row + row, exists.col) for row in range(laid.plan.rows)]
     assert shown == flags.index(1.0)
     assert isinstance(laid.values.get(laid.plan.main, laid.plan.blocks["variables"].rows["theta14"], 1), float)
+
+
+@pytest.mark.parametrize(("mine", "theirs"), [("deg", "rad"), ("rad", "deg")])
+def test_helper_columns_of_an_output_are_headed_by_its_own_unit(mine, theirs):
+    """An output in degrees of a mechanism in radians, and the other way round."""
+    text = FOUR_BAR.replace("[mechanism]\n", f'[mechanism]\nangle_unit = "{theirs}"\n', 1).replace(
+        'unit = "deg"', f'unit = "{mine}"'
+    )
+    plan = Laid(text).plan
+    kinds = [column.kind for column in plan.columns if column.symbol == "mu"]
+    assert "blank" in kinds
+    assert blank_unit(plan, "mu") == ("°" if mine == "deg" else "rad")

@@ -9,13 +9,13 @@ import pytest
 
 from chosen import part
 from judging import positions_only
-from mechsheet.building import compile_workbook
-from mechsheet.compute import computed
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.nodes import CellRef, ErrorValue, shifted, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.sweep import rough_poses
+from mechsheet.library.building import compile_workbook
 from mechsheet.reference import solve as refer
 from mechsheet.reference import variables
 from mechsheet.sheet.expansion import LIMIT, depth

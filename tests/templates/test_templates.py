@@ -12,7 +12,8 @@ import pytest
 
 from mechsheet import reference
 from mechsheet.description import load, loads
-from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 
 FOLDER = Path(__file__).resolve().parents[2] / "templates"
@@ -101,7 +102,7 @@ def test_agrees_with_the_reference(name):
     solution = reference.solve(mechanism)
     theirs = reference.variables(solution)
     angles = {link.angle_symbol for link in mechanism.links}
-    angles |= {output.symbol for output in mechanism.outputs if output.unit == "deg"}
+    angles |= {output.symbol for output in mechanism.outputs if output.unit.in_degrees}
     angles |= {mechanism.driver.symbol} if mechanism.driver.link else set()
     for symbol, column in theirs.items():
         ours = found.get(symbol)

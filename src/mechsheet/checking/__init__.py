@@ -7,16 +7,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechsheet.building import build
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.audit import audit
 from mechsheet.checking.baseline import Baseline, read_baseline
 from mechsheet.checking.cells import Angles, angles_in, compare_cells
 from mechsheet.checking.expected import expected_for, functions_in, inside
 from mechsheet.checking.inputs import description_in
-from mechsheet.checking.moves import MovedValues
+from mechsheet.checking.inserted_rows import MovedValues
 from mechsheet.checking.mutate import Mutation, mutate
 from mechsheet.checking.perturb import Perturbation, perturb
+from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
 from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.stored import Stored, judge_stored
@@ -26,8 +26,8 @@ from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
 from mechsheet.formats import read
 from mechsheet.formula.book import Book
+from mechsheet.library.building import build
 from mechsheet.model import Mechanism
-from mechsheet.programs import answers, cannot_judge, names_of, refuse_unknown
 
 __all__ = [
     "TOLERANCE",

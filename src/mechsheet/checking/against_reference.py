@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from mechsheet import reference
 from mechsheet.checking.conditioning import excused
-from mechsheet.checking.inputs import Array, Inputs, inputs_in, plan_inside
-from mechsheet.checking.missing import missing_dimensions, readers
+from mechsheet.checking.inputs import Array, Inputs, inputs_in
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally
+from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
@@ -31,16 +31,12 @@ CLOSED = 1e-11
 """A closure residual, as a part of the size, that is nothing but rounding."""
 
 
-def against_reference(book: Book, values: Any, text: str, shown: str) -> tuple[Comparison, list[str]]:
+def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Comparison, list[str]]:
     """Compare every variable, point and output, row by row, with what the reference finds for the inputs in the cells.
 
-    `values` is the engine's, `text` the description inside the workbook. Returns the comparison, and remarks for a person.
+    `values` is the engine's, `plan` that of the description inside the workbook. Returns the comparison, and remarks for a
+    person.
     """
-    return against_plan(book, values, plan_inside(text, shown), shown)
-
-
-def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Comparison, list[str]]:
-    """The same for a workbook whose plan is known already."""
     mechanism = plan.mechanism
     inputs = inputs_in(book, values, plan, shown)
     if missing := missing_dimensions(mechanism, inputs.dimensions):
@@ -116,8 +112,8 @@ def _compare_column(
     spot = plan.at.spots[symbol]
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
-    unit = plan.equations.of(symbol).unit if symbol != plan.mechanism.driver.symbol else ""
-    is_angle = unit == "angle" or (unit == "" and plan.mechanism.driver.unit in ("deg", "rad"))
+    unit = plan.equations.of(symbol).unit.kind if symbol != plan.mechanism.driver.symbol else ""
+    is_angle = unit == "angle" or (unit == "" and plan.mechanism.driver.unit.kind == "angle")
     scale = solution.size if output is None or unit == "length" else 1.0
     with np.errstate(invalid="ignore"):
         gap = ours - theirs

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from mechsheet.checking.expected import Expected, Inputs
-from mechsheet.checking.moves import Moves, moves_between, undone
+from mechsheet.checking.formula_diff import Formulas, alike, formula_of, neutral, stretches
+from mechsheet.checking.inserted_rows import Moves, moves_between, undone
 from mechsheet.checking.report import Edit, text_of
-from mechsheet.checking.trees import Formulas, alike, formula_of, neutral, stretches
 from mechsheet.formula.book import Book, BookSheet
 from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.formula.names import folded

@@ -7,9 +7,9 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import Comparison, Tally, difference
 from mechsheet.checking.rules import Rules, ignored_in
-from mechsheet.checking.sought import names_an_equal_row
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar, shifted
 from mechsheet.formula.references import cell_address
@@ -34,15 +34,12 @@ def angles_in(plan: Plan) -> Angles:
     for column in plan.columns:
         if column.equation is None:
             continue
-        if column.equation.unit == "angle":
-            spots = plan.at.shown if column.kind == "shown" else plan.at.spots
-            periods[plan.table, column.col] = 360.0 if spots[column.symbol].degrees else math.tau
-        elif column.equation.counts_turns:
-            periods[plan.table, column.col] = 1.0
+        if column.equation.unit.kind == "angle":
+            periods[plan.table, column.col] = 360.0 if plan.at.spots[column.symbol].degrees else math.tau
     lengths = [
         abs(dim.value)
         for dim in plan.mechanism.dimensions
-        if isinstance(dim.value, float) and dim.unit not in ("deg", "rad", "1")
+        if isinstance(dim.value, float) and dim.unit.kind == "length"
     ]
     return Angles(periods, min(1.0, max(lengths, default=1.0) or 1.0))
 

@@ -85,10 +85,10 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
             yield ("mode", symbol), (plan.main, row, VALUE)
     if "sweep" in plan.blocks:
         for key in ("start", "step"):
-            if not isinstance(getattr(mechanism.driver, key), str):
+            if isinstance(getattr(mechanism.driver, key), float):
                 yield ("driver", key), (plan.main, plan.blocks["sweep"].rows[key], VALUE)
     for index, value in enumerate(mechanism.driver.values):
-        if not isinstance(value, str):
+        if isinstance(value, float):
             yield ("driver", "values", index), (plan.table, plan.at.first + index, DRIVER)
     yield from _table_places(expected)
 
@@ -101,7 +101,7 @@ def _table_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int
             (cell.row, cell.col) for cell in sheet.cells if cell.content is not None and not cell.style.locked
         )
         heads = [cell for cell in cells if isinstance(_content(expected, sheet.title, cell), float | int)]
-        given = [index for index, quantity in enumerate(request.columns) if not isinstance(quantity, str)]
+        given = [index for index, quantity in enumerate(request.columns) if isinstance(quantity, float)]
         for index, (row, col) in zip(given, heads, strict=True):
             yield ("tables", table, index), (sheet.title, row, col)
 

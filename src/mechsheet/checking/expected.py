@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.compute import book_of
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Call
-from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.layout import DESCRIPTION_SHEET, lay_out
+from mechsheet.sheet.layout import DESCRIPTION_SHEET
 from mechsheet.sheet.plan import TOLERANCE, Plan
 from mechsheet.sheet.workbook import Workbook
 
@@ -26,7 +26,12 @@ class Expected:
 
     workbook: Workbook
     book: Book
-    plan: Plan
+    compiled: Compiled
+
+    @property
+    def plan(self) -> Plan:
+        """Where everything is in it."""
+        return self.compiled.plan
 
     @property
     def description_sheet(self) -> str:
@@ -53,11 +58,12 @@ def expected_for(text: str, file: str, functions: str = "") -> Expected:
     functions  "lambda" for the workbook whose tables call functions (`functions_in` tells)
     """
     mechanism = loads(text, file=file)
+    compiled = Compiled(mechanism)
     try:
-        workbook, plan = functions_workbook(mechanism, functions) if functions else lay_out(mechanism, solve(mechanism))
+        workbook = functions_workbook(compiled, functions) if functions else compiled.layout
     except MechanismError as error:
         raise located(error, mechanism.text, file) from error
-    return Expected(workbook, book_of(workbook), plan)
+    return Expected(workbook, book_of(workbook), compiled)
 
 
 def functions_in(book: Book) -> str:

@@ -97,4 +97,4 @@ def _driver_column(plan: Plan, values: Any, faults: list[Fault], shown: str) -> 
         faults.append(Fault("the driver's values are not all numbers", shown, key=plan.table))
         return np.zeros(0)
     found = np.array(cells, dtype=float)
-    return np.radians(found) if driver.unit == "deg" else found
+    return driver.unit.to_internal(found)

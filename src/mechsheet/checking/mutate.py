@@ -21,7 +21,7 @@ from mechsheet.diagnostics import readable_name
 from mechsheet.engine import compile_book
 from mechsheet.formats import read
 from mechsheet.formula.book import Block, Book, BookSheet
-from mechsheet.formula.nodes import Scalar, shifted
+from mechsheet.formula.nodes import shifted
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
 
@@ -216,9 +216,13 @@ class _Run:
         )
 
     def _is_clear(self, values: Any) -> bool:
-        spot = self.expected.plan.at.spots["#clear"]
-        found: Scalar = values.get(spot.sheet, spot.row, spot.col)
-        return found == self.expected.plan.text("checks.clear")
+        """Whether the first sheet finds no gap, and no cell of the table without a formula."""
+        at = self.expected.plan.at
+        gap, rounding, typed = (
+            values.get(spot.sheet, spot.row, spot.col)
+            for spot in (at.spots[key] for key in ("#largest_gap", "#rounding", "#typed"))
+        )
+        return isinstance(gap, float) and isinstance(rounding, float) and gap <= rounding and typed == 0.0
 
 
 def _around(block: Block, down: int, right: int) -> Iterator[Block]:

@@ -16,12 +16,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from mechsheet.building import build
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.cells import angles_in, compare_cells
 from mechsheet.checking.inputs import description_in, plan_inside
+from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
 from mechsheet.description import load
 from mechsheet.description.locate import located
@@ -30,8 +28,8 @@ from mechsheet.engine import compile_book
 from mechsheet.formats import read, update_values
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
-from mechsheet.programs import Answers, answers_to_all, names_of, refuse_unknown
-from mechsheet.sheet.plan import EXISTS, Plan
+from mechsheet.library.building import build
+from mechsheet.sheet.plan import Plan
 
 Place = tuple[str, int, int]
 
@@ -205,8 +203,9 @@ class _Run:
         return replace(setting, rows=rows)
 
     def _rows(self, values: Any) -> int:
-        numbers, _ = values.arrays(self.plan.table, EXISTS, self.plan.at.first, self.plan.at.last)
-        return int(np.nansum(numbers))
+        spot = self.plan.at.spots["#rows_closed"]
+        found = values.get(spot.sheet, spot.row, spot.col)
+        return int(found) if isinstance(found, float) else 0
 
     def _changes(self, setting: Setting) -> dict[Place, Scalar]:
         spots = self.plan.at.spots
@@ -270,14 +269,14 @@ def drawn(plan: Plan, draw: random.Random) -> dict[str, float]:
     often what makes a mechanism special.
     """
     spread = draw.choice(SPREADS)
-    inputs = [dim for dim in plan.mechanism.dimensions if not dim.derived]
-    size = max((abs(float(dim.value)) for dim in inputs if dim.unit not in ("deg", "rad", "1")), default=1.0) or 1.0
+    inputs = [(dim, dim.value) for dim in plan.mechanism.dimensions if isinstance(dim.value, float)]
+    size = max((abs(value) for dim, value in inputs if dim.unit.kind == "length"), default=1.0) or 1.0
     found: dict[str, float] = {}
-    for dim in inputs:
-        value, change = float(dim.value), draw.uniform(-spread, spread)
-        if dim.unit in ("deg", "rad"):
+    for dim, value in inputs:
+        change = draw.uniform(-spread, spread)
+        if dim.unit.kind == "angle":
             value = value + change
-            value = math.degrees(value) if dim.unit == "deg" else value
+            value = dim.unit.to_shown(value)
         elif value == 0:
             value = 0.0 if draw.random() < 0.5 else change * size
             value = abs(value) if dim.symbol in plan.equations.positive else value

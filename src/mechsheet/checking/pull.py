@@ -10,9 +10,9 @@ from pathlib import Path
 from mechsheet.checking.audit import same
 from mechsheet.checking.changes import Change, changes_in, input_places
 from mechsheet.checking.expected import Expected, expected_for, inside
-from mechsheet.checking.moves import moves_between, undone
+from mechsheet.checking.inserted_rows import moves_between, undone
+from mechsheet.checking.modes_from_sketch import with_modes
 from mechsheet.checking.perturb import description_or_fault
-from mechsheet.checking.sketching import with_modes
 from mechsheet.description.index import Path as Place
 from mechsheet.description.locate import located
 from mechsheet.description.rewrite import number_text, with_number, without_key
@@ -20,7 +20,8 @@ from mechsheet.description.source import Source, parse, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, readable_name
 from mechsheet.formats import read
 from mechsheet.formula.nodes import Scalar
-from mechsheet.kinematics.solve import dimension_values, number
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Mechanism
 
 LANDS = 1e-9
@@ -211,7 +212,9 @@ def _sweep(mechanism: Mechanism, changes: Sequence[Change]) -> tuple[float, floa
     """Start, stop and step in the unit of the driver, with the changes."""
     changed = {change.key: change.now for change in changes if change.now is not None}
     dimensions = tuple(
-        replace(dim, value=_internal(changed[key], dim.unit)) if (key := ("dimensions", dim.symbol)) in changed else dim
+        replace(dim, value=dim.unit.to_internal(changed[key]))
+        if (key := ("dimensions", dim.symbol)) in changed
+        else dim
         for dim in mechanism.dimensions
     )
     values = dimension_values(replace(mechanism, dimensions=dimensions))
@@ -220,11 +223,6 @@ def _sweep(mechanism: Mechanism, changes: Sequence[Change]) -> tuple[float, floa
     def shown(key: str) -> float:
         if ("driver", key) in changed:
             return changed["driver", key]
-        value = number(getattr(driver, key), values)
-        return math.degrees(value) if driver.unit == "deg" else value
+        return driver.unit.to_shown(number(getattr(driver, key), values))
 
     return shown("start"), shown("stop"), shown("step")
-
-
-def _internal(value: float, unit: str) -> float:
-    return math.radians(value) if unit == "deg" else value

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from mechsheet.areas import Area, area_of
+from mechsheet.arguments.ranges import Area, area_of
 from mechsheet.checking.report import TOLERANCE
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book

@@ -8,9 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from mechsheet.checking.cells import column_scale
+from mechsheet.checking.formula_diff import Formulas, neutral, stretches
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.report import Comparison, Report, Tally, difference
-from mechsheet.checking.trees import Formulas, neutral, stretches
 from mechsheet.formats import FORMATS, read
 from mechsheet.formula.book import Book, BookSheet, CellStore
 from mechsheet.formula.nodes import Node, Scalar

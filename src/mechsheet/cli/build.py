@@ -23,7 +23,7 @@ from .common import (
 )
 
 if TYPE_CHECKING:
-    from mechsheet.building import Target
+    from mechsheet.library.building import Target
 
 
 @click.command()
@@ -65,8 +65,9 @@ def build(
 
     A workbook in which somebody has saved changes is left as it is, unless with --force.
     """
-    from mechsheet.building import compile_workbook, refuse_edited, targets, write_all
-    from mechsheet.verdict import verdict
+    from mechsheet.library.building import refuse_edited, targets, told, write_all
+
+    from .verdict import verdict
 
     if output == STANDARD_OUTPUT:
         raise OutputError(
@@ -81,10 +82,10 @@ def build(
     for path, mechanism, files in zip(paths, mechanisms, wanted, strict=True):
         with progress(path.name) as say, at_lines_of(mechanism, path):
             say("building")
-            workbook, plan = compile_workbook(mechanism)
-            written = write_all(mechanism, workbook, files, output)
+            compiled = told(mechanism)
+            written = write_all(compiled, files, output)
         say_written(written)
-        click.echo(f"{readable_name(path)}: {verdict(mechanism, workbook, plan)}", err=True)
+        click.echo(f"{readable_name(path)}: {verdict(compiled)}", err=True)
 
 
 def _each_once(descriptions: Sequence[Path]) -> list[Path]:

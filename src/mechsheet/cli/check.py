@@ -72,7 +72,7 @@ def check(
 def _check(files: Sequence[Path], programs: str, gate: Gate, quiet: bool, verbose: bool, as_json: bool) -> None:
     """The plain check."""
     from mechsheet.checking import judge, with_twins
-    from mechsheet.programs import names_of, refuse_unknown
+    from mechsheet.checking.programs import names_of, refuse_unknown
 
     from .printing import print_line, print_report
 

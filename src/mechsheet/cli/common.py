@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from mechsheet.arguments.outputs import file_in, is_there
 from mechsheet.diagnostics import DescriptionWarning, Fault, MechanismError, MechsheetError, OutputError, readable_name
 from mechsheet.formats.archive import is_stream
-from mechsheet.outputs import file_in, is_there
 
 if TYPE_CHECKING:
     from mechsheet.model import Mechanism

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
+from mechsheet.arguments.outputs import folder_ready
 from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.outputs import folder_ready
 
 from .common import SET, STANDARD_OUTPUT, at_lines_of, described, output_file, output_option, progress, say_written
 from .streams import print_file

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from mechsheet.outputs import folder_ready
+from mechsheet.arguments.outputs import folder_ready
 
 from .common import SET, at_lines_of, described, output_file, output_option, progress, say_written
 

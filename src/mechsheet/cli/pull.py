@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from mechsheet.outputs import folder_ready
+from mechsheet.arguments.outputs import folder_ready
 
 from .common import STANDARD_OUTPUT, output_file, output_option, refuse_existing, same_file
 from .streams import print_file

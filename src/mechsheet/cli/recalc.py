@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from mechsheet.arguments.outputs import folder_ready, names_folder
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
-from mechsheet.outputs import folder_ready, names_folder
 
 from .common import JSON, output_file, output_option, progress, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
@@ -21,7 +21,7 @@ from .remarks import cell_text, remark_lines, stored_lines
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
-    from mechsheet.recalculation import Result
+    from mechsheet.library.recalculation import Result
 
 
 @click.command()
@@ -79,7 +79,7 @@ def _recalculate(
     workbook: Path, settings: tuple[str, ...], ranges: tuple[str, ...], output: str | None, as_json: bool, strict: bool
 ) -> None:
     """Set, compute, print, write."""
-    from mechsheet.recalculation import recalc as recalculate
+    from mechsheet.library.recalculation import recalc as recalculate
 
     with progress(workbook.name) as say:
         say("recalculating")
@@ -140,7 +140,7 @@ def _print_notes(head: str, remarks: Iterable[Fault]) -> None:
 def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
     """The cells of some ranges: JSON as for the whole workbook, or tables with an empty line between them."""
     from mechsheet.formula.references import cell_name
-    from mechsheet.recalculation import plain
+    from mechsheet.library.recalculation import plain
 
     if as_json:
         found: dict[str, dict[str, object]] = {}

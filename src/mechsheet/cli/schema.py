@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from mechsheet.outputs import folder_ready
+from mechsheet.arguments.outputs import folder_ready
 
 from .common import STANDARD_OUTPUT, output_file, output_option
 from .streams import print_file

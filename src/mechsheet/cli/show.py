@@ -25,7 +25,7 @@ def show(description: Path, settings: tuple[str, ...], what: str | None, as_json
     mechsheet show four-bar.toml --equations
     mechsheet show four-bar.toml --json
     """
-    from mechsheet import show as shows
+    from mechsheet.library import show as shows
 
     mechanism = described(description, settings)
     with at_lines_of(mechanism, description):

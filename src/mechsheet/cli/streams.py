@@ -5,7 +5,6 @@ from __future__ import annotations
 import codecs
 import errno
 import io
-import json
 import os
 import signal
 import sys
@@ -68,11 +67,6 @@ def print_file(content: str | bytes) -> None:
     """Print what is a file by rights (a description, a drawing, a table): UTF-8, whatever the code page of the screen."""
     # A file name that is no Unicode text comes as half a pair, which JSON may hold as an escape.
     click.echo(content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content, nl=False)
-
-
-def print_json(data: object) -> None:
-    """Print JSON on one line, in UTF-8 as JSON is."""
-    print_file(json.dumps(data, ensure_ascii=False) + "\n")
 
 
 @contextmanager

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Mapping
 from typing import Any
 
 from mechsheet.description.index import Path
+from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD
-from mechsheet.description.scope import Scope, circle_message, cycles, words
+from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import Dimension
 
@@ -18,8 +19,8 @@ def declare(data: dict[str, Any], scope: Scope) -> None:
         path: Path = ("dimensions", symbol)
         scope.symbol_is_good(symbol, path)
         scope.symbols.claim(symbol, "dimension", path)
-        scope.units[symbol] = scope.unit(entry, path) if isinstance(entry, dict) else scope.length_unit
-        scope.kinds[symbol] = scope.kind_of_unit(scope.units[symbol])
+        scope.units[symbol] = scope.unit(entry if isinstance(entry, dict) else {}, path)
+        scope.kinds[symbol] = unit_kind(scope.units[symbol])
         if not (isinstance(entry, dict) and "formula" in entry):
             scope.inputs.append(symbol)
 
@@ -29,9 +30,10 @@ def read(data: dict[str, Any], scope: Scope) -> tuple[Dimension, ...]:
     for symbol, entry in data.items():
         value = entry.get("value", BAD) if isinstance(entry, dict) else entry
         if value is not BAD:
-            scope.numbers[symbol] = math.radians(value) if scope.units[symbol] == "deg" else value
-    _compute(_formulas(data, scope), scope)
-    return tuple(_dimension(symbol, entry, scope) for symbol, entry in data.items() if entry is not BAD)
+            scope.numbers[symbol] = scope.units[symbol].to_internal(value)
+    trees = _formulas(data, scope)
+    _compute(trees, scope)
+    return tuple(_dimension(symbol, entry, trees, scope) for symbol, entry in data.items() if entry is not BAD)
 
 
 def _formulas(data: dict[str, Any], scope: Scope) -> dict[str, Node]:
@@ -58,20 +60,19 @@ def _compute(trees: dict[str, Node], scope: Scope) -> None:
             scope.numbers[symbol] = value
 
 
-def _dimension(symbol: str, entry: Any, scope: Scope) -> Dimension:
+def _dimension(symbol: str, entry: Any, trees: Mapping[str, Node], scope: Scope) -> Dimension:
     path: Path = ("dimensions", symbol)
     unit = scope.units[symbol]
     if not isinstance(entry, dict):
         return Dimension(symbol, entry, unit, shown=entry)
     derived = "formula" in entry
-    tolerance = entry.get("tolerance")
     return Dimension(
         symbol=symbol,
-        value=entry["formula"] if derived else scope.numbers.get(symbol, math.nan),
+        value=trees[symbol] if symbol in trees else scope.numbers.get(symbol, REPORTED),
         unit=unit,
-        derived=derived,
         label=words(entry.get("label")),
         cell=scope.cell(entry, path),
-        tolerance=tolerance,
+        tolerance=entry.get("tolerance"),
         shown=None if derived else entry.get("value"),
+        written=entry["formula"] if derived else "",
     )

@@ -13,6 +13,7 @@ from mechsheet.description.report import BAD, found, suggestion
 from mechsheet.description.schema import MOST_ROWS
 from mechsheet.description.scope import Scope
 from mechsheet.model import Driver, Joint, Link, Quantity
+from mechsheet.units import unit_of
 
 _LANDS = 1e-9
 """`stop` counts as reached when the steps miss it by this part of a step."""
@@ -31,7 +32,7 @@ def read(data: Any, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: En
     if made is None:
         return None
     symbol, link, relative_to, joint = made
-    unit = scope.length_unit if slides else scope.angle_unit
+    unit = unit_of(scope.length_unit, scope.length_unit) if slides else scope.angle_unit
     return Driver(symbol, unit, link, relative_to, joint, start, stop, step, values)
 
 

@@ -32,7 +32,9 @@ class Spot:
 
 
 _SKIP = re.compile(r"(?:[ \t\n]|\#[^\n]*)*")
-_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+"""A key that stands without quotes."""
+
 _SCALAR = re.compile(r"[^,\]}\#\n]+")
 _STRING = re.compile(
     r'"""(?:[^\\]|\\.)*?"{3,5}'
@@ -41,6 +43,11 @@ _STRING = re.compile(
     r"|'[^'\n]*'",
     re.DOTALL,
 )
+
+
+def key_text(name: str) -> str:
+    """A key as TOML spells it, in quotes where it needs them."""
+    return name if BARE_KEY.fullmatch(name) else '"' + name.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
 def index(text: str) -> Mapping[Path, Spot]:
@@ -111,7 +118,7 @@ class _Walk:
         found = []
         while True:
             self.skip()
-            match = _BARE_KEY.match(self.text, self.at) or _STRING.match(self.text, self.at)
+            match = BARE_KEY.match(self.text, self.at) or _STRING.match(self.text, self.at)
             if match is None:
                 raise AssertionError(f"no key at offset {self.at}")
             word = match.group()

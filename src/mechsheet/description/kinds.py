@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from mechsheet.units import Unit
 
 ANGLE, LENGTH, DEGREES, ANY = "angle", "length", "number of degrees", ""
 
@@ -43,11 +44,9 @@ def label_fault(node: Node, kinds: Mapping[str, str], unit: str, length_unit: st
     return "", ""
 
 
-def unit_kind(unit: str, length_unit: str) -> str:
+def unit_kind(unit: Unit) -> str:
     """The kind of a quantity shown in `unit`; ANY for plain numbers and for labels that say nothing to us."""
-    if unit in ("deg", "rad"):
-        return ANGLE
-    return LENGTH if unit == length_unit else ANY
+    return unit.kind if unit.kind in (ANGLE, LENGTH) else ANY
 
 
 def kind_of(node: Node, kinds: Mapping[str, str], multiples: bool = True) -> str:

@@ -10,15 +10,17 @@ from typing import Any
 
 from mechsheet.description import dimensions, driver, joints, links, results
 from mechsheet.description.kinds import plain_unit
-from mechsheet.description.overrides import with_language, with_values
+from mechsheet.description.overrides import with_values
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report
+from mechsheet.description.rewrite import with_value
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.shape import fit
-from mechsheet.description.source import Source, parse, parse_as_meant, read_text
+from mechsheet.description.source import Source, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Words
+from mechsheet.units import unit_of
 
 LANGUAGES = ("en", "tr")
 _DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
@@ -49,9 +51,8 @@ def loads(
     if language is not None and language not in LANGUAGES:
         faults.append(Fault(f"unknown language {quoted(language)}", hint='languages: "en", "tr"'))
     if overrides and not faults:
-        changed, faults_of_values = with_values(source, overrides)
+        source, faults_of_values = with_values(source, overrides)
         faults += faults_of_values
-        source = parse(changed, file)
     _check_format(source)
     report = Report(source)
     mechanism = _read(source, report)
@@ -60,7 +61,7 @@ def loads(
     if faults or mechanism is None:
         raise DescriptionError(sorted(faults, key=lambda fault: fault.line or 0))
     if language is not None and language != mechanism.language:
-        mechanism = loads(with_language(source, language), file)
+        mechanism = loads(with_value(source, ("workbook", "language"), f'"{language}"').text, file)
     if overrides:
         mechanism = replace(mechanism, sketch=replace(mechanism.sketch, doubted=False))
     return mechanism
@@ -80,7 +81,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     scope = Scope(report)
     head = _part(data, "mechanism", {})
     scope.length_unit = _length_unit(head, report)
-    scope.angle_unit = _choice(head, "angle_unit", "deg")
+    scope.angle_unit = unit_of(_choice(head, "angle_unit", "deg"), scope.length_unit)
     given, bodies = _part(data, "dimensions", {}), _part(data, "links", {})
     outputs, summary = _part(data, "outputs", {}), _part(data, "summary", {})
 
@@ -114,7 +115,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         title=words(head.get("title")) or Words(name, name),
         source=words(head.get("source")) or Words("", ""),
         length_unit=scope.length_unit,
-        angle_unit="rad" if scope.angle_unit == "rad" else "deg",
+        angle_unit=scope.angle_unit,
         dimensions=table,
         links=made,
         joints=sliding,

@@ -5,13 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANGLE, ANY, LENGTH, label_fault, plain_unit
+from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
 from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, words
-from mechsheet.formula.nodes import symbols
+from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import ChartRequest, Driver, Output, Quantity, Sketch, Summary, TableRequest
+from mechsheet.units import Unit, unit_of
 
 
 def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
@@ -58,34 +59,35 @@ def outputs(data: dict[str, Any], scope: Scope) -> tuple[Output, ...]:
         if entry is BAD:
             continue
         path: Path = ("outputs", name)
-        unit = entry.get("unit", scope.length_unit)
-        unit = scope.length_unit if unit is BAD else plain_unit(unit)
-        text = entry["formula"]
-        if text is not BAD:
-            _check_output(text, unit, (*path, "formula"), scope)
-            _check_label(text, unit, path, scope)
+        word = entry.get("unit", scope.length_unit)
+        unit = unit_of(scope.length_unit if word is BAD else plain_unit(word), scope.length_unit)
+        tree = _formula(entry["formula"], unit, path, scope)
         cell = scope.cell(entry, path)
-        result.append(Output(name, text, unit, words(entry.get("label")), cell))
+        if tree is not None:
+            result.append(Output(name, tree, unit, words(entry.get("label")), cell))
     return tuple(result)
 
 
-def _check_output(text: str, unit: str, path: Path, scope: Scope) -> None:
-    tree = scope.parse(text, path)
+def _formula(text: Any, unit: Unit, output: Path, scope: Scope) -> Node | None:
+    """The formula of an output; None where there is none to check."""
+    path = (*output, "formula")
+    tree = None if text is BAD else scope.parse(text, path)
     if tree is None:
-        return
-    scope.trees[text] = tree
+        return None
     names = symbols(tree)
     good = [name in scope.units or _is_known(name, text, path, scope) for name in names]
-    scope.fits(tree, text, scope.kind_of_unit(unit) if unit != "1" else ANY, path)
+    scope.fits(tree, text, unit_kind(unit), path)
     if all(good) and all(name in scope.numbers for name in names):
         scope.value(tree, path)
+    _check_label(tree, text, unit, output, scope)
+    return tree
 
 
-def _check_label(text: str, unit: str, path: Path, scope: Scope) -> None:
+def _check_label(tree: Node, text: str, unit: Unit, path: Path, scope: Scope) -> None:
     """A label of one's own must not stand behind radians, nor behind lengths in another unit."""
-    if unit in ("deg", "rad", "1", scope.length_unit) or (tree := scope.trees.get(text)) is None:
+    if unit.kind != "label":
         return
-    message, hint = label_fault(tree, scope.kinds, unit, scope.length_unit)
+    message, hint = label_fault(tree, scope.kinds, unit.symbol, scope.length_unit)
     if message:
         scope.report.at((*path, "unit"), f"{quoted(text)} {message}", hint)
 

@@ -1,14 +1,16 @@
-"""Writing single values into a description's text, in place: comments, order and everything else stay as they are."""
+"""Writing single values into a description's text, in place: comments, order and everything else stay as they are.
+
+By the offsets that `index` keeps anyway: messages name the line of each key.
+"""
 
 from __future__ import annotations
 
 import math
 import re
 
-from mechsheet.description.index import Path, Spot
+from mechsheet.description.index import Path, Spot, key_text
 from mechsheet.description.source import Source, parse
 
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
 _KEY_BEFORE = re.compile(r"""(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')\s*=\s*$""")
 
 
@@ -23,20 +25,23 @@ def number_text(value: float, old: str = "") -> str:
 
 
 def with_number(source: Source, path: Path, value: float) -> Source:
-    """The source with a number at `path`: in place of what stands there, or as a new key of the table around it."""
+    """The source with a number at `path`, spelled as the one that stands there, or as a new key of the table around it."""
     spot = source.spots.get(path)
-    if spot is not None:
-        return _replaced(source, spot.start, spot.end, number_text(value, source.text[spot.start : spot.end]))
-    return with_key(source, path, number_text(value))
+    return with_value(source, path, number_text(value, source.text[spot.start : spot.end] if spot else ""))
 
 
-def with_key(source: Source, path: Path, text: str) -> Source:
-    """The source with a new key: `text` is its value in TOML. A plain number above it becomes a table with `value`."""
+def with_value(source: Source, path: Path, value: str) -> Source:
+    """The source with `value`, a text in TOML, at `path`: in place of what stands there, or as a new key.
+
+    A plain number above a new key becomes a table with `value`.
+    """
+    if spot := source.spots.get(path):
+        return _replaced(source, spot.start, spot.end, value)
     *around, key = path
     table = source.spots.get(tuple(around))
-    line = f"{_key(str(key))} = {text}"
+    line = f"{key_text(str(key))} = {value}"
     if table is None:
-        head = ".".join(_key(str(part)) for part in around)
+        head = ".".join(key_text(str(part)) for part in around)
         return parse(f"{source.text.rstrip(chr(10))}\n\n[{head}]\n{line}\n", source.file)
     if table.how == "header":
         return _replaced(source, table.end, table.end, f"\n{line}")
@@ -89,10 +94,6 @@ def without_key(source: Source, path: Path) -> Source:
         return _replaced(source, before - 1, end, "")
     behind = re.match(r"\s*,\s*", text[end:])
     return _replaced(source, start, end + (behind.end() if behind else 0), "")
-
-
-def _key(name: str) -> str:
-    return name if _BARE.fullmatch(name) else '"' + name.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
 def _replaced(source: Source, start: int, end: int, new: str) -> Source:

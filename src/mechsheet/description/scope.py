@@ -9,16 +9,17 @@ from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, plain_unit, unit_kind
+from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, plain_unit
 from mechsheet.description.numbers import typed_number
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import Node, children, symbols
-from mechsheet.formula.parser import parse_description
+from mechsheet.formula.parser import RESERVED, parse_description
 from mechsheet.formula.scalar import evaluate
-from mechsheet.model import FUNCTIONS, Quantity, Words
+from mechsheet.model import Quantity, Words
+from mechsheet.units import DEG, NUMBER, Unit, unit_of
 
 DEEPEST = 200
 """Operators below one another in one expression; a workbook formula of more would not fit a cell anyway."""
@@ -64,8 +65,8 @@ class Scope:
 
     report: Report
     length_unit: str = "mm"
-    angle_unit: str = "deg"
-    units: dict[str, str] = field(default_factory=dict)
+    angle_unit: Unit = DEG
+    units: dict[str, Unit] = field(default_factory=dict)
     inputs: list[str] = field(default_factory=list)
     numbers: dict[str, float] = field(default_factory=dict)
     kinds: dict[str, str] = field(default_factory=dict)
@@ -76,7 +77,6 @@ class Scope:
     complete: bool = True
     symbols: Space = field(init=False)
     cells: Space = field(init=False)
-    trees: dict[str, Node] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.symbols = Space(self.report)
@@ -153,9 +153,9 @@ class Scope:
 
     def in_unit(self, dimension: str) -> str:
         """The value of a dimension as a person reads it."""
-        unit, number = self.units[dimension], self.numbers[dimension]
-        shown = math.degrees(number) if unit == "deg" else number
-        return f"{shown:.6g}" + ("" if unit == "1" else f" {unit}")
+        unit = self.units[dimension]
+        shown = unit.to_shown(self.numbers[dimension])
+        return f"{shown:.6g}" + ("" if unit == NUMBER else f" {unit.symbol}")
 
     def fits(self, tree: Node, text: str, wanted: str, path: Path) -> bool:
         """True unless the expression surely is of another kind than `wanted`."""
@@ -168,7 +168,7 @@ class Scope:
         self.report.at(path, f"{quoted(text)} is {article} {kind} where {needed} is needed", hint)
         return False
 
-    def quantity(self, value: Any, wanted: str, path: Path, unit: str = "") -> Quantity:
+    def quantity(self, value: Any, wanted: str, path: Path, unit: Unit | None = None) -> Quantity:
         """A number or expression over dimensions as the model holds it, in internal units; REPORTED if it is faulty.
 
         A plain number that is an angle is in `unit`, or in the file's angle unit.
@@ -176,40 +176,33 @@ class Scope:
         if value is BAD:
             return REPORTED
         if not isinstance(value, str):
-            return math.radians(value) if wanted == ANGLE and (unit or self.angle_unit) == "deg" else float(value)
+            return (unit or self.angle_unit).to_internal(value) if wanted == ANGLE else float(value)
         tree = self.parse(value, path)
         if tree is None or not self.only_dimensions(tree, value, path):
             return REPORTED
         if not self.fits(tree, value, wanted, path):
             return REPORTED
         known = all(name in self.numbers for name in symbols(tree))
-        if known and self.value(tree, path) is None:
-            return REPORTED
-        self.trees[value] = tree
-        return value
+        return REPORTED if known and self.value(tree, path) is None else tree
 
     def number(self, quantity: Quantity) -> float:
         """The value of what `quantity` returned; nan where it is not known."""
-        if not isinstance(quantity, str):
+        if isinstance(quantity, float):
             return quantity
-        tree = self.trees[quantity]
-        return evaluate(tree, self.numbers) if all(name in self.numbers for name in symbols(tree)) else REPORTED
+        known = all(name in self.numbers for name in symbols(quantity))
+        return evaluate(quantity, self.numbers) if known else REPORTED
 
-    def unit(self, table: dict[str, Any], path: Path) -> str:
-        """The unit of a dimension: "deg", "rad", "1" or the length unit (the default)."""
+    def unit(self, table: dict[str, Any], path: Path) -> Unit:
+        """The unit of a dimension: degrees, radians, none, or the length unit (the default)."""
         unit = table.get("unit", self.length_unit)
         choices = ("deg", "rad", "1", self.length_unit)
         if unit is BAD or unit == self.length_unit:
-            return self.length_unit
+            return unit_of(self.length_unit, self.length_unit)
         if plain_unit(unit) in choices:
-            return plain_unit(unit)
+            return unit_of(plain_unit(unit), self.length_unit)
         hint = suggestion(unit, choices, "units")
         self.report.at((*path, "unit"), f"unknown unit {quoted(unit)}", hint)
-        return "1"  # fits everywhere
-
-    def kind_of_unit(self, unit: str) -> str:
-        """ANGLE, LENGTH or ANY."""
-        return unit_kind(unit, self.length_unit)
+        return NUMBER  # fits everywhere
 
 
 def symbol_fault(name: str) -> str:
@@ -218,7 +211,7 @@ def symbol_fault(name: str) -> str:
         return "must begin with a letter and go on with letters, digits and _"
     if len(name) > 60:
         return "is longer than 60 characters"
-    if name in FUNCTIONS or name == "pi":
+    if name in RESERVED:
         return "means something else in expressions"
     return ""
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description.index import Path, Spot, index
+from mechsheet.description.index import BARE_KEY, Path, Spot, index
 from mechsheet.description.quoting import printable
 from mechsheet.description.typed import Mistake, mended
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
@@ -38,7 +38,6 @@ _HINTS = {
     "expected ']' at the end of a table declaration": 'the heading is not closed: write "]"',
 }
 """By what the standard reader says, in small letters."""
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +67,7 @@ def dotted(path: Path) -> str:
         if isinstance(key, int):
             text += f"[{key + 1}]"
         else:
-            text += ("." if text else "") + (key if _BARE.fullmatch(key) else f'"{_shortened(printable(key))}"')
+            text += ("." if text else "") + (key if BARE_KEY.fullmatch(key) else f'"{_shortened(printable(key))}"')
     return text
 
 

@@ -10,7 +10,7 @@ import re
 import tomllib
 from dataclasses import dataclass, field
 
-from mechsheet.description.index import Path
+from mechsheet.description.index import BARE_KEY, Path, key_text
 from mechsheet.description.numbers import BLANKS, MINUS, Typed, typed_number
 from mechsheet.description.quoting import quoted
 
@@ -39,7 +39,6 @@ _DECIMAL_COMMA = re.compile(
     rf"[+\-{MINUS}]?[ {BLANKS}]*[\d.]*\d,\d+(?:[ \t{BLANKS}]*(?:[^\W\d_]+|[°%]))?(?=[ \t]*(?:[,}}\#\n]|$))"
 )
 """A number with a decimal comma and what may stand behind it; not `1, 2` of a list, not `a = 1, 2b = …` of a table."""
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
 _HEADING = re.compile(r"\[\[?[A-Za-z_][\w.\- \"]*\]\]?[ \t]*(?:#|\n|$)")
 _TO_NEXT = re.compile(r"[^,\]}#\n\"']*")
 _HEAD = re.compile(r"(\[\[?)((?:\"[^\"]*\"|'[^']*'|[^\]\"'\#])*)(\]{0,2})")
@@ -337,17 +336,17 @@ def _parts(dotted: str) -> list[str]:
 
 
 def _with_quotes(names: list[str]) -> str:
-    return ".".join(name if _BARE.fullmatch(name) else f'"{name}"' for name in names)
+    return ".".join(key_text(name) for name in names)
 
 
 def _fits(part: str) -> bool:
-    return part[:1] in "\"'" or _BARE.fullmatch(part) is not None
+    return part[:1] in "\"'" or BARE_KEY.fullmatch(part) is not None
 
 
 def _beyond(names: list[str]) -> str:
     """Why names do not stand without quotes."""
-    odd = [name for name in names if not _BARE.fullmatch(name)]
-    signs = "".join(dict.fromkeys(sign for name in odd for sign in name if not _BARE.fullmatch(sign)))
+    odd = [name for name in names if not BARE_KEY.fullmatch(name)]
+    signs = "".join(dict.fromkeys(sign for name in odd for sign in name if not BARE_KEY.fullmatch(sign)))
     shown = "a blank" if not signs.strip() else quoted(signs)
     return f"without them only a-z, A-Z, 0-9, _ and - are allowed, found {shown}"
 

@@ -52,12 +52,19 @@ def reads_anywhere(node: Node, functions: Functions = _NONE) -> bool:
         for part in walk(waiting.pop()):
             if isinstance(part, Call) and part.name in _ANYWHERE:
                 return True
-            if isinstance(part, Binary) and part.op == ":":
+            if isinstance(part, Binary) and part.op == ":" and not _part_of_a_range(part):
                 return True
             if isinstance(part, FunctionRef) and part in functions and part not in seen:
                 seen.add(part)
                 waiting.append(functions[part])
     return False
+
+
+def _part_of_a_range(part: Binary) -> bool:
+    """`INDEX(range, i):INDEX(range, j)`: whatever i and j are, it reads no cells but those of the range."""
+    sides = (part.left, part.right)
+    ranges = [side.args[0] for side in sides if isinstance(side, Call) and side.name == "INDEX" and side.args]
+    return len(ranges) == 2 and isinstance(ranges[0], RangeRef) and ranges[0] == ranges[1]
 
 
 def seen_from(block: Block) -> Block:

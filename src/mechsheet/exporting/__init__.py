@@ -6,14 +6,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from mechsheet.arguments.numbers import number_given, whole_number_given
+from mechsheet.arguments.outputs import file_in
 from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
 from mechsheet.exporting.identifiers import ascii_word
 from mechsheet.exporting.job import Job, Kind
 from mechsheet.exporting.kinds import KINDS
 from mechsheet.formats.archive import make_folder, replace_file
-from mechsheet.given import number_given, whole_number_given
 from mechsheet.model import Mechanism
-from mechsheet.outputs import file_in
 
 __all__ = ["KINDS", "Job", "Kind", "export", "exported", "kind_of"]
 

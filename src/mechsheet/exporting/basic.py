@@ -12,10 +12,12 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from mechsheet.exporting.functions import Function
 from mechsheet.exporting.identifiers import ascii_word, identifiers
-from mechsheet.exporting.routines import Parameter, Step
+from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.routines import Parameter
 from mechsheet.formula.nodes import Call, Node, Symbol, transform
 from mechsheet.formula.printer import print_formula
 from mechsheet.model import Words
+from mechsheet.units import Unit
 
 WIDTH = 100
 """Characters of a line; VBA takes 1,023 and 24 continuations."""
@@ -230,15 +232,14 @@ class _Writer:
         self.jumps = bool(routine.steps)
         for step in routine.steps:
             self.assign(self.called(step.symbol, step.symbol), step)
-        self.assign(self.name, Step(self.name, routine.result))
+        self.assign(self.name, Step(self.name, routine.result, routine.missing))
 
     def assign(self, target: str, step: Step) -> None:
         """`target = expression`; where there is no number, the function ends."""
         expression = step.expression
-        if step.missing is not None and isinstance(expression, Call):
+        if step.missing is not None:
             self.jumps = True
             self.line(f"If {self.said(self.apart(step.missing))} Then GoTo NoPosition")
-            expression = expression.args[2]
         if isinstance(expression, Call) and expression.name in self.fallible:
             call = Call(expression.name, tuple(self.apart(arg) for arg in expression.args))
             self.line(f"{target} = {self.said(call)}")
@@ -272,8 +273,8 @@ class _Writer:
         self.lines += _wrapped("    " + text, "        ")
 
 
-def _unit(unit: str) -> str:
-    return {"angle": " [rad]", "deg": " [deg]"}.get(unit, "")
+def _unit(unit: Unit) -> str:
+    return f" [{unit.symbol}]" if unit.kind == "angle" else ""
 
 
 def _rule(title: str) -> str:

@@ -2,33 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
-from mechsheet.exporting.routines import Routine, Step
+from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.routines import Routine, mapped
 from mechsheet.formula.nodes import Call, Node, Symbol, children, transform
 from mechsheet.formula.written import pairwise
 
 
 def with_calls(routine: Routine, patterns: Sequence[Routine]) -> Routine:
     """The routine calling the patterns (routines without steps) where its expressions match them; the first that does."""
+    always = [pattern for pattern in patterns if pattern.missing is None]
+    sometimes = [pattern for pattern in patterns if pattern.missing is not None]
 
     def change(part: Node) -> Node:
         if isinstance(part, Call) and part.name == "SUMSQ":
             return pairwise(part)
-        for pattern in patterns:
+        for pattern in always:
             found: dict[str, Node] = {}
             if matches(pattern.result, part, found):
-                return Call(pattern.key, tuple(found[parameter.symbol] for parameter in pattern.parameters))
+                return _call(pattern, found)
         return part
 
-    return mapped(routine, lambda node: transform(node, change))
+    def called(step: Step) -> Step:
+        for pattern in sometimes:
+            found: dict[str, Node] = {}
+            if pattern.missing is None or step.missing is None or not matches(pattern.missing, step.missing, found):
+                continue
+            if matches(pattern.result, step.expression, found):
+                return Step(step.symbol, _call(pattern, found))
+        return step
+
+    routine = mapped(routine, lambda node: transform(node, change))
+    return replace(routine, steps=tuple(called(step) for step in routine.steps))
 
 
-def mapped(routine: Routine, change: Callable[[Node], Node]) -> Routine:
-    """The routine with every expression changed."""
-    steps = tuple(Step(step.symbol, change(step.expression)) for step in routine.steps)
-    return replace(routine, steps=steps, result=change(routine.result))
+def _call(pattern: Routine, found: dict[str, Node]) -> Call:
+    return Call(pattern.key, tuple(found[parameter.symbol] for parameter in pattern.parameters))
 
 
 def matches(pattern: Node, node: Node, found: dict[str, Node]) -> bool:

@@ -145,13 +145,13 @@ def _table(
         angle = in_degrees(source, symbol)
         value = calls[function.key](driver)
         value = Call("DEGREES", (value,)) if angle else value
-        unit = function.routine.unit
-        style = styles.decimals(styles.COLUMN, places(plan, unit))
+        kind = function.routine.unit.kind
+        style = styles.decimals(styles.COLUMN, places(plan, kind))
         fills.append(Fill(FIRST, col, value, style, rows=count))
         found = CellRef(FIRST, col)
         wanted = Call("INDEX", (plan.at.column(symbol, ""), number))
         gap: Node = Binary("-", found, wanted)
-        if unit == "angle":
+        if kind == "angle":
             turn = Number(360.0) if angle else Binary("*", Number(2.0), Call("PI"))
             gap = Binary("-", gap, Binary("*", turn, Call("ROUND", (Binary("/", gap, turn), Number(0.0)))))
         both = Call("ISNUMBER", (Binary("+", found, wanted),))

@@ -9,10 +9,12 @@ from functools import lru_cache
 
 from mechsheet.exporting.calls import with_calls
 from mechsheet.exporting.library import PARAMETERS, basics
-from mechsheet.exporting.routines import Routine, Source, Step
+from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.routines import Routine, Source
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Mechanism, TableRequest, Words
+from mechsheet.units import DEG, NUMBER
 
 LONGEST_PREFIX = 24
 """A title that makes a longer word is replaced by the mechanism's name in the names of its functions."""
@@ -92,7 +94,7 @@ def functions_of(source: Source, language: str, taken: Collection[str] = ()) -> 
     main = names.take(prefix) if table else ""
     symbols = tuple(part.symbol for part in source.parameters())
     for symbol in source.variables():
-        about = next(equation.label for equation in source.equations.columns if equation.symbol == symbol)
+        about = source.equations.of(symbol).label
         routine = with_calls(source.routine(variable_key(symbol), symbol, about), patterns())
         found.append(Function(names.take(f"{prefix}_{symbol}".replace(".", "_")), symbols, routine, modes=source.modes))
     if table:
@@ -115,32 +117,28 @@ def table_routine(source: Source, request: TableRequest) -> Routine:
     for part in source.parameters():
         parameters.append(part)
         arguments.append(Symbol(part.symbol))
-        if part.symbol == driver.symbol and driver.unit == "deg":
-            parameters[-1] = replace(part, unit="deg")
+        if part.symbol == driver.symbol and driver.unit.in_degrees:
+            parameters[-1] = replace(part, unit=DEG)
             steps.append(Step(IN_RADIANS, Call("RADIANS", (Symbol(part.symbol),))))
             arguments[-1] = Symbol(IN_RADIANS)
     value: Node = Symbol(request.value)
-    unit = "number"
+    unit = NUMBER
     if request.value == driver.symbol:
         value = Symbol(IN_RADIANS) if steps else value
     else:
         value = Call(variable_key(request.value), tuple(arguments))
-        unit = next(equation.unit for equation in source.equations.all if equation.symbol == request.value)
+        unit = source.equations.of(request.value).unit.internal
     if in_degrees(source, request.value):
-        value, unit = Call("DEGREES", (value,)), "deg"
+        value, unit = Call("DEGREES", (value,)), DEG
     title = request.title or Words(f"{request.value}", f"{request.value}")
     return Routine(TABLE_KEY, title, tuple(parameters), tuple(steps), value, unit)
 
 
 def in_degrees(source: Source, symbol: str) -> bool:
     """True for a quantity that people read in degrees."""
-    mechanism = source.mechanism
-    if symbol == mechanism.driver.symbol:
-        return mechanism.driver.unit == "deg"
-    for output in mechanism.outputs:
-        if output.symbol == symbol:
-            return output.unit == "deg"
-    return source.plan.shown_in_degrees(next(eq.unit for eq in source.equations.all if eq.symbol == symbol))
+    driver = source.mechanism.driver
+    unit = driver.unit if symbol == driver.symbol else source.equations.of(symbol).unit
+    return source.mechanism.shown(unit).in_degrees
 
 
 def prefix_of(mechanism: Mechanism, language: str) -> str:

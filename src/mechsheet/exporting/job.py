@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.model import Mechanism
 
 
@@ -22,6 +23,11 @@ class Job:
     name: str
     at: float | None = None
     frames: int | None = None
+
+    @property
+    def compiled(self) -> Compiled:
+        """The mechanism compiled."""
+        return compiled_of(self.mechanism)
 
 
 Writer = Callable[[Job], list[bytes]]

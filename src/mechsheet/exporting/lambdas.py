@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 
 from mechsheet.exporting.functions import TABLE_KEY, Function
-from mechsheet.exporting.routines import guarded
+from mechsheet.exporting.routines import guarded, missing_where
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Call, Local, Node, Symbol, transform
 from mechsheet.sheet.workbook import NamedFunction
@@ -67,9 +67,9 @@ def _formula(
     ]
     pairs: list[tuple[Local, Node]] = []
     for step in routine.steps:
-        expression = said(step.expression)
+        expression = said(missing_where(step.missing, step.expression))
         pairs.append((local(step.symbol, step.symbol), expression))
-    body = guarded(routine, said(routine.result), forms)
+    body = guarded(routine, said(missing_where(routine.missing, routine.result)), forms)
     for start in reversed(range(0, len(pairs), MOST_PAIRS)):
         parts: list[Node] = [node for pair in pairs[start : start + MOST_PAIRS] for node in pair]
         body = Call("LET", (*parts, body))

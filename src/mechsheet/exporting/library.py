@@ -11,12 +11,14 @@ import math
 from dataclasses import dataclass, replace
 
 from mechsheet.exporting import small_mechanisms as small
-from mechsheet.exporting.routines import Parameter, Routine, Source, Step, with_names, with_values
+from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.routines import Parameter, Routine, Source, with_names, with_values
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Number, Symbol
+from mechsheet.kinematics.angle_branch import AngleBranch
 from mechsheet.kinematics.solve import CLOSING
 from mechsheet.model import Words
-from mechsheet.sheet.windows import Window
+from mechsheet.units import LENGTH, NUMBER, RAD, Unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,41 +54,43 @@ PARAMETERS = {
 }
 """What a parameter is called, where that is not its symbol."""
 
-MEANINGS = {
-    "X": ("x part", "x bileşeni", "length"),
-    "Y": ("y part", "y bileşeni", "length"),
-    "A": ("first side", "birinci kenar", "length"),
-    "B": ("second side", "ikinci kenar", "length"),
-    "C": ("third side", "üçüncü kenar", "length"),
-    "Tol": ("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır", "length"),
-    "Area": ("area of the triangle", "üçgenin alanı", "area"),
-    "U1": ("a side at the angle", "açının bir kenarı", "length"),
-    "U2": ("the other side at the angle", "açının öbür kenarı", "length"),
-    "U3": ("the side opposite the angle", "açının karşısındaki kenar", "length"),
-    "crank": ("crank", "krank", "length"),
-    "coupler": ("coupler", "biyel", "length"),
-    "output": ("output link", "çıkış uzvu", "length"),
-    "ground": ("distance of the fixed pivots, along +x", "sabit mafsallar arasındaki uzaklık, +x boyunca", "length"),
-    "eccentricity": ("eccentricity of the slide", "kızağın eksantrikliği", "length"),
-    "theta12": ("crank angle", "krank açısı", "angle"),
-    CONFIG: ("configuration, +1 or -1", "konfigürasyon, +1 ya da -1", "mode"),
-    "xP": ("pin P, x", "P mafsalı, x", "length"),
-    "yP": ("pin P, y", "P mafsalı, y", "length"),
-    "xQ": ("pin Q, x", "Q mafsalı, x", "length"),
-    "yQ": ("pin Q, y", "Q mafsalı, y", "length"),
-    "xL": ("a point L of the guide, x", "kızağın bir L noktası, x", "length"),
-    "yL": ("a point L of the guide, y", "kızağın bir L noktası, y", "length"),
-    "a": ("link P-R", "P-R uzvu", "length"),
-    "b": ("link Q-R", "Q-R uzvu", "length"),
-    "h": ("distance of the slot from P, to its left", "kanalın P'den uzaklığı, soluna doğru", "length"),
-    "delta": ("direction of the guide", "kızağın doğrultusu", "angle"),
-    "gamma": ("angle of the slot from the guide", "kanalın kızaktan açısı", "angle"),
-    "x1": ("a point of line 1, x", "1. doğrunun bir noktası, x", "length"),
-    "y1": ("a point of line 1, y", "1. doğrunun bir noktası, y", "length"),
-    "delta1": ("direction of line 1", "1. doğrunun doğrultusu", "angle"),
-    "x2": ("a point of line 2, x", "2. doğrunun bir noktası, x", "length"),
-    "y2": ("a point of line 2, y", "2. doğrunun bir noktası, y", "length"),
-    "delta2": ("direction of line 2", "2. doğrunun doğrultusu", "angle"),
+AREA = Unit("label", "area")
+
+MEANINGS: dict[str, tuple[str, str, Unit]] = {
+    "X": ("x part", "x bileşeni", LENGTH),
+    "Y": ("y part", "y bileşeni", LENGTH),
+    "A": ("first side", "birinci kenar", LENGTH),
+    "B": ("second side", "ikinci kenar", LENGTH),
+    "C": ("third side", "üçüncü kenar", LENGTH),
+    "Tol": ("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır", LENGTH),
+    "Area": ("area of the triangle", "üçgenin alanı", AREA),
+    "U1": ("a side at the angle", "açının bir kenarı", LENGTH),
+    "U2": ("the other side at the angle", "açının öbür kenarı", LENGTH),
+    "U3": ("the side opposite the angle", "açının karşısındaki kenar", LENGTH),
+    "crank": ("crank", "krank", LENGTH),
+    "coupler": ("coupler", "biyel", LENGTH),
+    "output": ("output link", "çıkış uzvu", LENGTH),
+    "ground": ("distance of the fixed pivots, along +x", "sabit mafsallar arasındaki uzaklık, +x boyunca", LENGTH),
+    "eccentricity": ("eccentricity of the slide", "kızağın eksantrikliği", LENGTH),
+    "theta12": ("crank angle", "krank açısı", RAD),
+    CONFIG: ("configuration, +1 or -1", "konfigürasyon, +1 ya da -1", NUMBER),
+    "xP": ("pin P, x", "P mafsalı, x", LENGTH),
+    "yP": ("pin P, y", "P mafsalı, y", LENGTH),
+    "xQ": ("pin Q, x", "Q mafsalı, x", LENGTH),
+    "yQ": ("pin Q, y", "Q mafsalı, y", LENGTH),
+    "xL": ("a point L of the guide, x", "kızağın bir L noktası, x", LENGTH),
+    "yL": ("a point L of the guide, y", "kızağın bir L noktası, y", LENGTH),
+    "a": ("link P-R", "P-R uzvu", LENGTH),
+    "b": ("link Q-R", "Q-R uzvu", LENGTH),
+    "h": ("distance of the slot from P, to its left", "kanalın P'den uzaklığı, soluna doğru", LENGTH),
+    "delta": ("direction of the guide", "kızağın doğrultusu", RAD),
+    "gamma": ("angle of the slot from the guide", "kanalın kızaktan açısı", RAD),
+    "x1": ("a point of line 1, x", "1. doğrunun bir noktası, x", LENGTH),
+    "y1": ("a point of line 1, y", "1. doğrunun bir noktası, y", LENGTH),
+    "delta1": ("direction of line 1", "1. doğrunun doğrultusu", RAD),
+    "x2": ("a point of line 2, x", "2. doğrunun bir noktası, x", LENGTH),
+    "y2": ("a point of line 2, y", "2. doğrunun bir noktası, y", LENGTH),
+    "delta2": ("direction of line 2", "2. doğrunun doğrultusu", RAD),
 }
 """Symbol of a parameter -> what it is (English, Turkish), unit."""
 
@@ -106,26 +110,26 @@ def _parameters(order: str) -> tuple[Parameter, ...]:
 
 def _elementary() -> list[Basic]:
     """Length, angle, triangle and leg, as the dyads' equations have them."""
-    rrr, rrp = small.rrr().rules, small.rrp().rules
+    rrr, rrp = small.rrr().steps, small.rrp().steps
     rows = (
-        ("length", Words("Mag", "Boy"), rrr["s"], "X Y", {"s_x": "X", "s_y": "Y"}, "length",
+        ("length", Words("Mag", "Boy"), rrr["s"], "X Y", {"s_x": "X", "s_y": "Y"}, LENGTH,
          Words("Length of the vector (X, Y)", "(X, Y) vektörünün boyu")),
-        ("angle", Words("Ang", "Açı"), rrr["phi_0"], "X Y", {"s_x": "X", "s_y": "Y"}, "angle",
+        ("angle", Words("Ang", "Açı"), rrr["phi_0"], "X Y", {"s_x": "X", "s_y": "Y"}, RAD,
          Words("Direction of the vector (X, Y), x first, from -pi to pi",
                "(X, Y) vektörünün doğrultusu, önce x, -pi ile pi arasında")),
         ("triangle area", Words("TriangleArea", "ÜçgenAlanı"), rrr["Delta"], "A B C Tol",
-         {"a": "A", "b": "B", "s": "C", "tol": "Tol"}, "area",
+         {"a": "A", "b": "B", "s": "C", "tol": "Tol"}, AREA,
          Words("Area of a triangle from its sides (Heron)", "Kenarlarından bir üçgenin alanı (Heron)")),
         ("triangle angle", Words("TriangleAngle", "ÜçgenAçısı"), rrr["psi"], "A B C Area",
-         {"b": "A", "s": "B", "a": "C", "Delta": "Area"}, "angle",
+         {"b": "A", "s": "B", "a": "C", "Delta": "Area"}, RAD,
          Words("Angle between the sides A and B of a triangle", "Bir üçgenin A ve B kenarları arasındaki açı")),
-        ("leg", Words("Leg", "DikKenar"), rrp["w"], "C A Tol", {"a": "C", "n": "A", "tol": "Tol"}, "length",
+        ("leg", Words("Leg", "DikKenar"), rrp["w"], "C A Tol", {"a": "C", "n": "A", "tol": "Tol"}, LENGTH,
          Words("A leg of the right triangle with hypotenuse C and the other leg A",
                "Hipotenüsü C, bir dik kenarı A olan dik üçgenin öbür dik kenarı")),
     )  # fmt: skip
     found = []
-    for key, name, rule, order, renamed, unit, about in rows:
-        routine = Routine(key, about, _parameters(order), (), rule, unit)
+    for key, name, step, order, renamed, unit, about in rows:
+        routine = Routine(key, about, _parameters(order), (), step.expression, unit, missing=step.missing)
         found.append(Basic(name, with_names(routine, renamed)))
     return found
 
@@ -142,7 +146,7 @@ def _law_of_cosines() -> Basic:
         "Üçüncü kenarın karşısındaki iç açı (kosinüs teoremi), 0 ile pi arasında",
     )
     result = Call("triangle angle", (u1, u2, u3, Symbol("Delta")))
-    routine = Routine("law of cosines", about, _parameters("U1 U2 U3"), steps, result, "angle")
+    routine = Routine("law of cosines", about, _parameters("U1 U2 U3"), steps, result, RAD)
     return Basic(Words("AngCos", "AçıCos"), routine)
 
 
@@ -214,6 +218,6 @@ def _whole_turn() -> Basic:
     source = small.inverted(0.0)
     routine = source.routine("lever", "theta13", about, ("crank", "ground", "theta12", CONFIG), windowed=False)
     routine = with_values(routine, {CONFIG: al.ONE})
-    result = Window(0, math.pi).taken(routine.result, Symbol("theta12"))
+    result = AngleBranch(0, math.pi).taken(routine.result, Symbol("theta12"))
     routine = replace(routine, parameters=_parameters("crank ground theta12"), result=result)
     return Basic(Words("SlottedLever", "KolKızak"), routine)

@@ -14,9 +14,13 @@ from mechsheet.kinematics.closures import Vector
 from mechsheet.sheet.language import Language
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.symbols import GREEK, parts
+from mechsheet.units import NUMBER, Unit
 
 RAW = "#"
 """A symbol that begins so is LaTeX already."""
+
+RATIO = "ratio"
+"""What has no unit and lies between -1 and 1: sines and cosines in a table."""
 
 RATIO_PLACES = 4
 DIGITS = 6
@@ -91,12 +95,8 @@ def packed(terms: Iterable[str], width: int) -> list[str]:
 
 
 def on_paper(node: Node) -> Node:
-    """As a textbook writes it: the value where the position exists, without the guards against its absence."""
+    """As a textbook writes it: 30 degrees, not 30 degrees in radians."""
     match node:
-        case Call("IF", (_, Call("NA"), value)):
-            return value
-        case Call("SQRT", (Call("MAX", (Number(0.0), product)),)):
-            return Call("SQRT", (product,))
         case Call("RADIANS", (Number(value),)):
             return Symbol(f"{RAW}{number_text(value)}^\\circ")
     return node
@@ -108,9 +108,9 @@ class Pen:
     def __init__(self, position: Position) -> None:
         self.position = position
         self.language: Language = position.plan.language
-        self.degrees = position.plan.mechanism.angle_unit == "deg"
+        self.angle_unit = position.plan.mechanism.angle_unit
         self.units = _units(position)
-        self.places = {unit: _places(position, unit) for unit in ("length", "angle")}
+        self.places = {kind: _places(position, kind) for kind in ("length", "angle")} | {RATIO: RATIO_PLACES}
 
     # --- with symbols -----------------------------------------------------------------------------------------
 
@@ -155,36 +155,30 @@ class Pen:
 
     # --- with numbers -----------------------------------------------------------------------------------------
 
-    def substituted(self, node: Node, unit: str) -> str:
+    def substituted(self, node: Node, unit: Unit) -> str:
         """An expression of that unit with the position's numbers in place of its symbols."""
         prepared = self._prepared(node)
-        if self.degrees:
-            prepared = _half_turns(prepared, unit == "angle")
+        if self.angle_unit.in_degrees:
+            prepared = _half_turns(prepared, unit.kind == "angle")
         return print_formula(prepared, "numbers", self._number)
 
     def _number(self, part: Symbol | Previous) -> str:
         if part.name.startswith(RAW):
             return part.name.removeprefix(RAW)
-        return self.shown(self.position.value(part.name), self.units.get(part.name, ""))
+        return self.shown(self.position.value(part.name), self.units.get(part.name, NUMBER))
 
-    def shown(self, value: float, unit: str) -> str:
+    def shown(self, value: float, unit: Unit) -> str:
         """A value in internal units as people read it, rounded; angles with their sign of degree."""
-        if unit == "angle":
-            return self.rounded(math.degrees(value), "angle") + r"^\circ" if self.degrees else self.rounded(value, unit)
-        return self.rounded(value, unit)
+        if unit.kind != "angle":
+            return self.rounded(value, unit.kind)
+        sign = r"^\circ" if self.angle_unit.in_degrees else ""
+        return self.rounded(self.angle_unit.to_shown(value), unit.kind) + sign
 
-    def rounded(self, value: float, unit: str) -> str:
-        """A number with the decimals of its unit; one without a unit with a few significant digits."""
+    def rounded(self, value: float, kind: str) -> str:
+        """A number with the decimals of its kind; one without a unit with a few significant digits."""
         if math.isnan(value):
             return r"\text{–}"
-        if unit == "mode":
-            return f"{value:.0f}"
-        if unit == "ratio":
-            text = f"{value:.{RATIO_PLACES}f}"
-        elif unit in self.places:
-            text = f"{value:.{self.places[unit]}f}"
-        else:
-            text = f"{value:.{DIGITS}g}"
+        text = f"{value:.{self.places[kind]}f}" if kind in self.places else f"{value:.{DIGITS}g}"
         if float(text) == 0:
             text = text.removeprefix("-")
         mantissa, _, exponent = text.partition("e")
@@ -193,33 +187,31 @@ class Pen:
 
     def result(self, symbol: str) -> str:
         """The value of a symbol with its unit."""
-        unit = self.units.get(symbol, "")
+        unit = self.units.get(symbol, NUMBER)
         return self.shown(self.position.value(symbol), unit) + self.unit_math(unit)
 
-    def unit_math(self, unit: str) -> str:
+    def unit_math(self, unit: Unit) -> str:
         """The unit after a number; degrees stand at the number itself."""
-        word = self.position.plan.unit_shown(unit) if unit != "mode" else ""
+        word = (self.angle_unit if unit.kind == "angle" else self.position.plan.mechanism.shown(unit)).text
         return rf"\ \mathrm{{{_plain(word)}}}" if word not in ("", "°") else ""
 
 
-def _units(position: Position) -> dict[str, str]:
-    """Symbol -> unit of its value: "length", "angle", "mode", "number" or an output's label."""
+def _units(position: Position) -> dict[str, Unit]:
+    """Symbol -> unit of its value; a mode is a number without one."""
     mechanism = position.plan.mechanism
-    kinds = {"deg": "angle", "rad": "angle", "1": "number"}
-    units = {dim.symbol: kinds.get(dim.unit, "length") for dim in mechanism.dimensions}
-    units |= {equation.symbol: equation.unit for equation in position.equations.all}
-    units |= {group.mode: "mode" for group in position.equations.groups if group.mode}
-    return units | {mechanism.driver.symbol: kinds.get(mechanism.driver.unit, "length")}
+    units = {dim.symbol: dim.unit for dim in mechanism.dimensions}
+    units |= {step.symbol: step.unit for steps in position.steps.values() for step in steps}
+    return units | {mechanism.driver.symbol: mechanism.driver.unit}
 
 
-def _places(position: Position, unit: str) -> int:
+def _places(position: Position, kind: str) -> int:
     """Decimals that the tolerances justify: of angles by the tolerances of angles, where there are any."""
     mechanism = position.plan.mechanism
-    own = "deg" if mechanism.angle_unit == "deg" else "rad"
+    own = mechanism.angle_unit
     tolerances = [dim.tolerance for dim in mechanism.dimensions if dim.tolerance and dim.unit == own]
-    if unit == "angle" and tolerances:
+    if kind == "angle" and tolerances:
         return min(10, max(0, math.ceil(-math.log10(min(tolerances)) - 1e-9)))
-    return places(position.plan, unit)
+    return places(position.plan, kind)
 
 
 def _half_turns(node: Node, is_angle: bool) -> Node:

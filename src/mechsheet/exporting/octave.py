@@ -16,10 +16,10 @@ from mechsheet.exporting.program import ColumnLine, Line, Program, commented, he
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.solve import dimension_values
-from mechsheet.model import ChartRequest, Joint, Mechanism
+from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet.charts import chart_requests, traced_points
 from mechsheet.sheet.outlines import block_has_line, corners, direction_of, line_end, through_of
-from mechsheet.sheet.plan import plan_of, unit_text
+from mechsheet.sheet.plan import plan_of
 from mechsheet.sheet.points import moving_points, pins_of
 from mechsheet.sheet.shapes import link_color
 
@@ -40,7 +40,7 @@ def write(job: Job) -> list[bytes]:
         fault = f'"{job.name}" is called by the file itself: a function of that name would stand in its way'
         raise MechsheetError(Fault(fault, key="output", hint=f"for example {job.name}_mechanism.m"))
     reserved = {*re.findall(r"^function (?:\w+ = )?(\w+)", helpers, re.MULTILINE), *_TAKEN.split(), job.name}
-    program = program_of(job.mechanism, reserved)
+    program = program_of(job.compiled, reserved)
     lines = [*_opening(program, job.name), *_given(program), *_driver(program), *_columns(program), *_result(program)]
     lines += [
         "",
@@ -271,24 +271,16 @@ def _curves(program: Program, request: ChartRequest, number: int, name: str) -> 
     x = _shown(program, request.x)
     y = ", ".join(["rows", *(_shown(program, symbol) for symbol in request.y)])
     legend = ", ".join(_string(program.names[symbol]) for symbol in request.y)
-    x_title = f"{program.names[request.x]} [{unit_shown(mechanism, program, request.x)}]"
-    y_title = f"[{unit_shown(mechanism, program, request.y[0])}]"
+    x_title = f"{program.names[request.x]} [{_unit(program, request.x)}]"
+    y_title = f"[{_unit(program, request.y[0])}]"
     return f"curves({number}, {x}, track({y}), {{{legend}}}, {_string(x_title)}, {_string(y_title)}, '{name}');"
 
 
 def _shown(program: Program, symbol: str) -> str:
     """A variable as people read it."""
     text = f"result.{program.names[symbol]}" if symbol in program.shown else program.names[symbol]
-    in_degrees = unit_shown(program.mechanism, program, symbol) == "°"
-    return f"{text} * 180 / pi" if in_degrees else text
+    return f"{text} * 180 / pi" if program.unit_shown(symbol).in_degrees else text
 
 
-def unit_shown(mechanism: Mechanism, program: Program, symbol: str) -> str:
-    """The unit in which people read a variable."""
-    if symbol == mechanism.driver.symbol:
-        return unit_text(mechanism.driver.unit)
-    output = next((output for output in mechanism.outputs if output.symbol == symbol), None)
-    if output is not None:
-        return one_line(unit_text(output.unit))
-    unit = program.unit_of(symbol)
-    return "°" if unit == "rad" and mechanism.angle_unit == "deg" else one_line(unit)
+def _unit(program: Program, symbol: str) -> str:
+    return one_line(program.unit_shown(symbol).text)

@@ -1,58 +1,52 @@
-"""One position as the engine computes it: the value of every quantity of the equations list."""
+"""One position in numbers, step by step: what a solution on paper writes down."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
+import numpy as np
+
+from mechsheet.exporting.lowering import Lowering, Step
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.numeric import value
 from mechsheet.model import Mechanism
 from mechsheet.plotting.sampling import Sample, sample
-from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.lowering import Assignments
 from mechsheet.sheet.plan import Plan
 
 
-@dataclass(frozen=True, slots=True)
 class Position:
-    """A row of a computed workbook."""
+    """A row of a sample: the steps of its equations, and the value of every symbol in internal units.
 
-    found: Sample
-    row: int
+    steps  by the equation that they belong to
+    """
+
+    def __init__(self, mechanism: Mechanism, at: float | None) -> None:
+        self.sample: Sample = sample(mechanism, at, None)
+        self.steps = Lowering(self.sample).steps
+        self.values = {symbol: float(column[self.sample.shown]) for symbol, column in self.sample.values.items()}
+        with np.errstate(all="ignore"):
+            for symbol, steps in self.steps.items():
+                self._add_helpers(symbol, steps)
+
+    def _add_helpers(self, symbol: str, steps: tuple[Step, ...]) -> None:
+        """The values of the steps before an equation's own."""
+        for step in steps[:-1]:
+            if step.counts_turns:
+                within = self.values[steps[0].symbol]
+                self.values[step.symbol] = float(np.round((self.values[symbol] - within) / math.tau))
+            else:
+                self.values[step.symbol] = float(value(step.expression, self.values, rooted=True))
 
     @property
     def plan(self) -> Plan:
-        """Where everything stands."""
-        return self.found.plan
+        """Where everything is in the workbook."""
+        return self.sample.plan
 
     @property
-    def equations(self) -> Assignments:
-        """The equations that the workbook was laid out from."""
-        return self.found.plan.equations
+    def equations(self) -> Equations:
+        """The equations, in order of solution."""
+        return self.sample.equations
 
     def value(self, symbol: str) -> float:
         """A quantity in internal units: dimension, constant, mode, driver or column. NaN where it has no number."""
-        spot = self.plan.at.spots[symbol]
-        number = self.number(spot)
-        return math.radians(number) if spot.degrees else number
-
-    def number(self, spot: Spot) -> float:
-        """What stands in a cell, or in this row of a column; NaN for anything but a number."""
-        row = self.plan.at.first + self.row if spot.column else spot.row
-        sheet = self.found.workbook.sheet(spot.sheet)
-        for fill in sheet.fills:
-            if fill.row <= row < fill.row + fill.rows and fill.col <= spot.col < fill.col + fill.cols:
-                value = fill.value(row, spot.col)
-                return value if isinstance(value, float) else math.nan
-        for cell in sheet.cells:
-            if (cell.row, cell.col) == (row, spot.col) and isinstance(cell.content, float):
-                return cell.content
-        return math.nan
-
-
-def position_at(mechanism: Mechanism, at: float | None) -> Position:
-    """The position at a value of the driver in its own unit, or the first that exists.
-
-    Raises MechanismError when there is none.
-    """
-    found = sample(mechanism, at, None)
-    return Position(found, found.shown)
+        return self.values[symbol]

@@ -10,17 +10,17 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
+from mechsheet.compiled import Compiled
 from mechsheet.exporting.identifiers import identifiers
+from mechsheet.exporting.routines import missing_where
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.kinematics.sketched import tell
-from mechsheet.kinematics.solve import dimension_order, solve
+from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Dimension, Mechanism, Quantity
-from mechsheet.sheet.lowering import guarded, rooted
-from mechsheet.sheet.positions import shown_number
+from mechsheet.units import Unit
 
 WIDTH = 100
 """Characters of a line of a program that has a comment."""
@@ -80,11 +80,14 @@ class Program:
         """The symbols that have one value per row."""
         return frozenset((self.mechanism.driver.symbol, *(column.symbol for column in self.columns)))
 
+    def unit_shown(self, symbol: str) -> Unit:
+        """The unit in which people read a symbol's value."""
+        driver = self.mechanism.driver
+        return self.mechanism.shown(driver.unit if symbol == driver.symbol else self.equations.of(symbol).unit)
+
     def unit_of(self, symbol: str) -> str:
         """The unit of a shown symbol's value: "rad", the length unit, an output's own label, or ""."""
-        if symbol == self.mechanism.driver.symbol:
-            return "rad" if self.mechanism.driver.unit in ("deg", "rad") else self.mechanism.length_unit
-        return unit_word(self.mechanism, self.equations.of(symbol).unit)
+        return self.unit_shown(symbol).internal.text
 
     def print(self, node: Node, dialect: str, calls: Mapping[str, str]) -> str:
         """The text of an expression; `calls` spell the helpers, `{0}` being the first argument."""
@@ -109,9 +112,9 @@ def commented(code: str, words: str, mark: str) -> list[str]:
     return [f"{indent}{mark} {words}", code]
 
 
-def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
+def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     """The program of a mechanism; no name in it is one of `reserved`. Raises MechanismError."""
-    equations = solve(mechanism)
+    mechanism, equations = compiled.mechanism, compiled.equations
     tell(mechanism, equations)
     language = mechanism.language
     dimensions = {dim.symbol: dim for dim in mechanism.dimensions}
@@ -119,8 +122,8 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
     constants = [
         Line(
             eq.symbol,
-            guarded(eq.exists, _with_helpers(eq.expression)),
-            unit_word(mechanism, eq.unit),
+            _constant(eq),
+            mechanism.shown(eq.unit.internal).text,
             one_line(eq.label.of(language)),
         )
         for eq in equations.constants
@@ -132,9 +135,10 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
         for plus, minus in [group.assemblies]
     )
     driver = mechanism.driver
-    degrees = driver.unit == "deg"
     sweep = (
-        None if driver.values else tuple(quantity(part, degrees) for part in (driver.start, driver.stop, driver.step))
+        None
+        if driver.values
+        else tuple(quantity(part, driver.unit) for part in (driver.start, driver.stop, driver.step))
     )
     columns = _columns(mechanism, equations)
     kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "output")]
@@ -147,7 +151,7 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
         (*(_dimension(mechanism, dim) for dim in order if dim.derived), *constants),
         modes,
         (sweep[0], sweep[1], sweep[2]) if sweep else None,
-        tuple(quantity(value, degrees) for value in driver.values),
+        tuple(quantity(value, driver.unit) for value in driver.values),
         columns,
         _exists(equations),
         tuple(dict.fromkeys([driver.symbol, *kept])),
@@ -156,22 +160,16 @@ def program_of(mechanism: Mechanism, reserved: Collection[str]) -> Program:
 
 
 def _dimension(mechanism: Mechanism, dim: Dimension) -> Line:
-    unit = {"deg": "rad", "1": ""}.get(dim.unit, dim.unit)
     words = one_line(dim.label.of(mechanism.language)) if dim.label else ""
-    return Line(dim.symbol, quantity(dim.value, dim.unit == "deg"), unit, words)
+    return Line(dim.symbol, quantity(dim.value, dim.unit), dim.unit.internal.text, words)
 
 
-def quantity(value: Quantity, degrees: bool) -> Node:
+def quantity(value: Quantity, unit: Unit) -> Node:
     """A quantity of the model; a plain number of degrees as RADIANS(30), which a person can read."""
-    if isinstance(value, str):
-        return parse_description(value)
-    number = al.number(shown_number(value, degrees))
-    return Call("RADIANS", (number,)) if degrees and not al.is_zero(number) else number
-
-
-def unit_word(mechanism: Mechanism, unit: str) -> str:
-    """The unit of an equation's value in internal units, as a word."""
-    return {"length": mechanism.length_unit, "angle": "rad", "number": ""}.get(unit, unit)
+    if not isinstance(value, float):
+        return value
+    number = al.number(unit.written(value))
+    return Call("RADIANS", (number,)) if unit.in_degrees and not al.is_zero(number) else number
 
 
 def one_line(text: str) -> str:
@@ -192,9 +190,9 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
             found.append(line)
         node = _with_helpers(equation.expression)
         if equation.exists:
-            node = Call("IF", (closed[equation.exists], rooted(node), Call("NA")))
+            node = Call("IF", (closed[equation.exists], al.rooted(node), Call("NA")))
             still = False  # the condition has one value per row
-        unit, words = unit_word(mechanism, equation.unit), one_line(equation.label.of(mechanism.language))
+        unit, words = mechanism.shown(equation.unit.internal).text, one_line(equation.label.of(mechanism.language))
         found.append(ColumnLine(equation.symbol, node, still, unit, words, equation.group))
     return tuple(found)
 
@@ -204,6 +202,12 @@ def _closed(equation: Equation, number: int, still: bool) -> ColumnLine:
     tests = tuple(Binary(">=", condition.margin, condition.least) for condition in equation.exists)
     name = f"closed {number + 1}"  # no description can use a name with a blank in it
     return ColumnLine(name, al.all_of(tests), still, "", "", equation.group)
+
+
+def _constant(equation: Equation) -> Node:
+    """A value that all rows share, where it exists."""
+    value = _with_helpers(equation.expression)
+    return value if equation.fails is None else missing_where(equation.fails, al.rooted(value))
 
 
 def _with_helpers(expression: Node) -> Node:

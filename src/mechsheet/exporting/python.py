@@ -73,7 +73,7 @@ def write(job: Job) -> list[bytes]:
     if job.name in {*sys.stdlib_module_names, *keyword.kwlist, "numpy"}:
         fault = f'"{job.name}" is a module or a word of Python: nobody could import this one'
         raise MechsheetError(Fault(fault, key="output", hint=f"for example {job.name}_mechanism.py"))
-    program = program_of(job.mechanism, RESERVED)
+    program = program_of(job.compiled, RESERVED)
     lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
     return [("\n".join(lines) + _HELPERS).encode()]
 

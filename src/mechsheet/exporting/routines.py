@@ -1,84 +1,94 @@
 """Functions of a mechanism as plain data: parameters, steps in order, a result. Printers spell them out.
 
-A routine is made from the list of equations. What the equations define in the row above is taken as in the first row of a
-sweep, and an angle whose turns a table would count is taken into the turn that it has there (`sheet.tables`): a function
-knows one position only. A step that stands for a missing position (`IF(…, NA(), …)`) ends the function with #N/A.
+A function knows one position only. So the direction of a vector is that within half a turn, and an angle that a table would
+count in turns is taken into the turn that it has there (`kinematics.angle_branch`). A step that has no number ends the
+function with #N/A.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from mechsheet.compiled import Compiled
+from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Symbol, symbols, transform, walk
-from mechsheet.kinematics.equations import Equations
-from mechsheet.model import Mechanism, Words
-from mechsheet.sheet.expansion import definitions, substituted
-from mechsheet.sheet.lowering import Assignments
-from mechsheet.sheet.plan import Plan, plan_of
-from mechsheet.sheet.windows import WINDOWED, with_windows
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, transform
+from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
+from mechsheet.kinematics.solve import dimension_order
+from mechsheet.model import Words
+from mechsheet.units import NUMBER, Unit
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """An argument. `unit`: "length", "angle" (radians), "mode" (+1 or -1), or another dimension's unit."""
+    """An argument, in `unit`: angles mostly in radians, whatever people read."""
 
     symbol: str
     label: Words
-    unit: str
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """`symbol = expression`, over parameters and the steps before it."""
-
-    symbol: str
-    expression: Node
-
-    @property
-    def missing(self) -> Node | None:
-        """The condition under which the step has no number, where it is written `IF(condition, NA(), value)`."""
-        match self.expression:
-            case Call("IF", (condition, Call("NA", ()), _)):
-                return condition
-        return None
+    unit: Unit
 
 
 @dataclass(frozen=True, slots=True)
 class Routine:
-    """A function. `key` is what trees call it; `guards`: steps that must be numbers although the result reads them not."""
+    """A function. `key` is what trees call it; `guards`: steps that must be numbers although the result reads them not.
+
+    missing  true where the result has no number (an elementary function; those with steps end at one of these)
+    """
 
     key: str
     about: Words
     parameters: tuple[Parameter, ...]
     steps: tuple[Step, ...]
     result: Node
-    unit: str
+    unit: Unit
     guards: tuple[str, ...] = ()
+    missing: Node | None = None
 
 
 class Source:
-    """A mechanism with its equations as rules, from which routines are taken."""
+    """A mechanism with its equations as steps, from which routines are taken.
 
-    def __init__(self, mechanism: Mechanism, equations: Equations) -> None:
-        self.mechanism = mechanism
-        self.plan: Plan = plan_of(mechanism, equations)
-        self.equations = self.plan.equations
-        self.rules = with_windows(self.plan, definitions(mechanism, self.equations))
-        self.modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
+    steps    what every symbol that is not given equals at one position, by symbol, in order of solution
+    closing  the steps that have no number where a group cannot be joined
+    """
+
+    def __init__(self, compiled: Compiled) -> None:
+        self.mechanism = compiled.mechanism
+        self.equations = equations = compiled.equations
+        self.modes = compiled.modes
+        lowering = Lowering(compiled)
+        self.steps = self._steps(lowering, branches_of(self.mechanism, equations, compiled.values))
+        closing = [lowering.holders[group.closes] for group in equations.groups]
+        self.closing = [symbol for symbol in closing if self.steps[symbol].missing is not None]
+
+    def _steps(self, lowering: Lowering, branches: Mapping[str, AngleBranch]) -> dict[str, Step]:
+        derived = {dim.symbol: dim.value for dim in self.mechanism.dimensions if not isinstance(dim.value, float)}
+        found = {
+            symbol: Step(symbol, derived[symbol]) for symbol in dimension_order(self.mechanism) if symbol in derived
+        }
+        for equation in self.equations.all:
+            for step in lowering.steps[equation.symbol]:
+                expression = reading_taken(step.expression, branches) if equation.role == "output" else step.expression
+                expression = expression if step.missing is None else al.rooted(expression)
+                found[step.symbol] = Step(step.symbol, expression, step.missing)
+            if equation.symbol in branches:
+                taken = WINDOWED.format(symbol=equation.symbol)
+                driver = Symbol(self.mechanism.driver.symbol)
+                found[taken] = Step(taken, branches[equation.symbol].taken(Symbol(equation.symbol), driver))
+        return found
 
     def parameters(self) -> tuple[Parameter, ...]:
         """The dimensions that are given, the driver, the assembly modes."""
         given = [
-            Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), _unit(dim.unit, self.mechanism))
+            Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), dim.unit.internal)
             for dim in self.mechanism.dimensions
             if not dim.derived
         ]
         driver = self.mechanism.driver
-        given.append(Parameter(driver.symbol, Words("driver", "tahrik"), _unit(driver.unit, self.mechanism)))
+        given.append(Parameter(driver.symbol, Words("driver", "tahrik"), driver.unit.internal))
         words = {group.mode: group.label for group in self.equations.groups if group.mode}
-        return (*given, *(Parameter(mode, label, "mode") for mode, label in words.items()))
+        return (*given, *(Parameter(mode, label, NUMBER) for mode, label in words.items()))
 
     def variables(self) -> tuple[str, ...]:
         """What has a function: link angles, displacements, moving points and outputs, in order of solution."""
@@ -92,40 +102,49 @@ class Source:
         order     symbols of the parameters, where they are not those of `parameters`: all that the variable depends on
         windowed  an angle comes in the turn in which the table of positions has it; else as its equation gives it
         """
-        window = WINDOWED.format(symbol=symbol)
-        wanted = window if windowed and window in self.rules else symbol
-        closing = [group.closes for group in self.equations.groups if _can_be_missing(self.rules.get(group.closes))]
-        own = _needed([wanted], self.rules)
-        needed = _needed([wanted, *closing], self.rules)
-        rules = {name: rule for name, rule in self.rules.items() if name in needed}
+        taken = WINDOWED.format(symbol=symbol)
+        wanted = taken if windowed and taken in self.steps else symbol
+        own = _needed([wanted], self.steps)
+        needed = _needed([wanted, *self.closing], self.steps)
         parameters = {parameter.symbol: parameter for parameter in self.parameters()}
-        steps, result = tidied(rules, wanted, {name: Symbol(name) for name in parameters})
+        used = [step for name, step in self.steps.items() if name in needed]
+        steps, result = tidied(used, wanted, {name: Symbol(name) for name in parameters})
         return Routine(
             key,
             about,
             tuple(parameters[name] for name in order or parameters),
             steps,
             result,
-            _unit_of(self.equations, symbol),
-            tuple(name for name in closing if name not in own),
+            self.mechanism.shown(self.equations.of(symbol).unit.internal),
+            tuple(name for name in self.closing if name not in own),
         )
 
 
-def tidied(rules: Mapping[str, Node], wanted: str, given: Mapping[str, Node]) -> tuple[tuple[Step, ...], Node]:
-    """Steps and result of rules in order: numbers, other names of a symbol and the first row's turns are put in place."""
+def tidied(rules: Sequence[Step], wanted: str, given: Mapping[str, Node]) -> tuple[tuple[Step, ...], Node]:
+    """Steps and result of rules in order: numbers and other names of a symbol are put in place."""
     forms = dict(given)
     steps: list[Step] = []
-    last = list(rules)[-1]
-    for symbol, rule in rules.items():
-        expression = _decided(substituted(rule, forms))
-        if al.is_simple(expression):
-            forms[symbol] = expression
-        elif symbol == wanted == last and not _can_be_missing(expression):
+    for rule in rules:
+        expression = _placed(rule.expression, forms)
+        missing = None if rule.missing is None else _placed(rule.missing, forms)
+        if missing is None and al.is_simple(expression):
+            forms[rule.symbol] = expression
+        elif rule.symbol == wanted and rule is rules[-1] and missing is None:
             return tuple(steps), expression
         else:
-            forms[symbol] = Symbol(symbol)
-            steps.append(Step(symbol, expression))
+            forms[rule.symbol] = Symbol(rule.symbol)
+            steps.append(Step(rule.symbol, expression, missing))
     return tuple(steps), forms[wanted]
+
+
+def mapped(routine: Routine, change: Callable[[Node], Node]) -> Routine:
+    """The routine with every expression changed."""
+
+    def condition(missing: Node | None) -> Node | None:
+        return None if missing is None else change(missing)
+
+    steps = tuple(Step(step.symbol, change(step.expression), condition(step.missing)) for step in routine.steps)
+    return replace(routine, steps=steps, result=change(routine.result), missing=condition(routine.missing))
 
 
 def with_names(routine: Routine, renamed: Mapping[str, str]) -> Routine:
@@ -137,13 +156,18 @@ def with_names(routine: Routine, renamed: Mapping[str, str]) -> Routine:
     def name(symbol: str) -> str:
         return renamed.get(symbol, symbol)
 
+    routine = mapped(routine, lambda node: transform(node, change))
     return replace(
         routine,
         parameters=tuple(replace(part, symbol=name(part.symbol)) for part in routine.parameters),
-        steps=tuple(Step(name(step.symbol), transform(step.expression, change)) for step in routine.steps),
-        result=transform(routine.result, change),
+        steps=tuple(replace(step, symbol=name(step.symbol)) for step in routine.steps),
         guards=tuple(name(symbol) for symbol in routine.guards),
     )
+
+
+def missing_where(condition: Node | None, value: Node) -> Node:
+    """The value, or #N/A where the condition is true."""
+    return value if condition is None else Call("IF", (condition, Call("NA"), value))
 
 
 def guarded(routine: Routine, result: Node, forms: Mapping[str, Node]) -> Node:
@@ -154,52 +178,35 @@ def guarded(routine: Routine, result: Node, forms: Mapping[str, Node]) -> Node:
     return Call("IF", (tests[0] if len(tests) == 1 else Call("AND", tests), result, Call("NA")))
 
 
-def _decided(node: Node) -> Node:
-    """ISNUMBER decided (a step that has no number ends the function before another asks for it), 0/2 left out."""
+def _placed(node: Node, forms: Mapping[str, Node]) -> Node:
+    """An expression over its forms: what a form of 0 or 1 makes needless is left out."""
 
     def change(part: Node) -> Node:
         match part:
-            case Call("IF", (Call("ISNUMBER", (Symbol(),)), value, _)):
-                return value
-            case Binary("/", left, right):
-                return al.div(left, right)
-            case Binary("+", left, right):
-                return al.add(left, right)
-            case Binary("-", left, right):
-                return al.sub(left, right)
-        return part
+            case Symbol(name):
+                return forms[name]
+            case Binary("^", Call("SQRT", (square,)), Number(2.0)):
+                return square
+        return al.tidied(part)
 
     return transform(node, change)
 
 
-def _can_be_missing(rule: Node | None) -> bool:
-    return rule is not None and any(isinstance(part, Call) and part.name == "NA" for part in walk(rule))
-
-
-def _needed(wanted: Iterable[str], rules: Mapping[str, Node]) -> set[str]:
+def _needed(wanted: Iterable[str], steps: Mapping[str, Step]) -> set[str]:
+    """The symbols that some depend on, and these themselves."""
     stack = list(wanted)
     found = set(stack)
     while stack:
-        rule = rules.get(stack.pop())
-        fresh = [] if rule is None else [name for name in symbols(rule) if name not in found]
+        step = steps.get(stack.pop())
+        fresh = [] if step is None else [name for name in step.reads if name not in found]
         found.update(fresh)
         stack += fresh
     return found
 
 
-def _unit(unit: str, mechanism: Mechanism) -> str:
-    if unit in ("deg", "rad"):
-        return "angle"
-    return "length" if unit == mechanism.length_unit else "number" if unit == "1" else unit
-
-
-def _unit_of(equations: Assignments, symbol: str) -> str:
-    return next(equation.unit for equation in equations.all if equation.symbol == symbol)
-
-
 def with_values(routine: Routine, values: Mapping[str, Node]) -> Routine:
     """The routine with parameters replaced by numbers."""
-    rules = {step.symbol: step.expression for step in routine.steps} | {"result": routine.result}
+    rules = [*routine.steps, Step("result", routine.result)]
     left = tuple(parameter for parameter in routine.parameters if parameter.symbol not in values)
     given = {parameter.symbol: Symbol(parameter.symbol) for parameter in left} | dict(values)
     steps, result = tidied(rules, "result", given)

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.position import Position
 from mechsheet.plotting.figures import BESIDE, PIXELS, SIDES
 from mechsheet.plotting.sampling import LEAST, sample
 from mechsheet.plotting.scenes import Piece, Stage
@@ -91,12 +90,12 @@ def drawings(job: Job) -> Iterator[Drawn]:
 
 def _drawn(stage: Stage, row: int) -> Drawn:
     found = stage.sample
-    position = Position(found, row)
-    x, y, half = (position.number(found.plan.window[key]) for key in ("x", "y", "half"))
+    x, y, half = (found.number(found.plan.window[key], row) for key in ("x", "y", "half"))
     shapes = [shape for piece in stage.drawing(row) for shape in _shapes(piece, np.array([x, y]), half)]
     mechanism, language = found.plan.mechanism, found.plan.language
     names = dict.fromkeys(point for link in mechanism.links for point in link.points)
-    points = {name: (position.value(f"{name}.x"), position.value(f"{name}.y")) for name in names}
+    spots = found.plan.at.spots
+    points = {name: (found.number(spots[f"{name}.x"], row), found.number(spots[f"{name}.y"], row)) for name in names}
     return Drawn(tuple(shapes), points, (x, y), half, mechanism.title.of(language), mechanism.length_unit)
 
 

@@ -8,15 +8,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
+from typing import TypeAlias
 
+from mechsheet.compiled import Compiled
 from mechsheet.exporting.routines import Source
-from mechsheet.kinematics.solve import solve
+from mechsheet.formula.nodes import Symbol
 from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
+from mechsheet.units import RAD, unit_of
+
+MILLIMETRE = unit_of("mm", "mm")
+
+Named: TypeAlias = float | str
+"""A size, or the name of a dimension."""
 
 
 def _source(
     lengths: dict[str, float],
-    links: dict[str, dict[str, tuple[Quantity, Quantity]]],
+    links: dict[str, dict[str, tuple[Named, Named]]],
     joints: Sequence[Joint] = (),
     slides: str = "",
     angles: dict[str, float] | None = None,
@@ -26,34 +34,43 @@ def _source(
 
     The driver is the second link, or the sliding joint. The first link is the ground.
     """
-    dimensions = [Dimension(symbol, size, "mm") for symbol, size in lengths.items()]
-    dimensions += [Dimension(symbol, size, "rad") for symbol, size in (angles or {}).items()]
+    dimensions = [Dimension(symbol, size, MILLIMETRE) for symbol, size in lengths.items()]
+    dimensions += [Dimension(symbol, size, RAD) for symbol, size in (angles or {}).items()]
     bodies = tuple(
-        Link(name, number, {point: Cartesian(*place) for point, place in points.items()})
+        Link(name, number, {point: Cartesian(_size(x), _size(y)) for point, (x, y) in points.items()})
         for number, (name, points) in enumerate(links.items(), 1)
     )
     driven = next((joint.symbol for joint in joints if joint.name == slides), "theta12")
-    driver = Driver(driven, "mm" if slides else "rad", "" if slides else bodies[1].name, bodies[0].name, slides)
+    driver = Driver(driven, MILLIMETRE if slides else RAD, "" if slides else bodies[1].name, bodies[0].name, slides)
     nothing = Words("", "")
     mechanism = Mechanism(
         "basic",
         nothing,
         nothing,
         "mm",
-        "rad",
+        RAD,
         tuple(dimensions),
         bodies,
         tuple(joints),
         replace(driver, values=(value,)),
     )
-    return Source(mechanism, solve(mechanism))
+    return Source(Compiled(mechanism))
 
 
-def _guide(name: str, link: str, point: str, through: tuple[Quantity, Quantity], angle: Quantity, symbol: str) -> Joint:
-    return Joint(name, "prismatic", link, "ground", point, through, angle, 0.0, symbol)
+def _size(named: Named) -> Quantity:
+    return Symbol(named) if isinstance(named, str) else named
 
 
-def _pin(height: Quantity, symbol: str, point: str = "P") -> Joint:
+def _guide(name: str, link: str, point: str, through: tuple[Named, Named], angle: Named, symbol: str) -> Joint:
+    x, y = through
+    return Joint(name, "prismatic", link, "ground", point, (_size(x), _size(y)), _size(angle), 0.0, symbol)
+
+
+def _slot(link: str, on: str, point: str, height: Named, angle: Named, symbol: str) -> Joint:
+    return Joint("slot", "pin-slot", link, on, point, (0.0, _size(height)), _size(angle), 0.0, symbol)
+
+
+def _pin(height: Named, symbol: str, point: str = "P") -> Joint:
     """The driven slide that brings a pin anywhere: along x at the height given, from x = 0."""
     return _guide("place", "carrier", point, (0.0, height), 0.0, symbol)
 
@@ -88,7 +105,7 @@ def slider_crank() -> Source:
 
 
 @lru_cache(maxsize=2)
-def inverted(eccentricity: Quantity) -> Source:
+def inverted(eccentricity: Named) -> Source:
     """A crank pin in the slot of a lever; the slot passes the lever's pivot at a distance."""
     lengths = {"crank": 51.0, "ground": 127.0}
     if isinstance(eccentricity, str):
@@ -100,7 +117,7 @@ def inverted(eccentricity: Quantity) -> Source:
             "crank": {"A0": (0.0, 0.0), "A": ("crank", 0.0)},
             "lever": {"B0": (0.0, 0.0)},
         },
-        (Joint("slot", "pin-slot", "crank", "lever", "A", (0.0, eccentricity), 0.0, 0.0, "s"),),
+        (_slot("crank", "lever", "A", eccentricity, 0.0, "s"),),
     )
 
 
@@ -146,7 +163,7 @@ def rpr() -> Source:
         {"ground": {"P": ("xP", "yP")}, "carrier": {"Q": (0.0, 0.0)}, "lever": {"P": (0.0, 0.0)}},
         (
             _pin("yQ", "xQ", "Q"),
-            Joint("slot", "pin-slot", "carrier", "lever", "Q", (0.0, "h"), 0.0, 0.0, "s"),
+            _slot("carrier", "lever", "Q", "h", 0.0, "s"),
         ),
         slides="place",
         value=60.0,
@@ -181,7 +198,7 @@ def rpp() -> Source:
         (
             _pin("yP", "xP"),
             _guide("guide", "yoke", "Y", ("xL", "yL"), "delta", "s"),
-            Joint("slot", "pin-slot", "carrier", "yoke", "P", (0.0, 0.0), "gamma", 0.0, "t"),
+            _slot("carrier", "yoke", "P", 0.0, "gamma", "t"),
         ),
         slides="place",
         angles={"delta": 0.3, "gamma": 1.4},

@@ -11,17 +11,16 @@ from dataclasses import dataclass
 
 from mechsheet.exporting import solution_words as words
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.mathtext import Pen, packed, point_math, seen, symbol_math
-from mechsheet.exporting.position import Position, position_at
+from mechsheet.exporting.mathtext import RATIO, Pen, packed, point_math, seen, symbol_math
+from mechsheet.exporting.position import Position
 from mechsheet.exporting.program import one_line, quantity
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.model import Words
-from mechsheet.sheet.lowering import Assignment
+from mechsheet.units import LENGTH, RAD, Unit
 
 LINE = 66
 """Characters of LaTeX that numbers and their result may share a line with."""
@@ -79,8 +78,7 @@ Block = Heading | Paragraph | Display | Table
 
 def solution(job: Job) -> list[Block]:
     """The document. Raises MechanismError where there is no position."""
-    position = position_at(job.mechanism, job.at)
-    return [*_Writer(position).document()]
+    return _Writer(Position(job.mechanism, job.at)).document()
 
 
 class _Writer:
@@ -131,18 +129,19 @@ class _Writer:
         for dim in self.mechanism.dimensions:
             if not dim.derived:
                 label = one_line(self.say(dim.label)) if dim.label else ""
-                node = quantity(dim.value, dim.unit == "deg")
+                node = quantity(dim.value, dim.unit)
                 rows.append(((Math(symbol_math(dim.symbol)),), (Math(self.exact(node, dim.symbol)),), (label,)))
         if rows:
             self.table((words.SYMBOL, words.VALUE, words.MEANING), rows, (1,))
         lines = []
         for dim in self.mechanism.dimensions:
-            if isinstance(dim.value, str):
+            if not isinstance(dim.value, float):
                 unit = self.pen.units[dim.symbol]
-                lines += self.step(dim.symbol, parse_description(dim.value), unit)
+                lines += self.step(dim.symbol, dim.value, unit)
         for equation in self.equations.constants:
-            if equation.symbol != self.equations.tolerance and not al.is_simple(equation.expression):
-                lines += self.step(equation.symbol, equation.expression, equation.unit)
+            for step in self.position.steps[equation.symbol]:
+                if step.symbol != self.equations.tolerance and not al.is_simple(step.expression):
+                    lines += self.step(step.symbol, step.expression, step.unit)
         if lines:
             self.paragraph(self.say(words.FOLLOWS) + ":")
             self.blocks.append(Display(tuple(lines)))
@@ -150,7 +149,7 @@ class _Writer:
     def exact(self, node: Node, symbol: str) -> str:
         """A given value as it was written, with its unit: it is not rounded."""
         if isinstance(node, Number | Call) or al.value_of(node) is not None:
-            return self.pen.formula(node) + self.pen.unit_math(self.pen.units[symbol] if not _degrees(node) else "")
+            return self.pen.formula(node) + ("" if _degrees(node) else self.pen.unit_math(self.pen.units[symbol]))
         return self.pen.result(symbol)
 
     def driver(self) -> None:
@@ -215,13 +214,13 @@ class _Writer:
                 total += complex(length * cosine, length * sine)
                 rows.append(
                     _cells(
-                        self.pen.vector(vector), self.pen.shown(length, "length"), self.pen.shown(angle, "angle"),
-                        self.pen.rounded(cosine, "ratio"), self.pen.rounded(sine, "ratio"),
-                        self.pen.shown(length * cosine, "length"), self.pen.shown(length * sine, "length"),
+                        self.pen.vector(vector), self.pen.shown(length, LENGTH), self.pen.shown(angle, RAD),
+                        self.pen.rounded(cosine, RATIO), self.pen.rounded(sine, RATIO),
+                        self.pen.shown(length * cosine, LENGTH), self.pen.shown(length * sine, LENGTH),
                     )
                 )  # fmt: skip
             empty: list[Inline] = [()] * 4
-            sums = _cells(self.pen.shown(total.real, "length"), self.pen.shown(total.imag, "length"))
+            sums = _cells(self.pen.shown(total.real, LENGTH), self.pen.shown(total.imag, LENGTH))
             rows.append(((self.say(name),), *empty, *sums))
         self.blocks.append(
             Table(
@@ -237,20 +236,18 @@ class _Writer:
 
     # --- steps ------------------------------------------------------------------------------------------------
 
-    def steps(self, equations: Iterable[Assignment]) -> None:
+    def steps(self, equations: Iterable[Equation]) -> None:
         """Each equation with what it means, with symbols, with numbers."""
-        for equation in equations:
-            label = one_line(self.say(equation.label))
-            if equation.first is not None:
-                if equation.counts_turns:
-                    name = Math(symbol_math(equation.symbol))
-                    value = Math(self.pen.rounded(self.position.value(equation.symbol), "mode"))
-                    self.paragraph(name, f": {self.say(words.TURNS)} ", value)
+        for step in (step for equation in equations for step in self.position.steps[equation.symbol]):
+            if step.counts_turns:
+                value = Math(self.pen.rounded(self.position.value(step.symbol), "number"))
+                self.paragraph(Math(symbol_math(step.symbol)), f": {self.say(words.TURNS)} ", value)
                 continue
-            self.paragraph(label + ":") if label != equation.symbol else None
-            self.blocks.append(Display(tuple(self.step(equation.symbol, equation.expression, equation.unit))))
+            label = one_line(self.say(step.label))
+            self.paragraph(label + ":") if label != step.symbol else None
+            self.blocks.append(Display(tuple(self.step(step.symbol, step.expression, step.unit))))
 
-    def step(self, symbol: str, node: Node, unit: str) -> list[str]:
+    def step(self, symbol: str, node: Node, unit: Unit) -> list[str]:
         """symbol = expression = numbers = value, on one, two or three lines."""
         pen = self.pen
         name, result = symbol_math(symbol), pen.result(symbol)

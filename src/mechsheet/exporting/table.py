@@ -6,8 +6,8 @@ import csv
 import io
 import math
 
+from mechsheet.compiled.motion import motion_of
 from mechsheet.exporting.job import Job
-from mechsheet.motion import motion_of
 
 PLAIN = {"°": "deg"}
 """Units in letters that every program reads."""
@@ -15,7 +15,7 @@ PLAIN = {"°": "deg"}
 
 def write(job: Job) -> list[bytes]:
     """The table in UTF-8, every number with all its digits; nothing where the position does not exist."""
-    columns, units = motion_of(job.mechanism)
+    columns, units = motion_of(job.compiled)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_heading(symbol, PLAIN.get(units[symbol], units[symbol])) for symbol in columns)

@@ -7,7 +7,6 @@ from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.functions import Function, functions_of
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.routines import Source
-from mechsheet.kinematics.solve import solve
 from mechsheet.model import Words
 
 INTRODUCTION = Words(
@@ -35,7 +34,7 @@ def write(job: Job) -> list[bytes]:
     """The module: ASCII, lines ended as Windows does. Raises MechanismError for more dimensions than VBA takes arguments."""
     mechanism = job.mechanism
     language = mechanism.language
-    source = Source(mechanism, solve(mechanism))
+    source = Source(job.compiled)
     functions = functions_of(source, language)
     count = len(source.parameters())
     if count > MOST_ARGUMENTS:
@@ -55,7 +54,7 @@ def introduction(source: Source, functions: tuple[Function, ...], language: str)
     function = functions[-1]
     arguments = ", ".join(name for part, name in zip(function.routine.parameters, function.parameters, strict=True)
                           if part.symbol not in function.modes)  # fmt: skip
-    in_degrees = any(part.unit == "deg" for part in function.routine.parameters)
+    in_degrees = any(part.unit.in_degrees for part in function.routine.parameters)
     degrees = Words(" ({name} takes degrees)", " ({name} derece alır)").of(language)
     name = function_names(functions)[function.key]
     text = INTRODUCTION.of(language).format(

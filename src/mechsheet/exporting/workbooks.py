@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from mechsheet.compiled import Compiled
 from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.function_sheet import LIST_TITLE, functions_sheet
 from mechsheet.exporting.functions import TABLE_KEY, Function, functions_of, in_degrees, main_table, variable_key
@@ -17,20 +18,21 @@ from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import introduction
 from mechsheet.formula.names import folded
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Text
-from mechsheet.kinematics.solve import solve
-from mechsheet.model import Mechanism, TableRequest, Words
+from mechsheet.model import TableRequest, Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.recomputed import recomputed_sheet
 from mechsheet.sheet.tables import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
+from mechsheet.units import Unit
 
-NEEDS_ROW = 2
+NEEDS_ROW = 3
 """The row of the first sheet, empty otherwise, that says what the file needs."""
 
 NEEDS = replace(styles.SUBTITLE, name="", bold=True, italic=False, color=styles.INK)
+
+TABLES_FROM = 2
+"""Sheets before those of two-way tables: the first one and the table of positions."""
 
 MODULE = "Mechsheet"
 """What the module of Basic is called."""
@@ -80,20 +82,20 @@ FORMS = {
 """Name of the option -> form."""
 
 
-def functions_workbook(mechanism: Mechanism, form: str) -> tuple[Workbook, Plan]:
-    """The workbook, its formulas without values yet, and its plan. An engine computes functions as LAMBDA in both forms.
+def functions_workbook(compiled: Compiled, form: str) -> Workbook:
+    """The workbook, its formulas without values yet; its plan is the default one's.
+
+    An engine computes functions as LAMBDA in both forms.
 
     form  "basic" or "lambda"
     Raises MechanismError when the mechanism cannot be solved.
     """
-    equations = solve(mechanism)
-    workbook, plan = lay_out(mechanism, equations)
-    source = Source(mechanism, equations)
-    taken = {folded(name.name) for name in workbook.names}
-    functions = functions_of(source, mechanism.language, taken)
+    source = Source(compiled)
+    taken = {folded(name.name) for name in compiled.layout.names}
+    functions = functions_of(source, compiled.mechanism.language, taken)
     names = function_names(functions) if form == "basic" else {function.key: function.name for function in functions}
-    work = _Work(plan, source, form, {function.key: function for function in functions}, names)
-    return with_typed_constants(work.workbook(workbook)), plan
+    work = _Work(compiled.plan, source, form, {function.key: function for function in functions}, names)
+    return with_typed_constants(work.workbook(compiled.layout))
 
 
 class _Work:
@@ -122,14 +124,12 @@ class _Work:
         sheets += [
             self.table(sheet, tables[id(sheet)]) if id(sheet) in tables else sheet for sheet in workbook.sheets[1:]
         ]
-        again = plan.at.titles["recomputed"]
         taken = {sheet.title.casefold() for sheet in sheets}
         base = LIST_TITLE.of(language)
         title = next(name for name in (base, f"{base} 2", f"{base} 3") if name.casefold() not in taken)
         calls = {function.key: self.call(function, title) for function in functions if not function.basic}
         listed = functions_sheet(plan, self.source, functions, self.names, calls, title)
-        sheets.insert(len(plan.mechanism.tables) + 3, listed)
-        sheets = [recomputed_sheet(plan, sheets) if sheet.title == again else sheet for sheet in sheets]
+        sheets.insert(TABLES_FROM + len(plan.mechanism.tables), listed)
         modules: tuple[Module, ...] = ()
         if self.form == "basic":
             opening = introduction(self.source, tuple(functions), language)
@@ -141,7 +141,7 @@ class _Work:
         """The sheets of two-way tables that functions can compute."""
         derived = {dim.symbol for dim in self.plan.mechanism.dimensions if dim.derived}
         requests = self.plan.mechanism.tables
-        sheets = workbook.sheets[3 : 3 + len(requests)]
+        sheets = workbook.sheets[TABLES_FROM : TABLES_FROM + len(requests)]
         return [pair for pair in zip(sheets, requests, strict=True) if pair[1].column not in derived]
 
     def first_sheet(self, sheet: Sheet) -> Sheet:
@@ -192,12 +192,12 @@ class _Work:
         units = {dim.symbol: dim.unit for dim in plan.mechanism.dimensions}
         left_out = modes_read(function) if self.form == "lambda" else ()
 
-        def argument(symbol: str, unit: str, driver: Node) -> Node:
+        def argument(symbol: str, unit: Unit, driver: Node) -> Node:
             if symbol == plan.mechanism.driver.symbol:
-                in_radians = plan.mechanism.driver.unit == "deg" and unit != "deg"
+                in_radians = plan.mechanism.driver.unit.in_degrees and not unit.in_degrees
                 return Call("RADIANS", (driver,)) if in_radians else driver
             if given and symbol in given:
-                return Call("RADIANS", (given[symbol],)) if units[symbol] == "deg" else given[symbol]
+                return Call("RADIANS", (given[symbol],)) if units[symbol].in_degrees else given[symbol]
             return plan.at.reference(symbol, sheet, None)
 
         def called(driver: Node) -> Node:

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, transform
 
 MOST_ARGUMENTS = 100
 """Arguments of one call: well below the 255 that spreadsheets take, for formulas that can be read."""
@@ -191,6 +191,37 @@ def atan2(x: Node, y: Node) -> Node:
 def less(a: Node, b: Node) -> Node:
     """a < b."""
     return Binary("<", a, b)
+
+
+def any_of(conditions: Sequence[Node]) -> Node:
+    """OR of any number of conditions, as `largest`."""
+    return _nested("OR", conditions)
+
+
+def rooted(value: Node) -> Node:
+    """The value, where a root of less than 0 is 0: beside a condition that holds, that is rounding."""
+
+    def change(part: Node) -> Node:
+        match part:
+            case Call("SQRT", (under,)):
+                return Call("SQRT", (Call("MAX", (ZERO, under)),))
+        return part
+
+    return transform(value, change)
+
+
+def triangle_area(a: Node, b: Node, c: Node) -> Node:
+    """Heron's area: sqrt((a+b+c)(a+b-c)(c+a-b)(c-a+b)) / 4.
+
+    Source of the form: W. Kahan, "Miscalculating area and angles of a needle-like triangle".
+    """
+    product = mul(mul(mul(add(add(a, b), c), sub(add(a, b), c)), sub(add(c, a), b)), add(sub(c, a), b))
+    return div(Call("SQRT", (product,)), Number(4.0))
+
+
+def triangle_angle(opposite: Node, beside: Node, other: Node, area: Node) -> Node:
+    """The angle of a triangle from its area: acos would lose half its digits at a dead centre, this loses none."""
+    return atan2(sub(add(square(beside), square(other)), square(opposite)), mul(Number(4.0), area))
 
 
 @dataclass(frozen=True, slots=True)

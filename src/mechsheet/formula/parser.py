@@ -22,6 +22,9 @@ DESCRIPTION_FUNCTIONS = {
 
 _ALLOWED = (*DESCRIPTION_FUNCTIONS, "hypot")
 
+RESERVED = frozenset(("pi", *_ALLOWED))
+"""Names that mean something in every expression."""
+
 
 def parse_description(text: str) -> Node:
     """The tree of a description's expression: `+ - * / ^`, parentheses, numbers, `pi`, symbols (`C.x` too) and functions.

@@ -10,6 +10,8 @@ from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Words
+from mechsheet.units import LENGTH
+from mechsheet.words.equations import NOTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +30,7 @@ class Solved:
     sides: tuple[Node, ...] = ()
 
 
-ONE_ASSEMBLY = (Words("", ""),)
+ONE_ASSEMBLY = (NOTHING,)
 
 
 def half_turn_unless(mode: Node) -> Node:
@@ -42,10 +44,10 @@ def leg(ledger: Ledger, base: str, hypotenuse: Node, other: Node, label: Words, 
     Written (c - a)(c + a), which keeps its digits at the limit. A shortfall below the tolerance is a dead centre.
     """
     if al.is_zero(other):
-        return ledger.column(base, hypotenuse, "length", label, exists=[separate])
+        return ledger.column(base, hypotenuse, LENGTH, label, exists=[separate])
     reaches = Condition(al.sub(hypotenuse, Call("ABS", (other,))), al.neg(ledger.tolerance), reach=True)
     product = al.mul(al.sub(hypotenuse, other), al.add(hypotenuse, other))
-    return ledger.column(base, Call("SQRT", (product,)), "length", label, exists=[separate, reaches])
+    return ledger.column(base, Call("SQRT", (product,)), LENGTH, label, exists=[separate, reaches])
 
 
 def along_and_across(x: Node, y: Node, delta: Angle) -> tuple[Node, Node]:

@@ -13,9 +13,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Node, symbols
 from mechsheet.kinematics.closures import Loop
 from mechsheet.model import Words
+from mechsheet.units import Unit
 
 Role = Literal["constant", "driver", "intermediate", "variable", "point", "output"]
 
@@ -45,7 +47,7 @@ class Equation:
     """One assignment.
 
     role    "constant" has one value for all rows (a cell beside the dimensions); the others are columns
-    unit    "length", "angle" (radians), "number", or any label an output was given ("mm^2"); "deg" outputs are "angle"
+    unit    `LENGTH`, `ANGLE`, `NUMBER`: the expression's value is in internal units; of an output the one it is shown in
     exists  all that must hold for it to have a value, besides what it reads
     group   0 for the driver's side, n for the n-th group in order of solution, -1 for outputs
     """
@@ -53,10 +55,15 @@ class Equation:
     symbol: str
     expression: Node
     role: Role
-    unit: str
+    unit: Unit
     label: Words
     group: int = 0
     exists: tuple[Condition, ...] = ()
+
+    @property
+    def fails(self) -> Node | None:
+        """True where it does not exist, or None when it always does."""
+        return al.any_of([condition.fails for condition in self.exists]) if self.exists else None
 
     @property
     def reads(self) -> tuple[str, ...]:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.kinematics.naming import BLOCK
 from mechsheet.model import Joint, Mechanism
+from mechsheet.words.equations import BLOCK
 
 
 @dataclass(frozen=True, slots=True)

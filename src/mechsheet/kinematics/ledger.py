@@ -18,6 +18,8 @@ from mechsheet.kinematics.equations import Condition, Equation, Role
 from mechsheet.kinematics.naming import FreshNames
 from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.model import Words
+from mechsheet.units import ANGLE, NUMBER, Unit
+from mechsheet.words.equations import NOTHING
 
 
 class Ledger:
@@ -65,7 +67,7 @@ class Ledger:
         self,
         symbol: str,
         expression: Node,
-        unit: str,
+        unit: Unit,
         label: Words,
         role: Role,
         exists: Sequence[Condition] = (),
@@ -80,7 +82,7 @@ class Ledger:
         self.values[symbol] = evaluate_equation(equation, self.values, self.rows)
         return Symbol(symbol)
 
-    def hoist(self, base: str, expression: Node, unit: str, label: Words, exists: Sequence[Condition] = ()) -> Node:
+    def hoist(self, base: str, expression: Node, unit: Unit, label: Words, exists: Sequence[Condition] = ()) -> Node:
         """The expression itself when it is simple, else a new constant or intermediate column that holds it."""
         if al.is_simple(expression):
             return expression
@@ -88,17 +90,17 @@ class Ledger:
         role: Role = "constant" if all(self.is_constant(part) for part in parts) else "intermediate"
         return self.define(self.reserve(base), expression, unit, label, role, exists)
 
-    def column(self, base: str, expression: Node, unit: str, label: Words, exists: Sequence[Condition] = ()) -> Symbol:
+    def column(self, base: str, expression: Node, unit: Unit, label: Words, exists: Sequence[Condition] = ()) -> Symbol:
         """A new intermediate column."""
         return self.define(self.reserve(base), expression, unit, label, "intermediate", exists)
 
     def hoist_angle(self, base: str, angle: Angle, label: Words) -> Angle:
         """The angle with its symbolic part made simple."""
-        return Angle(self.hoist(base, angle.node, "angle", label), angle.degrees)
+        return Angle(self.hoist(base, angle.node, ANGLE, label), angle.degrees)
 
     def number(self, node: Node) -> float:
         """Value of a constant expression."""
-        probe = Equation("", node, "constant", "number", Words("", ""))
+        probe = Equation("", node, "constant", NUMBER, NOTHING)
         return float(evaluate_equation(probe, self.values, self.rows)[0])
 
     def is_positive(self, node: Node) -> bool:
@@ -120,7 +122,7 @@ class Ledger:
 
     def direction(self, base: str, x: Node, y: Node, label: Words) -> Symbol:
         """The direction of the vector (x, y), an angle without jumps."""
-        return self.column(base, Direction(y, x), "angle", label)
+        return self.column(base, Direction(y, x), ANGLE, label)
 
     def first_number(self, symbol: str) -> int | None:
         """The first row in which a column is a number."""

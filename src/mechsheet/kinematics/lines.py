@@ -21,7 +21,8 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Guide, Poses
-from mechsheet.model import Words
+from mechsheet.units import LENGTH, NUMBER
+from mechsheet.words.equations import phrase
 
 PARALLEL = 1e-12
 """Lines whose directions differ by less [rad] count as parallel."""
@@ -35,12 +36,8 @@ def meet(
     Raises MechanismError for lines that are parallel whatever the dimensions.
     """
     sine = al.sin(delta2 - delta1)
-    e_x = ledger.hoist(
-        "e_x", e[0], "length", Words("from line 1 to line 2, x part", "1. doğrudan 2. doğruya, x bileşeni")
-    )
-    e_y = ledger.hoist(
-        "e_y", e[1], "length", Words("from line 1 to line 2, y part", "1. doğrudan 2. doğruya, y bileşeni")
-    )
+    e_x = ledger.hoist("e_x", e[0], LENGTH, phrase("between_lines", axis="x"))
+    e_y = ledger.hoist("e_y", e[1], LENGTH, phrase("between_lines", axis="y"))
     fixed = al.value_of(sine)
     parallel: Node | None = None
     if fixed is not None and abs(fixed) < PARALLEL:
@@ -55,13 +52,11 @@ def meet(
         d: Node = sine
         closes = ""
     else:
-        sine = ledger.hoist(
-            "D_0", sine, "number", Words("sine of the angle between the lines", "doğrular arasındaki açının sinüsü")
-        )
+        sine = ledger.hoist("D_0", sine, NUMBER, phrase("sine_between_lines"))
         crossing = Condition(Call("ABS", (sine,)), al.number(PARALLEL))
         column = ledger.column(
-            "D", sine, "number",
-            Words("the same; #N/A where the lines are parallel", "aynısı; doğrular paralelse #N/A"), [crossing],
+            "D", sine, NUMBER,
+            phrase("sine_where_they_meet"), [crossing],
         )  # fmt: skip
         d, closes = column, column.name
         ahead = al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2)))
@@ -93,10 +88,7 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
     return Solved(
         "", ONE_ASSEMBLY, closes or guides[0].symbol, None, parallel, (inner.point,),
         (guides[0].symbol, guides[1].symbol),
-        Words(
-            f"{poses.both(dyad).en}: pin {inner.point}, slides {symbols}",
-            f"{poses.both(dyad).tr}: {inner.point} mafsalı, {symbols} kaymaları",
-        ),
+        phrase("group_two_slides", links=poses.both(dyad), pin=inner.point, slides=symbols),
     )  # fmt: skip
 
 
@@ -133,9 +125,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
         angle = delta - line_turn - poses.members[inner.on].angle
         own, fixed = poses.through(joint), poses.own_place(inner.body, joint.point)
         sign = -1
-    delta = ledger.hoist_angle(
-        f"delta_{joint.symbol}", delta, Words(f"direction of {joint.symbol}", f"{joint.symbol} doğrultusu")
-    )
+    delta = ledger.hoist_angle(f"delta_{joint.symbol}", delta, phrase("direction_of", what=joint.symbol))
     first_body, second_body = (inner.body, inner.on) if on_second else (inner.on, inner.body)
     own = poses.in_assembly(first_body, own, "slide")
     fixed = poses.in_assembly(second_body, fixed, "guide")
@@ -153,8 +143,5 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     symbols = f"{guide.symbol}, {joint.symbol}"
     return Solved(
         "", ONE_ASSEMBLY, closes or guide.symbol, None, parallel, (p,), (guide.symbol, joint.symbol),
-        Words(
-            f"{poses.both(dyad).en}: pin {p}, slides {symbols}",
-            f"{poses.both(dyad).tr}: {p} mafsalı, {symbols} kaymaları",
-        ),
+        phrase("group_two_slides", links=poses.both(dyad), pin=p, slides=symbols),
     )  # fmt: skip

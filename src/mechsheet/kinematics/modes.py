@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula.parser import parse_description
-from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.numeric import Array
-from mechsheet.model import Mechanism, Quantity
+from mechsheet.kinematics.places import number
+from mechsheet.model import Mechanism
 
 BETWEEN = 0.1
 """A sketch whose distances to the two assemblies differ by less than this part of their separation lies between them."""
@@ -105,24 +104,21 @@ Entry = tuple[str, float, float]
 
 def _entries(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mapping[str, float]) -> list[Entry]:
     """What the sketch says of the columns from `start` on."""
-    fresh = {equation.symbol: equation.unit for equation in ledger.columns[start:]}
+    fresh = {equation.symbol: equation.unit.kind for equation in ledger.columns[start:]}
     size = max([abs(value) for value in dimensions.values()], default=1.0)
     for equation in ledger.columns[start:]:
         if equation.role == "point":
             found = ledger.values[equation.symbol]
             size = max(size, float(abs(found[found == found]).max(initial=0.0)))
 
-    def number(quantity: Quantity) -> float:
-        return evaluate(parse_description(quantity), dimensions) if isinstance(quantity, str) else quantity
-
     entries: list[Entry] = []
     for point, place in mechanism.sketch.points.items():
         for axis, quantity in zip("xy", place, strict=True):
             if f"{point}.{axis}" in fresh:
-                entries.append((f"{point}.{axis}", number(quantity), size))
+                entries.append((f"{point}.{axis}", number(quantity, dimensions), size))
     for symbol, quantity in mechanism.sketch.symbols.items():
         if symbol in fresh:
-            entries.append((symbol, number(quantity), 0.0 if fresh[symbol] == "angle" else size))
+            entries.append((symbol, number(quantity, dimensions), 0.0 if fresh[symbol] == "angle" else size))
     return entries
 
 

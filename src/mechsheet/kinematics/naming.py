@@ -1,4 +1,4 @@
-"""What links are called in words: the label of the description, or the field's own word for a common name."""
+"""Names of quantities and of bodies: those that the description gives, and new ones beside them."""
 
 from __future__ import annotations
 
@@ -6,42 +6,7 @@ from collections.abc import Iterable
 from itertools import chain, count
 
 from mechsheet.formula.names import folded
-from mechsheet.model import Link, Mechanism, Words
-
-TERMS = {
-    "arm": "kol",
-    "block": "kızak",
-    "coupler": "biyel",
-    "crank": "krank",
-    "frame": "gövde",
-    "ground": "sabit uzuv",
-    "input": "giriş uzvu",
-    "lever": "kol",
-    "output": "çıkış uzvu",
-    "piston": "piston",
-    "plunger": "piston",
-    "ram": "koç",
-    "rocker": "sarkaç",
-    "rod": "biyel",
-    "slider": "kızak",
-}
-"""English name of a link -> the Turkish one."""
-
-BLOCK = "block of "
-"""How the massless block of a pin-slot joint is called, before the joint's symbol."""
-
-
-def link_words(link: Link) -> Words:
-    """A link in both languages. A name that is no common one stays as it is."""
-    return link.label or Words(link.name, TERMS.get(link.name, link.name))
-
-
-def body_words(mechanism: Mechanism, name: str) -> Words:
-    """A link, or the block of a pin-slot joint, by its name."""
-    if name.startswith(BLOCK):
-        symbol = name.removeprefix(BLOCK)
-        return Words(name, f"{symbol} bloğu")
-    return next((link_words(link) for link in mechanism.links if link.name == name), Words(name, name))
+from mechsheet.model import Mechanism
 
 
 def given_names(mechanism: Mechanism) -> list[str]:
@@ -54,6 +19,11 @@ def given_names(mechanism: Mechanism) -> list[str]:
         *(joint.symbol for joint in mechanism.joints),
         mechanism.driver.symbol,
     ]
+
+
+def without_group(symbol: str, group: int) -> str:
+    """The symbol without the number of its group: what `FreshNames.reserve` made it from."""
+    return symbol.removesuffix(f"_{group}") if group > 1 else symbol
 
 
 class FreshNames:

@@ -6,26 +6,33 @@ noted as such (the workbook insists on it), anything else gets a derived constan
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, TriangleAngle
-from mechsheet.formula.parser import parse_description
+from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words
+from mechsheet.units import ANGLE, LENGTH
+from mechsheet.words.equations import link_words, phrase
 
 
 def length_node(quantity: Quantity) -> Node:
     """A length of the model as a formula."""
-    return parse_description(quantity) if isinstance(quantity, str) else al.number(quantity)
+    return al.number(quantity) if isinstance(quantity, float) else quantity
 
 
 def angle_of(quantity: Quantity) -> Angle:
     """An angle of the model as a formula."""
-    return Angle(parse_description(quantity)) if isinstance(quantity, str) else al.right_angle(quantity)
+    return al.right_angle(quantity) if isinstance(quantity, float) else Angle(quantity)
+
+
+def number(quantity: Quantity, dimensions: Mapping[str, float]) -> float:
+    """The value of a quantity of the model."""
+    return quantity if isinstance(quantity, float | int) else evaluate(quantity, dimensions)
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +110,7 @@ class LinkPlaces:
                 case Cartesian(x, y):
                     self._places[point] = cartesian(length_node(x), length_node(y))
                 case Polar(r, angle):
-                    label = Words(f"direction of {point} on {self.words.en}", f"{self.words.tr}: {point} doğrultusu")
+                    label = phrase("direction_in_link", point=point, link=self.words)
                     hoisted = self.ledger.hoist_angle(f"beta_{point}", angle_of(angle), label)
                     self._places[point] = polar(length_node(r), hoisted)
                 case Distances():
@@ -135,11 +142,8 @@ class LinkPlaces:
         gamma = ledger.hoist(
             f"gamma{n}",
             TriangleAngle(c, a, b),
-            "angle",
-            Words(
-                f"angle {given.second}{given.first}{point} of {self.words.en}",
-                f"{self.words.tr}: {given.second}{given.first}{point} açısı",
-            ),
+            ANGLE,
+            phrase("angle_in_link", name=f"{given.second}{given.first}{point}", link=self.words),
             exists=[triangle_closes(ledger, a, b, c)],
         )
         turned = Angle(gamma) if given.side == "left" else Angle(al.neg(gamma))
@@ -149,9 +153,9 @@ class LinkPlaces:
         if start.is_zero:
             return offset
         # in cells of its own: places that are given by this one would repeat its formula, and theirs in turn
-        label = Words(f"{point} in the frame of {self.words.en}", f"{self.words.tr} takımında {point}")
-        u = ledger.hoist(f"u_{point}", al.add(start.u, offset.u), "length", label)
-        v = ledger.hoist(f"v_{point}", al.add(start.v, offset.v), "length", label)
+        label = phrase("place_in_link", point=point, link=self.words)
+        u = ledger.hoist(f"u_{point}", al.add(start.u, offset.u), LENGTH, label)
+        v = ledger.hoist(f"v_{point}", al.add(start.v, offset.v), LENGTH, label)
         return cartesian(u, v)
 
 
@@ -163,7 +167,7 @@ def arm(places: LinkPlaces, start: str, end: str) -> tuple[Node, Angle]:
         places.way(start, end),
         places.known_length(start, end),
         name,
-        Words(f"{start}–{end} on {places.words.en}", f"{places.words.tr}: {start}–{end}"),
+        phrase("length_in_link", start=start, end=end, link=places.words),
     )
 
 
@@ -172,17 +176,17 @@ def arm_of(ledger: Ledger, way: Place, known: Node | None, name: str, label: Wor
     if way.polar:
         r, angle = way.polar
         if ledger.is_positive(r):
-            return ledger.hoist(name, r, "length", label), ledger.hoist_angle(f"beta_{name}", angle, label)
+            return ledger.hoist(name, r, LENGTH, label), ledger.hoist_angle(f"beta_{name}", angle, label)
         if ledger.is_positive(al.neg(r)):
             turned = angle + Angle(degrees=180)
-            return ledger.hoist(name, al.neg(r), "length", label), ledger.hoist_angle(f"beta_{name}", turned, label)
-    u = ledger.hoist(f"u_{name}", way.u, "length", label)
-    v = ledger.hoist(f"v_{name}", way.v, "length", label)
-    length = known or ledger.hoist(name, al.sqrt(al.add(al.square(u), al.square(v))), "length", label)
+            return ledger.hoist(name, al.neg(r), LENGTH, label), ledger.hoist_angle(f"beta_{name}", turned, label)
+    u = ledger.hoist(f"u_{name}", way.u, LENGTH, label)
+    v = ledger.hoist(f"v_{name}", way.v, LENGTH, label)
+    length = known or ledger.hoist(name, al.sqrt(al.add(al.square(u), al.square(v))), LENGTH, label)
     if known is not None:
         ledger.is_positive(known)
     if ledger.is_constant(u) and ledger.is_constant(v):
-        return length, Angle(ledger.hoist(f"beta_{name}", al.atan2(u, v), "angle", label))
+        return length, Angle(ledger.hoist(f"beta_{name}", al.atan2(u, v), ANGLE, label))
     return length, Angle(ledger.direction(f"beta_{name}", u, v, label))
 
 

@@ -18,9 +18,10 @@ from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.naming import body_words, link_words
 from mechsheet.kinematics.places import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian, length_node
 from mechsheet.model import Joint, Link, Mechanism, Words
+from mechsheet.units import ANGLE, LENGTH
+from mechsheet.words.equations import body_words, link_words, listed, phrase
 
 Assembly = tuple[str, ...]
 
@@ -85,8 +86,8 @@ class Poses:
             place = self.places[ground.name].place(point)
             coordinates = []
             for axis, node in (("x", place.u), ("y", place.v)):
-                label = Words(f"{point}, fixed, {axis}", f"{point}, sabit, {axis}")
-                symbol = self.ledger.define(f"{point}.{axis}", node, "length", label, "constant")
+                label = phrase("fixed_point", point=point, axis=axis)
+                symbol = self.ledger.define(f"{point}.{axis}", node, LENGTH, label, "constant")
                 coordinates.append(node if al.is_simple(node) else symbol)
             self.xy[point] = (coordinates[0], coordinates[1])
 
@@ -110,9 +111,9 @@ class Poses:
         if place.is_zero:
             return member.origin
         x, y = place.turned(member.angle)
-        label = Words(f"{name} in the frame of the driven pair", f"{name}, tahrik çiftinin takımında")
-        u = self.ledger.hoist(f"u_{name}", al.add(member.origin.u, x), "length", label)
-        v = self.ledger.hoist(f"v_{name}", al.add(member.origin.v, y), "length", label)
+        label = phrase("in_driven_pair", name=name)
+        u = self.ledger.hoist(f"u_{name}", al.add(member.origin.u, x), LENGTH, label)
+        v = self.ledger.hoist(f"v_{name}", al.add(member.origin.v, y), LENGTH, label)
         return cartesian(u, v)
 
     def place(self, assembly: Assembly, point: str) -> Place:
@@ -128,19 +129,16 @@ class Poses:
                 known = self.places[body].known_length(start, end)
                 way = self.places[body].way(start, end) if self.members[body] == STILL else None
         way = way or self.place(assembly, end) - self.place(assembly, start)
-        label = Words(f"{start}–{end} on {self.name(assembly)}", f"{self.name(assembly, 'tr')}: {start}–{end}")
+        label = phrase("length_in_link", start=start, end=end, link=self.name(assembly))
         return arm_of(self.ledger, way, known, f"{start}{end}", label)
 
-    def name(self, assembly: Assembly, language: str = "en") -> str:
+    def name(self, assembly: Assembly) -> Words:
         """The assembly in words."""
-        return " + ".join(body_words(self.mechanism, body).of(language) for body in assembly)
+        return listed(body_words(self.mechanism, body) for body in assembly)
 
     def both(self, dyad: Dyad) -> Words:
         """The two assemblies of a dyad in words."""
-        first, second = dyad.first, dyad.second
-        return Words(
-            f"{self.name(first)} and {self.name(second)}", f"{self.name(first, 'tr')} ve {self.name(second, 'tr')}"
-        )
+        return phrase("and", first=self.name(dyad.first), second=self.name(dyad.second))
 
     def angle_unknown(self, assembly: Assembly) -> str:
         """The symbol that says how a solved assembly is turned: the angle of its first body."""
@@ -152,10 +150,10 @@ class Poses:
         """Coordinates of a place (in the body's own frame) of a solved body."""
         pose = self.known[body]
         x, y = (place - pose.base).turned(pose.angle)
-        label = Words(f"{name} on {self.name((body,))}", f"{self.name((body,), 'tr')}: {name}")
+        label = phrase("point_on", point=name, link=self.name((body,)))
         return (
-            self.ledger.hoist(f"x_{name}", al.add(pose.x, x), "length", label),
-            self.ledger.hoist(f"y_{name}", al.add(pose.y, y), "length", label),
+            self.ledger.hoist(f"x_{name}", al.add(pose.x, x), LENGTH, label),
+            self.ledger.hoist(f"y_{name}", al.add(pose.y, y), LENGTH, label),
         )
 
     def guide(self, slide: Slide, assembly: Assembly) -> Guide:
@@ -163,7 +161,7 @@ class Poses:
         joint = slide.joint
         inside = slide.body if slide.body in assembly else slide.on
         solved = self.known[slide.other(inside)]
-        label = Words(f"direction of the guide of {joint.symbol}", f"{joint.symbol} kızağının doğrultusu")
+        label = phrase("direction_of_guide", symbol=joint.symbol)
         if inside == slide.body:
             delta = solved.angle + angle_of(joint.angle)
             angle = delta + angle_of(joint.orientation)
@@ -205,12 +203,12 @@ class Poses:
                 self.known[body] = Pose(own, base, x, y)
             else:
                 name = f"origin_{self._number(body)}"
-                label = Words(f"origin of {self.name((body,))}", f"{self.name((body,), 'tr')}: başlangıç noktası")
+                label = phrase("origin", link=self.name((body,)))
                 self.known[body] = Pose(
                     own,
                     ORIGIN,
-                    self.ledger.hoist(f"x_{name}", al.add(x, origin_x), "length", label),
-                    self.ledger.hoist(f"y_{name}", al.add(y, origin_y), "length", label),
+                    self.ledger.hoist(f"x_{name}", al.add(x, origin_x), LENGTH, label),
+                    self.ledger.hoist(f"y_{name}", al.add(y, origin_y), LENGTH, label),
                 )
         for body in assembly:
             self._points(body)
@@ -221,16 +219,15 @@ class Poses:
     def _body_angle(self, body: str, angle: Angle) -> Angle:
         """Write `theta1n = angle` for a link; a block keeps its angle to itself."""
         if body in self.graph.blocks:
-            words = Words(f"angle of the {self.name((body,))}", f"{self.name((body,), 'tr')} açısı")
+            words = phrase("angle_of", link=self.name((body,)))
             return self.ledger.hoist_angle("delta", angle, words)
         link = self.links[body]
-        label = link_words(link)
         symbol = link.angle_symbol
         if symbol == self.mechanism.driver.symbol:
             return Angle(Symbol(symbol))
-        words = Words(f"angle of link {link.number}, {label.en}", f"{link.number} numaralı uzvun açısı ({label.tr})")
+        words = phrase("angle_of_link", number=str(link.number), link=link_words(link))
         self.turned.append((symbol, angle))
-        return Angle(self.ledger.define(symbol, angle.expression(), "angle", words, "variable"))
+        return Angle(self.ledger.define(symbol, angle.expression(), ANGLE, words, "variable"))
 
     def _points(self, body: str) -> None:
         """Write down the points of a body that are not known yet, its origin first: from there the others read best."""
@@ -245,18 +242,15 @@ class Poses:
         x, y = (self.own_place(body, point) - pose.base).turned(pose.angle)
         found = []
         for axis, base, part in (("x", pose.x, x), ("y", pose.y, y)):
-            label = Words(f"{point}, {axis} coordinate", f"{point} noktası, {axis} koordinatı")
-            found.append(self.ledger.define(f"{point}.{axis}", al.add(base, part), "length", label, "point"))
+            label = phrase("coordinate", point=point, axis=axis)
+            found.append(self.ledger.define(f"{point}.{axis}", al.add(base, part), LENGTH, label, "point"))
         self.xy[point] = (found[0], found[1])
 
     def displacement(self, symbol: str, expression: Node) -> None:
         """Write down a sliding joint's displacement."""
         joint = next(joint for joint in self.mechanism.joints if joint.symbol == symbol)
-        words = Words(
-            f"displacement of {joint.point} on {self.name((joint.on,))}",
-            f"{joint.point} noktasının ötelenmesi ({self.name((joint.on,), 'tr')} üzerinde)",
-        )
-        self.ledger.define(symbol, expression, "length", words, "variable")
+        words = phrase("displacement", point=joint.point, link=self.name((joint.on,)))
+        self.ledger.define(symbol, expression, LENGTH, words, "variable")
 
     def settle_turns(self) -> None:
         """Take whole turns out of the angles found last, so that the mean of each lies between -120 and 240 degrees."""

@@ -22,7 +22,8 @@ from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Poses
-from mechsheet.model import Words
+from mechsheet.units import ANGLE, LENGTH
+from mechsheet.words.equations import phrase
 
 
 def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
@@ -37,23 +38,21 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
     p, q = (outer[0].point, outer[1].point) if on_first else (outer[1].point, outer[0].point)
     (xp, yp), (xq, yq) = poses.xy[p], poses.xy[q]
     mode = ledger.mode()
-    r_x = ledger.hoist("r_x", al.sub(xq, xp), "length", Words(f"{p}→{q}, x part", f"{p}→{q}, x bileşeni"))
-    r_y = ledger.hoist("r_y", al.sub(yq, yp), "length", Words(f"{p}→{q}, y part", f"{p}→{q}, y bileşeni"))
-    r = ledger.column(
-        "r", al.sqrt(al.add(al.square(r_x), al.square(r_y))), "length", Words(f"distance {p}–{q}", f"{p}–{q} uzaklığı")
-    )
-    phi = ledger.direction("phi", r_x, r_y, Words(f"direction of {p}→{q}", f"{p}→{q} doğrultusu"))
+    r_x = ledger.hoist("r_x", al.sub(xq, xp), LENGTH, phrase("part_of_way", start=p, end=q, axis="x"))
+    r_y = ledger.hoist("r_y", al.sub(yq, yp), LENGTH, phrase("part_of_way", start=p, end=q, axis="y"))
+    r = ledger.column("r", al.sqrt(al.add(al.square(r_x), al.square(r_y))), LENGTH, phrase("distance", start=p, end=q))
+    phi = ledger.direction("phi", r_x, r_y, phrase("direction_of", what=f"{p}→{q}"))
     ahead, h = _offsets(poses, slide, carrier, slider, p, q)
     separate = Condition(r, ledger.tolerance)
-    w = leg(ledger, "w", r, h, Words(f"{p}→{q} along {joint.symbol}", f"{joint.symbol} boyunca {p}→{q}"), separate)
+    w = leg(ledger, "w", r, h, phrase("way_along", start=p, end=q, symbol=joint.symbol), separate)
     poses.displacement(joint.symbol, al.sub(al.mul(mode, w), ahead))
     delta = Angle(al.sub(phi, half_turn_unless(mode)))
     if not al.is_zero(h):
         chi = ledger.column(
             "chi",
             al.atan2(w, h),
-            "angle",
-            Words(f"angle between {p}→{q} and {joint.symbol}", f"{p}→{q} ile {joint.symbol} arasındaki açı"),
+            ANGLE,
+            phrase("angle_between", start=p, end=q, symbol=joint.symbol),
         )
         delta = delta - Angle(al.mul(mode, chi))
     on_angle = delta - angle_of(joint.angle) - poses.members[slide.on].angle
@@ -63,8 +62,8 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
     return Solved(
         mode.name,
         (
-            Words(f"{joint.symbol} the larger of two", f"{joint.symbol} ikisinden büyüğü"),
-            Words(f"{joint.symbol} the smaller of two", f"{joint.symbol} ikisinden küçüğü"),
+            phrase("larger_of_two", symbol=joint.symbol),
+            phrase("smaller_of_two", symbol=joint.symbol),
         ),
         closes=w.name,
         apart=w,
@@ -73,10 +72,7 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
         else Call("AND", (separate.fails, Binary(">=", r, Call("ABS", (h,))))),
         pins=(p, q),
         unknowns=(poses.angle_unknown(carrier), joint.symbol),
-        label=Words(
-            f"{poses.both(dyad).en}: pins {p}, {q}, slide {joint.symbol}",
-            f"{poses.both(dyad).tr}: {p}, {q} mafsalları, {joint.symbol} kayması",
-        ),
+        label=phrase("group_slide", links=poses.both(dyad), pins=f"{p}, {q}", slide=joint.symbol),
         sides=(r, h),
     )
 
@@ -95,8 +91,8 @@ def _offsets(
     start_along, start_across = start.turned(-line)
     own = angle_of(joint.orientation) - poses.members[slide.body].angle
     end_along, end_across = end.turned(own)
-    words = Words("slot offset", "kanal kaçıklığı")
+    words = phrase("slot_offset")
     return (
-        poses.ledger.hoist("p", al.add(start_along, end_along), "length", words),
-        poses.ledger.hoist("h", al.add(start_across, end_across), "length", words),
+        poses.ledger.hoist("p", al.add(start_along, end_along), LENGTH, words),
+        poses.ledger.hoist("h", al.add(start_across, end_across), LENGTH, words),
     )

@@ -21,7 +21,8 @@ from mechsheet.kinematics.dyads import Solved, along_and_across, half_turn_unles
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.poses import Poses
-from mechsheet.model import Words
+from mechsheet.units import ANGLE, LENGTH
+from mechsheet.words.equations import phrase
 
 
 def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
@@ -39,28 +40,26 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
     e_x = ledger.hoist(
         "e_x",
         al.sub(al.add(guide.x, offset_x), xp),
-        "length",
-        Words(f"{p} to the guide, x part", f"{p}'den kızağa, x bileşeni"),
+        LENGTH,
+        phrase("to_guide", point=p, axis="x"),
     )
     e_y = ledger.hoist(
         "e_y",
         al.sub(al.add(guide.y, offset_y), yp),
-        "length",
-        Words(f"{p} to the guide, y part", f"{p}'den kızağa, y bileşeni"),
+        LENGTH,
+        phrase("to_guide", point=p, axis="y"),
     )
     along, across = along_and_across(e_x, e_y, guide.delta)
     t = ledger.hoist(
         "t",
         along,
-        "length",
-        Words(f"{p} to the guide's origin, along it", f"{p}'den kızak başlangıcına, kızak boyunca"),
+        LENGTH,
+        phrase("along_guide", point=p),
     )
-    n = ledger.hoist("n", across, "length", Words(f"{p} to the guide, across it", f"{p}'den kızağa dik uzaklık"))
+    n = ledger.hoist("n", across, LENGTH, phrase("across_guide", point=p))
     separate = Condition(a, ledger.tolerance)  # pins that coincide leave the link free to turn about them
-    w = leg(ledger, "w", a, n, Words(f"{p}–{r} along the guide", f"kızak boyunca {p}–{r}"), separate)
-    psi = ledger.column(
-        "psi", al.atan2(w, n), "angle", Words(f"angle of {p}–{r} to the guide", f"{p}–{r} ile kızak arasındaki açı")
-    )
+    w = leg(ledger, "w", a, n, phrase("arm_along_guide", start=p, end=r), separate)
+    psi = ledger.column("psi", al.atan2(w, n), ANGLE, phrase("angle_to_guide", start=p, end=r))
     sign = mode if guide.sign > 0 else al.neg(mode)
     reach = al.sub(al.mul(sign, w), t)
     poses.displacement(guide.symbol, reach if guide.sign > 0 else al.neg(reach))
@@ -71,18 +70,15 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
     return Solved(
         mode.name,
         (
-            Words(f"{guide.symbol} the larger of two", f"{guide.symbol} ikisinden büyüğü"),
-            Words(f"{guide.symbol} the smaller of two", f"{guide.symbol} ikisinden küçüğü"),
+            phrase("larger_of_two", symbol=guide.symbol),
+            phrase("smaller_of_two", symbol=guide.symbol),
         ),
         closes=w.name,
         apart=w,
         degenerate=Call("AND", (separate.fails, al.less(Call("ABS", (n,)), ledger.tolerance))),
         pins=(p, r),
         unknowns=(poses.angle_unknown(dyad.first), guide.symbol),
-        label=Words(
-            f"{poses.both(dyad).en}: pins {p}, {r}, slide {guide.symbol}",
-            f"{poses.both(dyad).tr}: {p}, {r} mafsalları, {guide.symbol} kayması",
-        ),
+        label=phrase("group_slide", links=poses.both(dyad), pins=f"{p}, {r}", slide=guide.symbol),
         transmission=psi.name,
         sides=(a, n),
     )

@@ -18,7 +18,8 @@ from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.places import triangle_closes
 from mechsheet.kinematics.poses import Poses
-from mechsheet.model import Words
+from mechsheet.units import ANGLE, LENGTH
+from mechsheet.words.equations import phrase
 
 
 def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
@@ -30,19 +31,17 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     a, line_a = poses.arm(dyad.first, p, r)
     b, line_b = poses.arm(dyad.second, q, r)
     mode = ledger.mode()
-    s_x = ledger.hoist("s_x", al.sub(xp, xq), "length", Words(f"{q}→{p}, x part", f"{q}→{p}, x bileşeni"))
-    s_y = ledger.hoist("s_y", al.sub(yp, yq), "length", Words(f"{q}→{p}, y part", f"{q}→{p}, y bileşeni"))
-    s = ledger.column(
-        "s", al.sqrt(al.add(al.square(s_x), al.square(s_y))), "length", Words(f"distance {q}–{p}", f"{q}–{p} uzaklığı")
-    )
-    phi = ledger.direction("phi", s_x, s_y, Words(f"direction of {q}→{p}", f"{q}→{p} doğrultusu"))
+    s_x = ledger.hoist("s_x", al.sub(xp, xq), LENGTH, phrase("part_of_way", start=q, end=p, axis="x"))
+    s_y = ledger.hoist("s_y", al.sub(yp, yq), LENGTH, phrase("part_of_way", start=q, end=p, axis="y"))
+    s = ledger.column("s", al.sqrt(al.add(al.square(s_x), al.square(s_y))), LENGTH, phrase("distance", start=q, end=p))
+    phi = ledger.direction("phi", s_x, s_y, phrase("direction_of", what=f"{q}→{p}"))
     # pins that coincide leave a link free to turn about them
     separate, reaches = Condition(al.smallest((a, b, s)), ledger.tolerance), triangle_closes(ledger, a, b, s)
     exists = (separate, reaches)
-    psi = ledger.column("psi", TriangleAngle(a, b, s), "angle", Words(f"angle {p}{q}{r}", f"{p}{q}{r} açısı"), exists)
+    psi = ledger.column("psi", TriangleAngle(a, b, s), ANGLE, phrase("angle", name=f"{p}{q}{r}"), exists)
     mu = ledger.column(
-        "mu", TriangleAngle(s, a, b), "angle",
-        Words(f"angle {p}{r}{q} (transmission)", f"{p}{r}{q} açısı (bağlama)"), exists,
+        "mu", TriangleAngle(s, a, b), ANGLE,
+        phrase("transmission_angle", name=f"{p}{r}{q}"), exists,
     )  # fmt: skip
     to_r = Angle(al.sub(phi, al.mul(mode, psi)))
     poses.fix(dyad.second, to_r - line_b, poses.place(dyad.second, q), xq, yq)
@@ -52,18 +51,15 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     return Solved(
         mode.name,
         (
-            Words(f"{r} left of {p}→{q}", f"{r}, {p}→{q} solunda"),
-            Words(f"{r} right of {p}→{q}", f"{r}, {p}→{q} sağında"),
+            phrase("left_of", point=r, start=p, end=q),
+            phrase("right_of", point=r, start=p, end=q),
         ),
         closes=psi.name,
         apart=al.sin(Angle(mu)),  # the area of the triangle, of which two sides are links
         degenerate=Call("AND", (separate.fails, Binary(">=", reaches.margin, reaches.least))),
         pins=(p, q, r),
         unknowns=(poses.angle_unknown(dyad.first), poses.angle_unknown(dyad.second)),
-        label=Words(
-            f"{poses.both(dyad).en}: pins {p}, {q}, {r}",
-            f"{poses.both(dyad).tr}: {p}, {q}, {r} mafsalları",
-        ),
+        label=phrase("group_pins", links=poses.both(dyad), pins=f"{p}, {q}, {r}"),
         transmission=mu.name,
         sides=(a, b, s),
     )

@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from mechsheet.diagnostics import DescriptionWarning, Fault
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve_unpicked
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 
@@ -67,10 +68,10 @@ class Entry:
         return np.sqrt(sum((gap / size) ** 2 for gap in gaps))
 
 
-def tell(mechanism: Mechanism, equations: Equations) -> None:
-    """Warn (DescriptionWarning) of every doubt about the mechanism's sketch."""
+def tell(mechanism: Mechanism, equations: Equations, stacklevel: int = 3) -> None:
+    """Warn (DescriptionWarning) of every doubt about the mechanism's sketch; `stacklevel` as in `warnings.warn`."""
     for fault in doubts(mechanism, equations):
-        warnings.warn(DescriptionWarning(fault), stacklevel=3)
+        warnings.warn(DescriptionWarning(fault), stacklevel=stacklevel)
 
 
 def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
@@ -265,7 +266,7 @@ def _named(mechanism: Mechanism, rows: Array, missed: Array) -> list[float]:
 def shown_value(mechanism: Mechanism, value: float) -> str:
     """A value of the driver as a person writes it, with its symbol: `theta12 = 40`."""
     driver = mechanism.driver
-    written = math.degrees(value) if driver.unit == "deg" else value
+    written = driver.unit.to_shown(value)
     return f"{driver.symbol} = {written:.4g}"
 
 
@@ -289,7 +290,7 @@ def _fits(mechanism: Mechanism, values: Sequence[float], read: _Read) -> Fault:
 def _misfit(mechanism: Mechanism, entries: Sequence[Entry], read: _Read) -> Fault:
     worst = max(entries, key=lambda entry: float(entry.missed(read.values, read.size)[read.row]))
     lies = ", ".join(
-        f"{column} = {math.degrees(value) if worst.angle and mechanism.angle_unit == 'deg' else value:.4g}"
+        f"{column} = {mechanism.angle_unit.to_shown(value) if worst.angle else value:.4g}"
         for column in worst.columns
         for value in [float(read.values[column][read.row])]
     )

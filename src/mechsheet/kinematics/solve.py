@@ -13,8 +13,6 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
-from mechsheet.formula.parser import parse_description
-from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.dyads import Solved
@@ -27,12 +25,14 @@ from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import Place, angle_of, cartesian
+from mechsheet.kinematics.places import Place, angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
-from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity, Words
+from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
+from mechsheet.units import LENGTH
+from mechsheet.words.equations import phrase, same
 
 PROBED_ROWS = 200
 """Rows at the start, and as many again spread over the rest, on which modes are picked."""
@@ -44,39 +44,24 @@ CLOSING = 1e-12
 def dimension_values(mechanism: Mechanism) -> dict[str, float]:
     """All dimensions in internal units, derived ones computed."""
     values: dict[str, float] = {}
-    pending = {}
-    for dimension in mechanism.dimensions:
-        if isinstance(dimension.value, str):
-            pending[dimension.symbol] = parse_description(dimension.value)
-        else:
-            values[dimension.symbol] = dimension.value
-    while pending:
-        ready = [symbol for symbol, node in pending.items() if set(symbols(node)) <= values.keys()]
-        if not ready:
-            raise ValueError(f"circular dimensions: {sorted(pending)}")  # the reader has refused these
-        for symbol in ready:
-            values[symbol] = evaluate(pending.pop(symbol), values)
+    given = {dim.symbol: dim.value for dim in mechanism.dimensions}
+    for symbol in dimension_order(mechanism):
+        values[symbol] = number(given[symbol], values)
     return values
 
 
 def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
     """Symbols of all dimensions, each after those it is derived from."""
-    known = dict.fromkeys(dim.symbol for dim in mechanism.dimensions if not isinstance(dim.value, str))
-    pending = {
-        dim.symbol: set(symbols(parse_description(dim.value)))
-        for dim in mechanism.dimensions
-        if isinstance(dim.value, str)
-    }
+    known = dict.fromkeys(dim.symbol for dim in mechanism.dimensions if not dim.derived)
+    pending = {dim.symbol: set(symbols(dim.value)) for dim in mechanism.dimensions if not isinstance(dim.value, float)}
     while pending:
-        for symbol in [symbol for symbol, reads in pending.items() if reads <= known.keys()]:
+        ready = [symbol for symbol, reads in pending.items() if reads <= known.keys()]
+        if not ready:
+            raise ValueError(f"circular dimensions: {sorted(pending)}")  # the reader has refused these
+        for symbol in ready:
             known[symbol] = None
             del pending[symbol]
     return tuple(known)
-
-
-def number(quantity: Quantity, dimensions: Mapping[str, float]) -> float:
-    """The value of a quantity of the model."""
-    return evaluate(parse_description(quantity), dimensions) if isinstance(quantity, str) else quantity
 
 
 def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
@@ -185,8 +170,8 @@ def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
     ledger.tolerance = ledger.define(
         ledger.reserve("tol"),
         al.mul(NumberNode(CLOSING), _largest_length(mechanism)),
-        "length",
-        Words("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır"),
+        LENGTH,
+        phrase("tolerance"),
         "constant",
     )
     return ledger
@@ -196,11 +181,11 @@ def _largest_length(mechanism: Mechanism) -> Node:
     """MAX of the sizes of all lengths given: input dimensions, and plain numbers in places; where there are none, the
     largest length that there is."""
     lengths: list[Node] = [
-        Symbol(dim.symbol) if not isinstance(dim.value, float) or dim.value > 0 else Call("ABS", (Symbol(dim.symbol),))
+        Symbol(dim.symbol) if isinstance(dim.value, float) and dim.value > 0 else Call("ABS", (Symbol(dim.symbol),))
         for dim in mechanism.dimensions
         if is_length(dim) and not dim.derived
     ]
-    plain = [abs(value) for value in _lengths_of_places(mechanism) if not isinstance(value, str)]
+    plain = [abs(value) for value in _lengths_of_places(mechanism) if isinstance(value, float)]
     if plain and max(plain) > 0:
         lengths.append(NumberNode(max(plain)))
     if not lengths:
@@ -210,7 +195,7 @@ def _largest_length(mechanism: Mechanism) -> Node:
 
 def is_length(dimension: Dimension) -> bool:
     """True for a dimension in the length unit."""
-    return dimension.unit not in ("deg", "rad", "1")
+    return dimension.unit.kind == "length"
 
 
 def largest_length(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:
@@ -313,15 +298,11 @@ def _outputs(mechanism: Mechanism, ledger: Ledger) -> None:
     ledger.group = -1
     faults = []
     for output in mechanism.outputs:
-        expression = parse_description(output.formula)
-        unknown = [name for name in symbols(expression) if name not in ledger.values]
+        unknown = [name for name in symbols(output.formula) if name not in ledger.values]
         if unknown:
             faults.append(Fault(f'"{unknown[0]}" is not known here', key=f"outputs.{output.symbol}.formula"))
             continue
-        unit = {"deg": "angle", "rad": "angle", mechanism.length_unit: "length", "1": "number"}.get(
-            output.unit, output.unit
-        )
-        label = output.label or Words(output.symbol, output.symbol)
-        ledger.define(output.symbol, expression, unit, label, "output")
+        label = output.label or same(output.symbol)
+        ledger.define(output.symbol, output.formula, output.unit, label, "output")
     if faults:
         raise MechanismError(faults)

@@ -9,9 +9,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
+from mechsheet.arguments.outputs import file_in
 from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
 from mechsheet.model import Mechanism
-from mechsheet.outputs import file_in
 
 KINDS = ("svg", "png", "gif", "html")
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from mechsheet.compute import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import CellRef, NameRef, RangeRef, walk
 from mechsheet.sheet.workbook import Area, Fill, Workbook

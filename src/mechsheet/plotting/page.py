@@ -9,8 +9,6 @@ from html import escape
 from importlib.resources import files
 from string import Template
 
-import numpy as np
-
 from mechsheet.plotting import words
 from mechsheet.plotting.figures import Figure, Move, figure
 from mechsheet.plotting.scenes import Piece, Scene, Stage, comes_round
@@ -29,11 +27,10 @@ def page(stage: Stage) -> bytes:
         _curve(chart, found, sample.shown, f"c{index}", sample.workbook)
         for index, (chart, found) in enumerate(zip(stage.charts[1:], by_chart[1:], strict=True), 1)
     ]
-    driver = [sample.plan.driver[row] for row in rows]
-    shown_driver = np.degrees(driver).tolist() if mechanism.driver.unit == "deg" else driver
+    driver = [mechanism.driver.unit.to_shown(sample.plan.driver[row]) for row in rows]
     captions = [_caption(scene) for scene in by_chart[0]]
     data = {
-        "driver": [round(value, 9) for value in shown_driver],
+        "driver": [round(value, 9) for value in driver],
         "captions": captions,
         "round": all(sample.exists[: sample.sweep]) and comes_round(by_chart[0][0], by_chart[0][-1]),
         "play": words.PLAY.of(language),

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
 from itertools import pairwise
 from typing import Literal
 
 import numpy as np
 
-from mechsheet.compute import computed
+from mechsheet.arguments.numbers import number_given
+from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
-from mechsheet.given import number_given
 from mechsheet.kinematics.sketched import tell
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Mechanism
-from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.plan import EXISTS, STATUS, Plan, unit_text
+from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import Workbook
 
 LEAST, MOST = 121, 361
 """A sweep with fewer positions is refined, each of its steps alike; of one with more, every second, third … is taken."""
@@ -28,20 +26,23 @@ SAME = 1e-9
 """A driver value this part of the sweep away from a position is that position."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sample:
-    """A computed workbook and its plan.
+class Sample(Compiled):
+    """A mechanism compiled at the positions to be drawn.
 
     sweep  how many of the table's rows are the sweep; one more follows when a position outside of it is asked for
-    shown  the row of the position asked for; without one, the first that exists
-    exists which rows exist
     """
 
-    workbook: Workbook
-    plan: Plan
-    sweep: int
-    shown: int
-    exists: tuple[bool, ...]
+    def __init__(self, mechanism: Mechanism, modes: Mapping[str, int], sweep: int, shown: int | None) -> None:
+        super().__init__(mechanism, modes)
+        self.sweep = sweep
+        self._asked = shown
+
+    @cached_property
+    def shown(self) -> int:
+        """The row of the position asked for; without one, the first that exists."""
+        if self._asked is not None:
+            return self._asked
+        return self.exists.index(True) if True in self.exists else 0
 
 
 def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None, least: int = LEAST) -> Sample:
@@ -54,13 +55,12 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     at = None if at is None else number_given(at, "at")
     if language not in (None, "en", "tr"):
         raise MechsheetError(Fault(f'unknown language "{language}"', key="language", hint='languages: "en", "tr"'))
-    equations = solve(mechanism)
-    tell(mechanism, equations)
-    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-    values = resampled([float(value) for value in driver_values(mechanism, dimension_values(mechanism))], least)
+    compiled = compiled_of(mechanism)
+    tell(mechanism, compiled.equations)
+    values = resampled(compiled.driver.tolist(), least)
     shown, sweep = None, len(values)
     if at is not None:
-        values, shown = with_value(values, math.radians(at) if mechanism.driver.unit == "deg" else at)
+        values, shown = with_value(values, mechanism.driver.unit.to_internal(at))
         sweep = sweep if shown == sweep else len(values)
     drawn = replace(
         mechanism,
@@ -69,21 +69,10 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
         tables=(),
         summaries=(),
     )
-    layout, plan = lay_out(drawn, solve(drawn, modes))
-    workbook = computed(_without_checks(layout, plan))
-    exists = tuple(value == 1.0 for value in _column(workbook, plan, EXISTS))
-    if shown is None:
-        shown = exists.index(True) if True in exists else 0
-    elif not exists[shown]:
-        raise MechanismError(_missing(workbook, plan, at, shown, exists[:sweep]))
-    return Sample(workbook, plan, sweep, shown, exists)
-
-
-def _without_checks(workbook: Workbook, plan: Plan) -> Workbook:
-    """The workbook without the formulas of the checks, which are most of it: no picture shows them."""
-    unseen = {plan.at.titles["checks"], plan.at.titles["recomputed"]}
-    sheets = (replace(sheet, fills=()) if sheet.title in unseen else sheet for sheet in workbook.sheets)
-    return replace(workbook, sheets=tuple(sheets))
+    found = Sample(drawn, compiled.modes, sweep, shown)
+    if shown is not None and not found.exists[shown]:
+        raise MechanismError(_missing(found, at))
+    return found
 
 
 def resampled(values: Sequence[float], least: int = LEAST) -> list[float]:
@@ -115,21 +104,16 @@ def with_value(values: Sequence[float], value: float) -> tuple[list[float], int]
     return [*values, value], len(values)
 
 
-def _column(workbook: Workbook, plan: Plan, col: int) -> list[object]:
-    """The values of a column of the table."""
-    fill = next(fill for fill in workbook.sheet(plan.table).fills if fill.col == col and fill.row == plan.at.first)
-    return [fill.value(row, col) for row in range(plan.at.first, plan.at.last + 1)]
-
-
-def _missing(workbook: Workbook, plan: Plan, at: float | None, row: int, exists: Sequence[bool]) -> Fault:
+def _missing(sample: Sample, at: float | None) -> Fault:
+    plan = sample.plan
     driver = plan.mechanism.driver
-    unit = unit_text(driver.unit)
+    unit = driver.unit.text
     space = "" if unit in ("", "°") else " "
-    shown = np.degrees(plan.driver) if driver.unit == "deg" else np.array(plan.driver)
+    shown = driver.unit.to_shown(np.array(plan.driver))
     symbol = plain(driver.symbol)
-    runs = _runs(exists)
+    runs = _runs(sample.exists[: sample.sweep])
     ranges = ", ".join(f"{shown[a]:.6g} … {shown[b]:.6g}{space}{unit}" for a, b in runs)
-    why = _column(workbook, plan, STATUS)[row]
+    why = sample.column(STATUS)[sample.shown]
     return Fault(
         f"no position at {symbol} = {at:g}{space}{unit}: {why}",
         key="at",

@@ -6,8 +6,8 @@ import numpy as np
 
 from . import branches, newton
 from .geometry import Array
+from .sketch import Sketched
 from .system import Block, System
-from .wishes import Wishes
 
 _BEAM = 16
 _TOGETHER = 32
@@ -15,12 +15,12 @@ _FLAT = 1e-6
 _ASIDE = 1e-3
 
 
-def start_row(wishes: Wishes, block: Block, state: Array, value: Array) -> tuple[int | None, Array]:
+def start_row(sketched: Sketched, block: Block, state: Array, value: Array) -> tuple[int | None, Array]:
     """The row whose assembly the sketch shows, and all the block's solutions there (s, columns); None without any.
 
     That is the first row in which the block closes; rough poses show the row whose driver value they have.
     """
-    row = int(np.argmin(wishes.away(value)))
+    row = int(np.argmin(sketched.away(value)))
     candidates = branches.solutions(block, state[row : row + 1], value[row : row + 1])[0]
     if len(candidates):
         return row, candidates
@@ -28,7 +28,7 @@ def start_row(wishes: Wishes, block: Block, state: Array, value: Array) -> tuple
     if not block.large:
         # Both branches exist in the same rows, so either finds them.
         rows = np.flatnonzero(branches.sweep(block, state, value, 1.0).exists)
-    rows = rows[np.argsort(wishes.away(value[rows]), kind="stable")]
+    rows = rows[np.argsort(sketched.away(value[rows]), kind="stable")]
     for first in range(0, len(rows), _TOGETHER):
         part = rows[first : first + _TOGETHER]
         for row, candidates in zip(part, branches.solutions(block, state[part], value[part]), strict=True):
@@ -38,44 +38,44 @@ def start_row(wishes: Wishes, block: Block, state: Array, value: Array) -> tuple
 
 
 def branch(
-    built: System, wishes: Wishes, index: int, first: int, candidates: Array, state: Array, value: Array
+    built: System, sketched: Sketched, index: int, first: int, candidates: Array, state: Array, value: Array
 ) -> float:
     """Sign of the branch that holds, in row `first`, the candidate nearest to the sketch.
 
     At a dead centre, where both branches meet, the sketch itself tells them apart, or the next row that exists does.
     """
     block = built.blocks[index]
-    chosen = choose(built, wishes, index, candidates, value[first])
+    chosen = choose(built, sketched, index, candidates, value[first])
     det = newton.determinant(block, chosen, value[first : first + 1])[0]
     if abs(det) > _FLAT:
         return float(np.sign(det))
-    side = _side(built, wishes, index, chosen, value[first : first + 1])
+    side = _side(built, sketched, index, chosen, value[first : first + 1])
     if side:
         return side
     for i in (*range(first + 1, len(state)), *reversed(range(first))):
         candidates = branches.solutions(block, state[i : i + 1], value[i : i + 1])[0]
         if len(candidates):
-            chosen = choose(built, wishes, index, candidates, value[i])
+            chosen = choose(built, sketched, index, candidates, value[i])
             det = newton.determinant(block, chosen, value[i : i + 1])[0]
             if abs(det) > _FLAT:
                 return float(np.sign(det))
     return 1.0
 
 
-def _side(built: System, wishes: Wishes, index: int, centre: Array, value: Array) -> float:
+def _side(built: System, sketched: Sketched, index: int, centre: Array, value: Array) -> float:
     """Sign of the branch on that side of a dead centre (1, columns) on which the sketch lies; 0 when it says nothing."""
     block = built.blocks[index]
     _, change = newton.weakest(block, centre, value)
     sides = np.repeat(centre, 2, axis=0)
     sides[:, list(block.columns)] += _ASIDE * np.array([[1.0], [-1.0]]) * change
-    costs = wishes.cost(index, sides)
+    costs = sketched.cost(index, sides)
     if not abs(costs[0] - costs[1]) > _ASIDE * 1e-6:
         return 0.0
     nearer = sides[np.argmin(costs)][None, :]
     return float(np.sign(newton.determinant(block, nearer, value)[0]))
 
 
-def choose(built: System, wishes: Wishes, index: int, candidates: Array, value: float) -> Array:
+def choose(built: System, sketched: Sketched, index: int, candidates: Array, value: float) -> Array:
     """The candidate (1, columns) nearest to the sketch; of equals the one of positive determinant.
 
     Where the sketch says nothing about this block, it may say something about those that stand on it.
@@ -83,13 +83,13 @@ def choose(built: System, wishes: Wishes, index: int, candidates: Array, value: 
     if len(candidates) == 1:
         return candidates
     block = built.blocks[index]
-    last = max((wish.block for wish in wishes.entries), default=-1)
-    if wishes.about(index) or last < index:
-        costs = wishes.cost(index, candidates)
+    last = max((wish.block for wish in sketched.entries), default=-1)
+    if sketched.about(index) or last < index:
+        costs = sketched.cost(index, candidates)
     else:
         costs = np.array(
             [
-                _cost_further(built, wishes, candidates[i : i + 1], value, index + 1, last + 1)
+                _cost_further(built, sketched, candidates[i : i + 1], value, index + 1, last + 1)
                 for i in range(len(candidates))
             ]
         )
@@ -99,17 +99,17 @@ def choose(built: System, wishes: Wishes, index: int, candidates: Array, value: 
     return candidates[best : best + 1]
 
 
-def _cost_further(built: System, wishes: Wishes, state: Array, value: float, index: int, stop: int) -> float:
+def _cost_further(built: System, sketched: Sketched, state: Array, value: float, index: int, stop: int) -> float:
     """Distance from the sketch of the best assembly of blocks `index` to `stop` - 1; what closes further is nearer."""
-    depth, states = assembled(built, state, value, index, stop, wishes, _BEAM)
+    depth, states = assembled(built, state, value, index, stop, sketched, _BEAM)
     cost = np.zeros(len(states))
     for i in range(index, depth):
-        cost += wishes.cost(i, states)
+        cost += sketched.cost(i, states)
     return float(np.min(cost)) + 1e6 * (stop - depth)
 
 
 def assembled(
-    built: System, state: Array, value: float, index: int, stop: int, wishes: Wishes | None, width: int
+    built: System, state: Array, value: float, index: int, stop: int, sketched: Sketched | None, width: int
 ) -> tuple[int, Array]:
     """The block up to which blocks from `index` to before `stop` close, and the assemblies (m, columns) up to there.
 
@@ -122,8 +122,8 @@ def assembled(
             return i, states
         cost = np.repeat(cost, [len(part) for part in grown])
         states = np.concatenate(grown)
-        if wishes is not None:
-            cost = cost + wishes.cost(i, states)
+        if sketched is not None:
+            cost = cost + sketched.cost(i, states)
         keep = np.argsort(cost, kind="stable")[:width]
         states, cost = states[keep], cost[keep]
     return stop, states

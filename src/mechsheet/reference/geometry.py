@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import MechanismError, near_miss
+from ..formula.nodes import symbols
 from ..model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
-from .expressions import names_in, number
+from .expressions import number
 
 Array: TypeAlias = NDArray[np.float64]
 Places: TypeAlias = Mapping[str, Mapping[str, Array]]
@@ -49,8 +50,8 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
         if symbol in given:
             values[symbol] = float(given[symbol])
             return
-        if isinstance(quantity, str):
-            for name in names_in(quantity):
+        if not isinstance(quantity, float):
+            for name in symbols(quantity):
                 settle(name, (*asked, symbol))
         values[symbol] = number(quantity, values)
 

@@ -13,8 +13,8 @@ from . import assembly, branches, geometry
 from .branches import Mask, Rows
 from .expressions import column
 from .geometry import Array
+from .sketch import Pose, Sketched, displacement, point_places
 from .system import System, residual, system
-from .wishes import Pose, Wishes, displacement, point_places
 
 Progress = Callable[[int, int], None]
 """Called with blocks solved and blocks in all."""
@@ -99,10 +99,10 @@ def solve(
     numbers = geometry.dimension_values(mechanism, dimensions)
     driver = geometry.driver_values(mechanism, numbers) if values is None else np.array(values, dtype=float)
     built = system(mechanism, numbers)
-    wishes = Wishes(built, start)
+    sketched = Sketched(built, start)
     scaled = driver / built.scale if mechanism.driver.joint else driver
-    if wishes.at is not None:  # a row of its own before the others: it need not be one of them
-        scaled = np.concatenate([[wishes.at], scaled])
+    if sketched.at is not None:  # a row of its own before the others: it need not be one of them
+        scaled = np.concatenate([[sketched.at], scaled])
     path, asked = _with_steps_between(built, scaled)
     asked = asked[len(scaled) - len(driver) :]
     state = np.full((len(path), built.columns), np.nan)
@@ -113,7 +113,7 @@ def solve(
     for i in range(len(built.blocks)):
         rows = np.flatnonzero(alive)
         if len(rows):
-            found = _over_rows(built, wishes, i, state[rows], path[rows])
+            found = _over_rows(built, sketched, i, state[rows], path[rows])
             state[rows] = found.state
             undetermined[rows] = found.undetermined
             alive[rows] = found.exists
@@ -121,7 +121,7 @@ def solve(
             progress(i + 1, len(built.blocks))
     state, alive, undetermined, path = state[asked], alive[asked], undetermined[asked], path[asked]
     state[~alive] = np.nan
-    _continuous(built, wishes, state, path, alive)
+    _continuous(built, sketched, state, path, alive)
     return _solution(built, driver, path, state, alive, undetermined)
 
 
@@ -139,19 +139,19 @@ def _with_steps_between(built: System, driver: Array) -> tuple[Array, NDArray[np
     return np.concatenate([*pieces, driver[-1:]]), np.concatenate([[0], np.cumsum(parts)])
 
 
-def _over_rows(built: System, wishes: Wishes, index: int, state: Array, value: Array) -> Rows:
+def _over_rows(built: System, sketched: Sketched, index: int, state: Array, value: Array) -> Rows:
     """One block over the rows in which all that it needs exists."""
     block = built.blocks[index]
     if block.linear:
         return branches.linear(block, state, value)
-    first, candidates = assembly.start_row(wishes, block, state, value)
+    first, candidates = assembly.start_row(sketched, block, state, value)
     if not block.large:
-        sign = 1.0 if first is None else assembly.branch(built, wishes, index, first, candidates, state, value)
+        sign = 1.0 if first is None else assembly.branch(built, sketched, index, first, candidates, state, value)
         return branches.sweep(block, state, value, sign)
     if first is None:
         none = np.zeros(len(state), dtype=bool)
         return Rows(state, none, none)
-    chosen = assembly.choose(built, wishes, index, candidates, value[first])
+    chosen = assembly.choose(built, sketched, index, candidates, value[first])
     after = branches.follow(block, state[first:], value[first:], chosen)
     before = branches.follow(block, state[first::-1], value[first::-1], chosen)
     return Rows(
@@ -193,7 +193,7 @@ def _poses(built: System, state: Array) -> dict[str, Array]:
     return found
 
 
-def _continuous(built: System, wishes: Wishes, state: Array, value: Array, alive: Mask) -> None:
+def _continuous(built: System, sketched: Sketched, state: Array, value: Array, alive: Mask) -> None:
     """Angles without jumps of a turn over the rows that exist, in place.
 
     The first is within half a turn of zero or of what the sketch says. Angles tied to others keep their exact tie.
@@ -210,7 +210,7 @@ def _continuous(built: System, wishes: Wishes, state: Array, value: Array, alive
         for i in block.angles:
             column_index = block.columns[i]
             angle = np.unwrap(state[rows, column_index])
-            target = wishes.turn(column_index) or 0.0
+            target = sketched.turn(column_index) or 0.0
             state[rows, column_index] = angle - turn * np.round((angle[0] - target) / turn)
         for equation in block.equations:
             if equation.kind == "angle":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mechsheet.formula.nodes import Node, Number, Unary
 from mechsheet.sheet import styles
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan, unit_text
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Style, Validation
@@ -45,17 +45,13 @@ class Writer:
 
 def shown_unit(plan: Plan, symbol: str) -> str:
     """The unit in which a column is shown."""
-    for output in plan.mechanism.outputs:
-        if output.symbol == symbol:
-            return unit_text(output.unit)
-    if symbol == plan.mechanism.driver.symbol:
-        return unit_text(plan.mechanism.driver.unit)
-    return plan.unit_shown(plan.equations.of(symbol).unit)
+    driver = plan.mechanism.driver
+    return plan.mechanism.shown(driver.unit if symbol == driver.symbol else plan.equations.of(symbol).unit).text
 
 
-def value_style(plan: Plan, unit: str) -> Style:
+def value_style(plan: Plan, kind: str) -> Style:
     """The style of a result of this kind: one decimal more than the tolerances justify for lengths."""
-    return styles.decimals(styles.RESULT, places(plan, unit) + (1 if unit == "length" else 0))
+    return styles.decimals(styles.RESULT, places(plan, kind) + (1 if kind == "length" else 0))
 
 
 def input_validation(plan: Plan, area: Area, symbol: str) -> Validation:

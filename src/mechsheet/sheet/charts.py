@@ -61,7 +61,7 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     displacements: list[str] = []
     for equation in plan.equations.columns:
         if equation.role == "variable" and equation.symbol != driver and not _stands_still(columns[equation.symbol]):
-            (angles if equation.unit == "angle" else displacements).append(equation.symbol)
+            (angles if equation.unit.kind == "angle" else displacements).append(equation.symbol)
     outputs = [output.symbol for output in mechanism.outputs if not _stands_still(columns[output.symbol])]
     sizes = {symbol: float(np.max(np.abs(column), initial=0.0)) for symbol, column in columns.items()}
     requests = []
@@ -176,7 +176,7 @@ def chart_title(plan: Plan, request: ChartRequest) -> str:
             f"{symbol}: {label}" if label != request.y[0] else plan.text("chart.outputs", symbol=symbol, driver=driver)
         )
     if len(equations) > 1 and {equation.role for equation in equations} == {"variable"}:
-        key = "chart.angles" if equations[0].unit == "angle" else "chart.displacements"
+        key = "chart.angles" if equations[0].unit.kind == "angle" else "chart.displacements"
         return plan.text(key, driver=driver)
     return plan.text("chart.outputs", symbol=", ".join(plain(symbol) for symbol in request.y), driver=driver)
 
@@ -186,7 +186,7 @@ def driver_axis(plan: Plan, symbol: str) -> Axis:
     unit = shown_unit(plan, symbol)
     title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
     driver = plan.mechanism.driver
-    if symbol != driver.symbol or driver.unit != "deg":
+    if symbol != driver.symbol or not driver.unit.in_degrees:
         return Axis(title)
     low, high = math.degrees(min(plan.driver)), math.degrees(max(plan.driver))
     if high <= low:

@@ -271,7 +271,7 @@ def _leaps(plan: Plan, sheet: str) -> list[Node]:
         formula("ABS(here-before)", here=plan.at.cell(name, sheet, first), before=plan.at.cell(name, sheet, first - 1))
         for name in symbols
     ]
-    most = LEAP if plan.mechanism.angle_unit == "deg" else 1.5708
+    most = LEAP if plan.mechanism.angle_unit.in_degrees else 1.5708
     return [
         formula("IFERROR(IF(largest>most,1,0),0)", largest=Call("MAX", tuple(chunk)), most=most)
         for chunk in chunks_of(turned)

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text, symbols, transform
+from mechsheet.formula.nodes import CellRef, Node, Symbol, symbols, transform
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint
@@ -33,8 +33,9 @@ from mechsheet.sheet.frames import (
 )
 from mechsheet.sheet.name_places import place_names
 from mechsheet.sheet.outlines import block_has_line, corners, direction_of, through_of
-from mechsheet.sheet.plan import VALUE, Plan, unit_text
+from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.points import PointCells, label, marks, moving_points, names_of, pins_of, write_points
+from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shapes import Guide, block, guide_base, link_color, outline, rail, slot, support, write_guide
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
@@ -252,16 +253,16 @@ def _caption(page: Page) -> Series:
     driver = plan.mechanism.driver
     row = plan.blocks["position"].rows[driver.symbol]
     value = CellRef(row, VALUE, True, True, plan.main)
-    unit = unit_text(driver.unit)
-    words: Node = Call("ROUND", (value, Number(3.0)))
-    words = Binary("&", Text(f"{plain(driver.symbol)} = "), words)
-    words = Binary("&", words, Text(unit if unit in ("", "°") else f" {unit}"))
+    unit = driver.unit.text
+    after = unit if unit in ("", "°") else f" {unit}"
     said = page.indexed(plan.at.spots["#status"])
-    exists = Binary("=", said, Text(text("status.ok")))
-    why = Binary("&", Text(" – "), said)
-    note = Call("IFERROR", (Call("IF", (exists, Text(""), why)), Text(f" – {plan.text('drawing.nothing')}")))
+    note = formula(
+        'IFERROR(IF(said=ok,""," – "&said),nothing)',
+        said=said, ok=text("status.ok"), nothing=f" – {text('drawing.nothing')}",
+    )  # fmt: skip
+    words = joined(f"{plain(driver.symbol)} = ", formula("ROUND(value,3)", value=value), after, note)
     page.section(text("drawing.caption"), ["", "", "X", "Y"])
-    cell = page.formula(NAME, Binary("&", words, note), styles.INNER)
+    cell = page.formula(NAME, words, styles.INNER)
     page.put(CHART_X, -0.97, styles.INNER)
     page.put(CHART_Y, 0.93, styles.INNER)
     series = label(page, page.named(cell), page.row, CHART_X, CHART_Y)

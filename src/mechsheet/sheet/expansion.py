@@ -14,7 +14,6 @@ from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, children, symbols, transform, walk
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import extra_characters, longest_spelling
 from mechsheet.kinematics.solve import dimension_order
@@ -46,8 +45,8 @@ class Expansion:
 
 def definitions(mechanism: Mechanism, equations: Assignments) -> dict[str, Node]:
     """What every symbol that is not given equals in the first row of a sweep, in order of solution."""
-    given = {dim.symbol: dim.value for dim in mechanism.dimensions if isinstance(dim.value, str)}
-    found = {symbol: parse_description(given[symbol]) for symbol in dimension_order(mechanism) if symbol in given}
+    given = {dim.symbol: dim.value for dim in mechanism.dimensions if not isinstance(dim.value, float)}
+    found = {symbol: given[symbol] for symbol in dimension_order(mechanism) if symbol in given}
     for equation in equations.all:
         found[equation.symbol] = equation.expression if equation.first is None else equation.first
     return found

@@ -9,12 +9,15 @@ are neighbours, which is decided by formulas: start and step may change.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Literal
 
-from mechsheet.formula.nodes import CellRef, Node, Symbol
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
+from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.geometry import distance
+from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, LIMITS, STRETCHES, TO, Limits
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.positions import heading
 from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
@@ -47,6 +50,8 @@ class Extremes:
         for number in plan.equations.margins if self.limits.count else ():
             self.gaps[number] = Block(row, 2)
             row += 4
+        self.loops = {loop.group: row + number for number, loop in enumerate(plan.found.four_bars)}
+        row += len(self.loops) + 1 if self.loops else 0
         self.blocks: dict[tuple[str, Way], Block] = {}
         for symbol in self.quantities:
             for way in ("min", "max"):
@@ -63,6 +68,9 @@ class Extremes:
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
                 spots[key] = Spot(title, cell.row, cell.col)
+        for symbol in self.quantities:
+            wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
+            spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
         for number, block in self.gaps.items():
             for key, work in ((f"#gap_least_{number}", 0), (f"#gap_row_{number}", 1)):
                 cell = self.probes.cell(block.row, SIDE + work)
@@ -82,6 +90,8 @@ class Extremes:
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)
+        for loop in plan.found.four_bars:
+            self._loop(loop)
         for (symbol, way), block in self.blocks.items():
             self._extreme(symbol, way, block)
         return Sheet(
@@ -100,6 +110,25 @@ class Extremes:
             print_setup=PrintSetup(footer=plan.footer),
         )  # fmt: skip
 
+    def lengths_of(self, loop: FourBar) -> RangeRef:
+        """The cells of a loop's four lengths: ground, first link, coupler, last link; as another sheet reads them."""
+        cells = self.probes.cells_across(self.loops[loop.group], 1, 4)
+        return RangeRef(replace(cells.start, sheet=self.probes.title), replace(cells.end, sheet=self.probes.title))
+
+    def _loop(self, loop: FourBar) -> None:
+        """The four lengths of a loop."""
+        row = self.loops[loop.group]
+        self.probes.put(row, self.probes.side, loop.name, styles.LABEL)
+        ground = self.plan.mechanism.ground
+        ends = (
+            (ground, loop.start, loop.end),
+            (loop.first, loop.start, loop.pin),
+            (loop.coupler, loop.pin, loop.inner),
+            (loop.last, loop.end, loop.inner),
+        )
+        for work, end in enumerate(ends, 1):
+            self.probes.work(row, work, "length", length=distance(*end))
+
     def _whole(self) -> None:
         """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out, else 0."""
         plan, probes = self.plan, self.probes
@@ -108,7 +137,7 @@ class Extremes:
         if not driver.link or driver.values or plan.rows < 4:
             probes.work(self.whole_row, 1, "0")
             return
-        turn = 360.0 if driver.unit == "deg" else 6.283185307179586
+        turn = 360.0 if driver.unit.in_degrees else 6.283185307179586
         probes.work(
             self.whole_row, 1,
             "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
@@ -129,6 +158,7 @@ class Extremes:
         of_rows = self._best_row(column, way, block)
         if plan.mechanism.driver.values or plan.rows < 4:
             probes.work(row, VALUE, "value", value=of_rows)
+            probes.work(row + 1, SIDE + 2, "0")
             self._result(symbol, way, block)
             return
         probes.lay(block, [symbol])
@@ -179,7 +209,7 @@ class Extremes:
         holes: dict[str, Node | float | str] = {"half": turns} if turns else {}
         # The ends of a whole turn are neighbours where nothing is missing and the quantity has not gone on by a turn.
         wraps = probes.work(
-            row + 1, SIDE + 2, f"IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0)",
+            row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
             first=first, last=last, rows=plan.rows, column=column, **holes,
         )  # fmt: skip
         middle = probes.work(
@@ -202,7 +232,7 @@ class Extremes:
             wraps=wraps, here=here, vertex=vertex, low=low, high=high,
         )  # fmt: skip
         vertex_at = probes.work(row + 1, AT, "inside", inside=inside)
-        beside = formula("middle+IF(middle>here,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
+        beside = formula("middle+IF(middle-here>1E-6,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
         probes.work(
             row + 2, AT,
             "IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,IF(wraps>0,beside,MAX(low,MIN(high,beside)))))",
@@ -212,7 +242,7 @@ class Extremes:
     def _half_turn(self, symbol: str) -> float:
         """Half a turn in the unit of a quantity that is an angle, else 0."""
         equation = self.plan.equations.of(symbol)
-        if equation.unit != "angle":
+        if equation.unit.kind != "angle":
             return 0.0
         return 180.0 if self.plan.at.spots[symbol].degrees else 3.141592653589793
 
@@ -233,7 +263,10 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
         values = probes.cells_down(row, VALUE, count)
-        value = probes.work(row + 2, SIDE, f"{way.upper()}(values)", styles.RESULT, values=values)
+        best = f"{way.upper()}(values)"
+        # with more limits than are found, nobody knows what lies between them and the rows
+        known = f"IF(_limits>most,NA(),{best})" if self.limits.count else best
+        value = probes.work(row + 2, SIDE, known, styles.RESULT, values=values, most=LIMITS)
         places = probes.cells_down(row, AT, count)
         place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
         if count == 1:
@@ -247,9 +280,12 @@ class Extremes:
         )
         probes.work(row + 2, SIDE + 1, "_start+(within-1)*_step", styles.RESULT, within=within)
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
+        low, high = probes.cell(row + 1, SIDE), probes.cell(row + 1, SIDE + 1)
+        # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
-            row + 2, SIDE + 2, f"ABS(value-{way.upper()}(earlier))>settled*ABS(value-other)",
-            value=value, earlier=probes.cells_down(row, VALUE, PROBES), settled=SETTLED, other=other,
+            row + 2, SIDE + 2, "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,ABS(value-last)>settled*ABS(value-other))",
+            value=value, last=probes.cell(row + PROBES, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
+            low=low, high=high,
         )  # fmt: skip
 
     # --- between the rows -------------------------------------------------------------------------------------
@@ -279,6 +315,12 @@ class Extremes:
         probes.work(row + 2, AT, "IFERROR(MAX(here-1,MIN(here+1,vertex)),here)", here=here, vertex=vertex)
         probes.work(row, SIDE, "MIN(margins)", margins=probes.cells_down(row, VALUE, 3))
         probes.work(row, SIDE + 1, "first", first=first)
+
+
+def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
+    """What is added to the words of an extreme, or of two, whose probes have not settled."""
+    unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
+    return formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=unsettled, about=plan.text("verdict.about"))
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:

@@ -16,13 +16,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.gaps import chunks_of
 from mechsheet.sheet.limits import STRETCHES
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
 
 NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH = range(9)
@@ -160,8 +160,9 @@ class Page:
     def _numbers(self) -> None:
         """The table's row numbers that the sweep columns look at; the last one always."""
         heading = CellRef(self.first - 1, SWEEP, True, True)
-        down = al.sub(al.sub(Call("ROW"), Call("ROW", (heading,))), al.ONE)
-        number = Call("MIN", (al.mul(Number(float(self.stride)), down), Number(float(self.plan.rows - 1))))
+        number = formula(
+            "MIN(stride*(ROW()-ROW(heading)-1),last)", stride=self.stride, heading=heading, last=self.plan.rows - 1
+        )
         style = styles.decimals(styles.INNER, 0)
         self.cells.append(Cell(self.first - 1, SWEEP, self.plan.text("head.number"), styles.HEAD))
         self.fills.append(Fill(self.first, SWEEP, number, style, rows=self.samples))
@@ -174,7 +175,7 @@ def stride_of(plan: Plan) -> int:
     Long tables are thinned to about SAMPLES points, but never so far that a turning driver jumps more than COARSEST.
     """
     stride = math.ceil(plan.rows / SAMPLES)
-    if plan.mechanism.driver.unit in ("deg", "rad") and plan.rows > 1:
+    if plan.mechanism.driver.unit.kind == "angle" and plan.rows > 1:
         step = max(abs(b - a) for a, b in zip(plan.driver, plan.driver[1:], strict=False))
         stride = min(stride, math.floor(COARSEST / step + 1e-9)) if step > 0 else stride
     return max(1, stride)
@@ -214,7 +215,7 @@ def write_frame(page: Page, title: str, x: tuple[Node, Node], y: tuple[Node, Nod
         page.row += 1
     page.put(NAME, text("drawing.half"))
     size = Call("MAX", tuple(sizes))
-    half = page.formula(FIRST, Call("IF", (Binary(">", size, al.ZERO), al.mul(al.number(margin / 2), size), al.ONE)))
+    half = page.formula(FIRST, formula("IF(size>0,part*size,1)", size=size, part=margin / 2))
     page.row += 1
     series = _scale_bar(page, half)
     return Frame(middles[0], middles[1], half, series)
@@ -225,15 +226,14 @@ def _scale_bar(page: Page, half: CellRef) -> tuple[Series, ...]:
     text = page.plan.text
     page.put(NAME, text("drawing.bar"))
     room = al.div(half, al.TWO)
-    power = page.formula(SECOND, Binary("^", Number(10.0), Call("INT", (Call("LOG10", (room,)),))))
-    fits = [Binary(">=", room, al.mul(Number(count), power)) for count in (5.0, 2.0)]
-    count = Call("IF", (fits[0], Number(5.0), Call("IF", (fits[1], al.TWO, al.ONE))))
+    power = page.formula(SECOND, formula("10^INT(LOG10(room))", room=room))
+    count = formula("IF(room>=5*power,5,IF(room>=2*power,2,1))", room=room, power=power)
     length = page.formula(FIRST, al.mul(count, power))
     page.row += 1
     page.put(NAME, text("drawing.bar.label"))
     unit = page.plan.mechanism.length_unit
-    rounded = Call("ROUND", (length, Number(15.0)))  # gnumeric computes with more digits and would show them
-    words = Binary("&", rounded, Text(f" {unit}" if unit else ""))
+    rounded = formula("ROUND(length,15)", length=length)  # gnumeric computes with more digits and would show them
+    words = joined(rounded, f" {unit}" if unit else "")
     label = page.formula(FIRST, words, styles.INNER)
     page.formula(CHART_X, al.add(al.number(LEFT), al.div(length, al.mul(al.TWO, half))))
     page.put(CHART_Y, BOTTOM + 0.07, NUMBER_STYLE)

@@ -17,7 +17,7 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.positions import first_open
 from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
-from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.workbook import Name
 
 STRETCHES = 3
@@ -30,8 +30,14 @@ PROBES = 3
 INWARDS = 1e-10
 """How far inside the limit its value is given, in parts of a row: there the mechanism still closes."""
 
-FIRST_ROW, LAST_ROW, FROM, TO = range(4)
-"""Cells of a stretch, beside each other: its rows (from 1), and where it begins and ends between rows."""
+APART = 1e-7
+"""So far [rows] the next probe is from the last, at least: a slope can be seen."""
+
+SETTLED = 1e-5
+"""What the last probe lacks to the limit, in parts of the margin in the row beside it; more, and it is said to be about right."""
+
+FIRST_ROW, LAST_ROW, FROM, TO, WORDS = range(5)
+"""Cells of a stretch, beside each other: its rows (from 1), where it begins and ends between rows, and its rows in words."""
 
 
 class Limits:
@@ -49,10 +55,12 @@ class Limits:
         self.end = start + self.count * (PROBES + 2)
         for number, block in enumerate(self.blocks, 1):
             self._name(number, probes.cell(block.row, SIDE + 5))
+            rest = probes.cell(block.row, SIDE + 7)
+            self.plan.at.spots[f"#rest_{number}"] = Spot(probes.title, rest.row, rest.col)
         n = probes.cell(row, 1)
         self.plan.at.spots["#stretches"] = Spot(probes.title, n.row, n.col)
         for number in range(1, STRETCHES + 1):
-            for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO)):
+            for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO), ("stretch", WORDS)):
                 spot = self.of_stretch(number, work)
                 self.plan.at.spots[f"#{key}_{number}"] = Spot(probes.title, spot.row, spot.col)
 
@@ -94,6 +102,10 @@ class Limits:
                             stretches=stretches, number=number)  # fmt: skip
         last = probes.work(row, LAST_ROW, 'IF(stretches<number,"",first+COUNTIFS(ALL(_begun),number,said,ok)-1)',
                            stretches=stretches, number=number, first=first, said=Symbol(f"{ALL}#status"), ok=ok)  # fmt: skip
+        ends = [formula("ROUND(INDEX(drivers,row),2)", drivers=Symbol(ALL + self.plan.mechanism.driver.symbol), row=edge)
+                for edge in (first, last)]  # fmt: skip
+        probes.work(row, WORDS, 'IF(ISNUMBER(first),words,"")', first=first,
+                    words=joined("; " if number > 1 else "", ends[0], " … ", ends[1]))  # fmt: skip
         if not self.count:
             probes.work(row, FROM, "first", first=first)
             probes.work(row, TO, "last", last=last)
@@ -134,25 +146,57 @@ class Limits:
         probes.work(row, AT, "inside", inside=inside)
         symbols = plan.equations.margins
         probes.lay(block, list(symbols.values()) + [g.closes for g in plan.equations.groups[:-1]])
-        group = probes.work(row, side + 3, "opened", opened=self._opened(outside))
-        here = self._margin_of_row(row, VALUE, group, inside)
-        beyond = self._margin_of_row(row + 1, side, group, outside)
+        group = opened = probes.work(row, side + 3, "opened", opened=self._opened(outside))
+        here = self._margin_of_row(row, VALUE, opened, inside)
+        beyond = self._margin_of_row(row + 1, side, opened, outside)
+        probes.work(row + 1, AT, "inside+(outside-inside)*here/(here-beyond)",
+                    inside=inside, outside=outside, here=here, beyond=beyond)  # fmt: skip
+        several = len(symbols) > 1
+        # another group may come apart before the one that is open in the missing row: the second probe shows it
+        group = self._open_at(row + 2, opened) if several else opened
+        if several:
+            group = probes.work(row + 1, side + 1, "first", first=group)
         for index in range(1, PROBES + 1):
-            cells = {f"group{number}x": CellRef(row + index, plan.at.spots[symbol].col, False, True)
-                     for number, symbol in symbols.items()}  # fmt: skip
-            probes.work(row + index, VALUE, _chosen(symbols), **cells, group=group)
-        ends = ((probes.cell(row, AT), here), (outside, beyond))
-        known = [*ends]
-        guess = "inside+(outside-inside)*here/(here-beyond)"
-        probes.work(row + 1, AT, guess, inside=inside, outside=outside, here=here, beyond=beyond)
-        for index in range(2, PROBES + 1):
-            known.append((probes.cell(row + index - 1, AT), probes.cell(row + index - 1, VALUE)))
-            self._inverse_parabola(row + index, known[-3:], inside, outside)
-        best = probes.cell(row + PROBES, AT)
+            cells = self._margins_at(row + index)
+            named = {f"group{number}x": cell for number, cell in zip(symbols, cells, strict=True)}
+            probes.work(row + index, VALUE, _chosen(symbols), **named, group=opened if index == 1 else group)
+        first, last = (probes.cell(row, AT), here), (outside, beyond)
+        one, two, three = ((probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in (1, 2, 3))
+        probes.work(row + 2, AT, "IFERROR(zero,one)", zero=self._zero((first, last, one), inside, outside, APART), one=one[0])
+        if several:  # then all begins anew from the row that exists
+            here = self._margin_of_row(row + 2, side, group, inside)
+            first = (first[0], here)
+            same = formula("group=opened", group=group, opened=opened)
+            one = tuple(
+                probes.work(row + 2, side + work, "IF(same,probed,row_there)", same=same, probed=probed, row_there=row_there)
+                for work, probed, row_there in ((1, one[0], first[0]), (2, one[1], here))
+            )  # type: ignore[assignment]
+        chord = formula("inside+(two-inside)*here/(here-f)", inside=inside, two=two[0], here=here, f=two[1])
+        probes.work(row + 3, AT, "IFERROR(zero,IFERROR(chord,two))", zero=self._zero((first, one, two), inside, outside, APART),
+                    chord=chord, two=two[0])  # fmt: skip
+        best = probes.work(row, side + 6, "IF(ISNUMBER(outside),IFERROR(zero,last),NA())", outside=outside, last=three[0],
+                           zero=self._zero((one, two, three), inside, outside, 0.0))  # fmt: skip
+        # a little inside, by a part of what the last step still changed
         found = probes.work(
-            row, SIDE + 4, "IFERROR(best+(inside-best)*inwards,inside)", best=best, inside=inside, inwards=INWARDS
-        )
-        probes.work(row, SIDE + 5, "_start+(found-1)*_step", styles.RESULT, found=found)
+            row, side + 4, "best+(inside-outside)*(ABS(best-probed)*part+inwards)",
+            best=best, inside=inside, outside=outside, probed=three[0], part=1e-4, inwards=INWARDS,
+        )  # fmt: skip
+        probes.work(row, side + 5, "_start+(found-1)*_step", styles.RESULT, found=found)
+        least = Call("MIN", tuple(self._margins_at(row + PROBES)))
+        probes.work(row, side + 7, "IF(ISNUMBER(outside),IFERROR(MAX(ABS(f),-least)/here,1),0)",
+                    outside=outside, f=three[1], least=least, here=here)  # fmt: skip
+
+    def _margins_at(self, row: int) -> list[Node]:
+        """The cells of all margins of a probe."""
+        spots = self.plan.at.spots
+        return [CellRef(row, spots[symbol].col, False, True) for symbol in self.plan.equations.margins.values()]
+
+    def _open_at(self, row: int, opened: Node) -> Node:
+        """The number of the first group that is not joined in a probe; where all are, the one open in the row beyond."""
+        found = opened
+        for number, cell in reversed([*zip(self.plan.equations.margins, self._margins_at(row), strict=True)]):
+            found = formula("IF(IFERROR(margin<0,FALSE),number,found)", margin=cell, number=number, found=found)
+        return found
 
     def _opened(self, row: Node) -> Node:
         """The number of the group that is not joined in a row of the table."""
@@ -171,8 +215,8 @@ class Limits:
         }
         return self.probes.work(row, work, _chosen(symbols), **values, group=group)
 
-    def _inverse_parabola(self, row: int, known: Sequence[tuple[Node, Node]], inside: Node, outside: Node) -> None:
-        """Where a parabola u(m) through three points is 0, between the two rows; else the last point again."""
+    def _zero(self, known: Sequence[tuple[Node, Node]], inside: Node, outside: Node, apart: float) -> Node:
+        """Where a parabola u(m) through three points is 0, on the side of the last point where the limit is, apart from it."""
         (one, f_one), (two, f_two), (three, f_three) = known
         total: Node = al.ZERO
         for place, f, g, h in (
@@ -181,8 +225,10 @@ class Limits:
             (three, f_three, f_one, f_two),
         ):
             total = al.add(total, formula("place*(g/(f-g))*(h/(f-h))", place=place, f=f, g=g, h=h))
-        low, high = Call("MIN", (inside, outside)), Call("MAX", (inside, outside))
-        self.probes.work(row, AT, "IFERROR(MAX(low,MIN(high,zero)),last)", low=low, high=high, zero=total, last=three)
+        edge = formula("IF(f<0,inside,outside)", f=f_three, inside=inside, outside=outside)
+        near = formula("last+(inside-outside)*IF(f<0,apart,-apart)", last=three, inside=inside, outside=outside,
+                       f=f_three, apart=apart) if apart else three  # fmt: skip
+        return formula("MEDIAN(near,edge,zero)", near=near, edge=edge, zero=total)
 
 
 def _chosen(symbols: Mapping[int, str]) -> str:

@@ -3,8 +3,8 @@
     exists, beside an equation      the group's margin in a column of its own, read as IF(margin < -tol, NA(), the equation):
                                     never what a program makes of ACOS(2)
     Direction(y, x)                 ATAN2 and as many turns as bring it within half a turn of the row above
-    TriangleAngle(a, b, c)          2 ATAN2(...) of the half-angle form of the law of cosines: acos loses half its digits at a
-                                    dead centre, this loses none that the sides have
+    TriangleAngle(a, b, c)          2 ATAN2(...) of the half-angle form of the law of cosines: acos loses half its digits at
+                                    a dead centre, this loses none that the sides have
 
     tan(alpha / 2) = sqrt((a^2 - (b - c)^2) / ((b + c)^2 - a^2))        alpha opposite a
 
@@ -26,13 +26,14 @@ from mechsheet.formula.nodes import (
     Symbol,
     TriangleAngle,
     symbols,
-    transform,
     walk,
 )
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, Role
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.quoted import formula
+from mechsheet.units import LENGTH, Unit
+from mechsheet.words.equations import phrase
 
 TURN = al.mul(al.TWO, al.PI)
 
@@ -49,7 +50,7 @@ class Assignment:
     expression: Node
     says: Node
     role: Role
-    unit: str
+    unit: Unit
     label: Words
     group: int = 0
     first: Node | None = None
@@ -149,7 +150,7 @@ class _Lowering:
         """No number while an input is none that a mechanism can have: then no row claims a position."""
         lengths = tuple(Symbol(name) for name in self.equations.positive)
         modes = [Symbol(group.mode) for group in self.equations.groups if group.mode]
-        wrong = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
+        wrong: list[Node] = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
         wrong += [formula("ABS(mode)<>1", mode=mode) for mode in modes]
         if not wrong:
             return expression
@@ -162,7 +163,7 @@ class _Lowering:
             return expression
         if equation.role == "constant" or not any(each.reach for each in equation.exists):
             return guarded(equation.exists, expression)
-        return formula("IF(fails, NA(), value)", fails=self._fails(equation), value=rooted(expression))
+        return formula("IF(fails, NA(), value)", fails=self._fails(equation), value=al.rooted(expression))
 
     def _fails(self, equation: Equation) -> Node:
         """Whether a group comes apart, by the column of its margin."""
@@ -170,12 +171,10 @@ class _Lowering:
             reaches = next(each for each in equation.exists if each.reach)
             others = [each for each in equation.exists if each is not reaches]
             number = equation.group
-            label = Words(
-                "how far from coming apart (not joined below 0)", "ayrılmaya uzaklık (0'ın altında birleşmez)"
-            )
+            label = phrase("margin")
             name = self.names.reserve("k", number)
             margin = replace(
-                equation, symbol=name, expression=reaches.margin, role="intermediate", unit="length", label=label
+                equation, symbol=name, expression=reaches.margin, role="intermediate", unit=LENGTH, label=label
             )
             column = self._add(margin, guarded(others, reaches.margin))
             self.margins.setdefault(number, name)
@@ -202,16 +201,4 @@ def guarded(conditions: Iterable[Condition], value: Node) -> Node:
     if not fails:
         return value
     test = fails[0] if len(fails) == 1 else Call("OR", tuple(fails))
-    return Call("IF", (test, Call("NA"), rooted(value)))
-
-
-def rooted(value: Node) -> Node:
-    """The value, where a root of less than 0 is 0: beside a condition that holds, that is rounding."""
-
-    def change(part: Node) -> Node:
-        match part:
-            case Call("SQRT", (square,)) if not (isinstance(square, Call) and square.name == "MAX"):
-                return Call("SQRT", (Call("MAX", (al.ZERO, square)),))
-        return part
-
-    return transform(value, change)
+    return Call("IF", (test, Call("NA"), al.rooted(value)))

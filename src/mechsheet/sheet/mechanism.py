@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
-from mechsheet.formula.parser import parse_description
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
@@ -21,9 +20,8 @@ from mechsheet.sheet.plan import (
     VALUE,
     VERDICT_ROW,
     Plan,
-    unit_text,
 )
-from mechsheet.sheet.positions import shown_number
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.summaries import write_summaries
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.verdicts import write_verdicts
@@ -125,11 +123,11 @@ def _dimensions(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("dimensions", plan.text("head.tolerance"))
     for dim in plan.mechanism.dimensions:
-        if dim.derived:
+        if not isinstance(dim.value, float):
             continue
         row = plan.blocks["dimensions"].rows[dim.symbol]
-        writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim))
-        value = dim.shown if dim.shown is not None else shown_number(dim.value, dim.unit == "deg")
+        writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim))
+        value = dim.shown if dim.shown is not None else dim.unit.written(dim.value)
         writer.put(row, VALUE, value, styles.INPUT)
         writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
         writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
@@ -144,26 +142,22 @@ def _derived(writer: Writer) -> None:
     writer.heading("derived")
     rows = plan.blocks["derived"].rows
     for dim in plan.mechanism.dimensions:
-        if dim.derived and isinstance(dim.value, str):
+        if not isinstance(dim.value, float):
             row = rows[dim.symbol]
-            writer.line(row, rich(dim.symbol), unit_text(dim.unit), _label(plan, dim) or dim.value)
-            _result(writer, row, parse_description(dim.value), dim.unit == "deg", value_style(plan, _kind_of(dim.unit)))
+            writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim) or dim.written)
+            _result(writer, row, dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
     for equation in plan.equations.constants:
         row = rows[equation.symbol]
-        unit = plan.unit_shown(equation.unit)
-        writer.line(row, rich(equation.symbol), unit, equation.label.of(plan.language))
+        unit = plan.mechanism.shown(equation.unit)
+        writer.line(row, rich(equation.symbol), unit.text, equation.label.of(plan.language))
         tolerance = equation.symbol == plan.equations.tolerance
-        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit)
-        _result(writer, row, equation.expression, plan.shown_in_degrees(equation.unit), style)
+        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit.kind)
+        _result(writer, row, equation.expression, unit.in_degrees, style)
 
 
 def _result(writer: Writer, row: int, expression: Node, degrees: bool, style: Style) -> None:
     node = writer.plan.at.bind(expression, writer.plan.main, None)
     writer.formula(row, VALUE, Call("DEGREES", (node,)) if degrees else node, style)
-
-
-def _kind_of(unit: str) -> str:
-    return {"deg": "angle", "rad": "angle", "1": "number"}.get(unit, "length")
 
 
 def _sweep(writer: Writer) -> None:
@@ -173,15 +167,15 @@ def _sweep(writer: Writer) -> None:
     writer.heading("sweep")
     driver = plan.mechanism.driver
     rows = plan.blocks["sweep"].rows
-    unit = unit_text(driver.unit)
-    degrees = driver.unit == "deg"
+    unit = driver.unit.text
+    degrees = driver.unit.in_degrees
     for key, quantity in (("start", driver.start), ("step", driver.step)):
         writer.line(rows[key], plan.text(f"name.{key}"), unit, plan.text(f"sweep.{key}"))
-        if isinstance(quantity, str):
-            _result(writer, rows[key], parse_description(quantity), degrees, styles.RESULT)
+        if isinstance(quantity, float):
+            writer.put(rows[key], VALUE, driver.unit.written(quantity), styles.INPUT)
         else:
-            writer.put(rows[key], VALUE, shown_number(quantity, degrees), styles.INPUT)
-    if not isinstance(driver.start, str) and driver.symbol in plan.equations.positive:
+            _result(writer, rows[key], quantity, degrees, styles.RESULT)
+    if isinstance(driver.start, float) and driver.symbol in plan.equations.positive:
         start = rows["start"]
         writer.validations.append(input_validation(plan, Area(start, VALUE, start, VALUE), driver.symbol))
     writer.line(rows["stop"], plan.text("name.stop"), unit, plan.text("sweep.stop", rows=plan.rows))
@@ -192,7 +186,7 @@ def _sweep(writer: Writer) -> None:
         Validation(
             Area(step, VALUE, step, VALUE),
             "custom",
-            low=Binary("<>", CellRef(step, VALUE), Number(0.0)),
+            low=formula("cell<>0", cell=CellRef(step, VALUE)),
             error_title=plan.text("hint.number.title"),
             error_message=plan.text("hint.step"),
         )
@@ -226,13 +220,13 @@ def _assembly(writer: Writer) -> None:
 
 def _mode_words(plan: Plan, group: Group, row: int) -> Node:
     plus, minus = (Text(words.of(plan.language)) for words in group.assemblies)
-    return Call("IF", (Binary(">", CellRef(row, VALUE, True, True), Number(0.0)), plus, minus))
+    return formula("IF(cell>0,plus,minus)", cell=CellRef(row, VALUE, True, True), plus=plus, minus=minus)
 
 
 def _at_position(plan: Plan, column: RangeRef) -> Node:
     """The value of a column in the row of the position shown."""
     position = plan.at.reference("#position", plan.main, None)
-    return Call("INDEX", (column, Binary("+", position, Number(1.0))))
+    return formula("INDEX(column,position+1)", column=column, position=position)
 
 
 def _position(writer: Writer) -> None:
@@ -254,13 +248,12 @@ def _position(writer: Writer) -> None:
             error_message=plan.text("hint.position", last=last),
         )
     )
-    writer.line(rows[driver.symbol], rich(driver.symbol), unit_text(driver.unit), plan.text("position.driver"))
-    unit = "angle" if driver.unit in ("deg", "rad") else "length"
+    writer.line(rows[driver.symbol], rich(driver.symbol), driver.unit.text, plan.text("position.driver"))
     writer.formula(
         rows[driver.symbol],
         VALUE,
         _at_position(plan, plan.at.column(driver.symbol, plan.main)),
-        value_style(plan, unit),
+        value_style(plan, driver.unit.kind),
     )
     writer.line(rows["status"], plan.text("head.status"), "", "")
     said = _at_position(plan, plan.at.column("#status", plan.main))
@@ -274,7 +267,7 @@ def _variables(writer: Writer) -> None:
         equation: Assignment = plan.equations.of(symbol)
         writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
-        writer.formula(row, VALUE, node, value_style(plan, equation.unit))
+        writer.formula(row, VALUE, node, value_style(plan, equation.unit.kind))
 
 
 def controls(plan: Plan) -> tuple[Control, ...]:

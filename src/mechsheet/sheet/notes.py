@@ -5,17 +5,17 @@ from __future__ import annotations
 import math
 
 from mechsheet.formula.nodes import Node
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.references import cell_name, column_letters
-from mechsheet.kinematics.naming import body_words, link_words
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.lowering import Assignment
 from mechsheet.sheet.mathematics import Part, symbol_parts, written
-from mechsheet.sheet.plan import DRIVER, STATUS, Plan, unit_text
-from mechsheet.sheet.positions import group_title, shown_number
+from mechsheet.sheet.plan import DRIVER, STATUS, Plan
+from mechsheet.sheet.positions import group_title
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
+from mechsheet.units import DEG, NUMBER
+from mechsheet.words.equations import body_words, link_words
 
 SYMBOL, UNIT, EQUATION, MEANING, PLACE = range(5)
 WIDTHS = (13, 9, 78, 44, 18)
@@ -177,9 +177,9 @@ class _Page:
         self.line(contents, styles.NOTE_CELL)
 
     def _quantity(self, quantity: Quantity, angle: bool = False) -> list[Part]:
-        if isinstance(quantity, str):
-            return list(written(parse_description(quantity), self.plan.language).parts)
-        number = f"{shown_number(quantity, angle):.10g}".replace("-", "−")
+        if not isinstance(quantity, float):
+            return list(written(quantity, self.plan.language).parts)
+        number = f"{(DEG if angle else NUMBER).written(quantity):.10g}".replace("-", "−")
         if self.plan.language == "tr":
             number = number.replace(".", ",")
         return [(number + ("°" if angle else ""), "")]
@@ -233,7 +233,7 @@ class _Page:
         self._dimensions()
         self._group(self.text("constants"))
         for equation in self.plan.equations.constants:
-            self._equation(equation, self.plan.unit_shown(equation.unit))
+            self._equation(equation, self.plan.mechanism.shown(equation.unit).text)
         self._driver()
         groups = dict.fromkeys(equation.group for equation in self.plan.equations.columns)
         for number in groups:
@@ -254,10 +254,10 @@ class _Page:
         self._group(plan.text("block.dimensions"))
         for dim in plan.mechanism.dimensions:
             content: Content = self.text("given")
-            if isinstance(dim.value, str):
-                content = Rich((("= ", ""), *written(parse_description(dim.value), plan.language).parts))
+            if not isinstance(dim.value, float):
+                content = Rich((("= ", ""), *written(dim.value, plan.language).parts))
             label = dim.label.of(plan.language) if dim.label else ""
-            self._row(dim.symbol, unit_text(dim.unit), content, label)
+            self._row(dim.symbol, dim.unit.text, content, label)
 
     def _driver(self) -> None:
         """The table's own columns: the driver, the word on the position."""
@@ -266,7 +266,7 @@ class _Page:
         stepping: Content = self.text("given")
         if not driver.values:
             stepping = f"= {plan.text('name.start')} + n·{plan.text('name.step')}"
-        self._row(driver.symbol, unit_text(driver.unit), stepping, self.text("driver"), self._column(DRIVER))
+        self._row(driver.symbol, driver.unit.text, stepping, self.text("driver"), self._column(DRIVER))
         self.line(
             {
                 SYMBOL: plan.text("head.status"), UNIT: "", EQUATION: self.text("column.status"), MEANING: "",
@@ -277,12 +277,8 @@ class _Page:
 
     def _unit(self, equation: Assignment) -> str:
         """The unit in which people read the column."""
-        if equation.role == "output":
-            output = next(output for output in self.plan.mechanism.outputs if output.symbol == equation.symbol)
-            return unit_text(output.unit)
-        if equation.unit == "angle" and equation.role == "intermediate":
-            return "rad"
-        return self.plan.unit_shown(equation.unit)
+        unit = equation.unit.internal if equation.role == "intermediate" else equation.unit
+        return self.plan.mechanism.shown(unit).text
 
     def _equation(self, equation: Assignment, unit: str) -> None:
         parts: list[Part] = [("= ", ""), *self._written(equation.says)]

@@ -8,8 +8,7 @@ from collections.abc import Callable, Mapping
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.places import angle_of, cartesian, length_node
-from mechsheet.kinematics.solve import number
+from mechsheet.kinematics.places import angle_of, cartesian, length_node, number
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
 
 Point = tuple[float, float]

@@ -128,14 +128,6 @@ class Plan:
         """Title of the sheet with the positions."""
         return self.at.titles["positions"]
 
-    def unit_shown(self, unit: str) -> str:
-        """How a unit of an equation is shown."""
-        return unit_shown(self.mechanism, unit)
-
-    def shown_in_degrees(self, unit: str) -> bool:
-        """True for angles of a mechanism whose angle unit is the degree."""
-        return unit == "angle" and self.mechanism.angle_unit == "deg"
-
 
 def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     """The plan of a mechanism's workbook."""
@@ -150,20 +142,6 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     _plan_columns(plan)
     _plan_names_and_blocks(plan)
     return plan
-
-
-def unit_shown(mechanism: Mechanism, unit: str) -> str:
-    """How a unit of an equation is shown: the length unit, degrees or radians, nothing for a number."""
-    if unit == "length":
-        return mechanism.length_unit
-    if unit == "angle":
-        return "°" if mechanism.angle_unit == "deg" else "rad"
-    return "" if unit == "number" else unit
-
-
-def unit_text(unit: str) -> str:
-    """A dimension's unit as shown."""
-    return {"deg": "°", "1": ""}.get(unit, unit)
 
 
 def _plan_names_and_blocks(plan: Plan) -> None:
@@ -192,14 +170,19 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     for equation in plan.equations.constants:
         row = plan.blocks["derived"].rows[equation.symbol]
         _spot(
-            plan, equation.symbol, row, plan.shown_in_degrees(equation.unit), safe_name(equation.symbol, taken), taken
+            plan,
+            equation.symbol,
+            row,
+            mechanism.shown(equation.unit).in_degrees,
+            safe_name(equation.symbol, taken),
+            taken,
         )
     for mode in modes:
         _spot(plan, mode, plan.blocks["assembly"].rows[mode], False, safe_name(mode, taken), taken)
     for key in ("start", "step"):
         if "sweep" in plan.blocks:
             name = safe_name(plan.text(f"name.{key}"), taken)
-            degrees = mechanism.driver.unit == "deg"
+            degrees = mechanism.driver.unit.in_degrees
             _spot(plan, f"#{key}", plan.blocks["sweep"].rows[key], degrees, name, taken)
     for summary in mechanism.summaries:
         row = plan.blocks["summary"].rows[summary.symbol]
@@ -218,7 +201,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
 def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
     block = plan.blocks["derived" if dim.derived else "dimensions"]
     name = dim.cell or safe_name(dim.symbol, taken)
-    _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit == "deg", name, taken)
+    _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit.in_degrees, name, taken)
 
 
 def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str], col: int = VALUE) -> None:
@@ -240,15 +223,12 @@ def _plan_columns(plan: Plan) -> None:
     """One column a quantity: as people read it, and as formulas do."""
     driver = plan.mechanism.driver
     _add_column(plan, "#number", "number", 0, False)
-    _add_column(plan, driver.symbol, "driver", 0, driver.unit == "deg")
+    _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
     _add_column(plan, "#status", "status", 0, False)
     for equation in plan.equations.columns:
-        output = next((out for out in plan.mechanism.outputs if out.symbol == equation.symbol), None)
-        if output is not None:
-            _add_column(plan, equation.symbol, "equation", -1, output.unit == "deg", equation)
-            continue
-        degrees = equation.role != "intermediate" and plan.shown_in_degrees(equation.unit)
-        _add_column(plan, equation.symbol, "equation", equation.group, degrees, equation)
+        degrees = equation.role != "intermediate" and plan.mechanism.shown(equation.unit).in_degrees
+        group = -1 if equation.role == "output" else equation.group
+        _add_column(plan, equation.symbol, "equation", group, degrees, equation)
 
 
 def _add_column(

@@ -19,12 +19,9 @@ from mechsheet.formula.nodes import (
     shifted,
     transform,
 )
-from mechsheet.formula.parser import parse_description
-from mechsheet.kinematics.naming import body_words
-from mechsheet.model import Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.mathematics import written
-from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn, unit_text
+from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import (
@@ -41,6 +38,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
+from mechsheet.words.equations import body_words
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
 COLUMNS_OF_A_PAGE = 19
@@ -215,11 +213,11 @@ def _listed_driver(plan: Plan) -> tuple[list[Cell], list[Fill]]:
     cells: list[Cell] = []
     fills: list[Fill] = []
     for row, value in enumerate(driver.values, plan.at.first):
-        if isinstance(value, str):
-            node = plan.at.bind(parse_description(value), plan.table, row)
-            fills.append(Fill(row, DRIVER, in_degrees(node) if driver.unit == "deg" else node, styles.COLUMN))
-        else:
-            cells.append(Cell(row, DRIVER, shown_number(value, driver.unit == "deg"), styles.INPUT))
+        if isinstance(value, float):
+            cells.append(Cell(row, DRIVER, driver.unit.written(value), styles.INPUT))
+            continue
+        node = plan.at.bind(value, plan.table, row)
+        fills.append(Fill(row, DRIVER, in_degrees(node) if driver.unit.in_degrees else node, styles.COLUMN))
     return cells, fills
 
 
@@ -237,12 +235,9 @@ def heading(plan: Plan, column: TableColumn) -> Content:
 def column_unit(plan: Plan, column: TableColumn) -> str:
     """The unit in which a column stands in the table."""
     if column.equation is None:
-        return unit_text(plan.mechanism.driver.unit)
-    if column.equation.role == "output":
-        return unit_text(next(out.unit for out in plan.mechanism.outputs if out.symbol == column.symbol))
-    if column.equation.unit == "angle":
-        return "°" if plan.at.spots[column.symbol].degrees else "rad"
-    return plan.unit_shown(column.equation.unit)
+        return plan.mechanism.driver.unit.text
+    unit = column.equation.unit
+    return plan.mechanism.shown(unit.internal if column.inner else unit).text
 
 
 def _mathematics(plan: Plan, column: TableColumn) -> Rich | str:
@@ -275,30 +270,19 @@ def _style(plan: Plan, column: TableColumn) -> Style:
     if column.kind == "status":
         return styles.STATUS
     if column.equation is None:
-        return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit == "deg" else "length"))
-    unit = column.equation.unit
+        return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit.in_degrees else "length"))
+    kind = column.equation.unit.kind
     if column.inner:
-        return _decimals(styles.INNER, 4 if unit == "angle" else places(plan, unit))
-    return _decimals(styles.COLUMN, places(plan, unit))
+        return _decimals(styles.INNER, 4 if kind == "angle" else places(plan, kind))
+    return _decimals(styles.COLUMN, places(plan, kind))
 
 
-def shown_number(value: Quantity, degrees: bool) -> float:
-    """A number of the model as a person wrote it: 30 for the 0.5235987755982988 that 30 degrees became."""
-    number = float(value)
-    if not degrees:
-        return number
-    shown = math.degrees(number)
-    return round(shown, 10) if math.isclose(shown, round(shown, 10), rel_tol=1e-14, abs_tol=1e-13) else shown
-
-
-def places(plan: Plan, unit: str) -> int:
+def places(plan: Plan, kind: str) -> int:
     """Decimals that the tolerances justify: with +-0.1 mm one; without tolerances a step finer than 1e-3 of the size."""
-    tolerances = [
-        dim.tolerance for dim in plan.mechanism.dimensions if dim.tolerance and dim.unit not in ("deg", "rad", "1")
-    ]
-    if unit == "angle":
-        return 2 if plan.mechanism.angle_unit == "deg" else 4
-    if unit == "number":
+    tolerances = [dim.tolerance for dim in plan.mechanism.dimensions if dim.tolerance and dim.unit.kind == "length"]
+    if kind == "angle":
+        return 2 if plan.mechanism.angle_unit.in_degrees else 4
+    if kind == "number":
         return 4
     finest = min(tolerances) if tolerances else plan.size / 1e4
     return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import CellRef, Node, Symbol
+from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer, shown_unit, value_style
+from mechsheet.sheet.extremes import Way, about
 from mechsheet.sheet.limits import STRETCHES
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
@@ -35,12 +36,15 @@ def _write(writer: Writer, summary: Summary) -> None:
     before, after = plan.text("summary.part", count="#", rows=plan.rows).split("#")
     part = joined(f"{label}: {before}", closed, after)
     words = formula("IF(closed=rows,label,part)", closed=closed, rows=plan.rows, label=label, part=part)
+    refined: dict[str, tuple[Way, ...]] = {"min": ("min",), "max": ("max",), "range": ("min", "max")}
+    if summary.take in refined and summary.of != plan.mechanism.driver.symbol:
+        words = plan.at.bind(joined(words, about(plan, summary.of, refined[summary.take])), plan.main)
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     writer.formula(row, MEANING, words, styles.LABEL)
-    partial = formula("words<>label", words=CellRef(row, MEANING, True, True), label=label)
+    partial = formula("closed<rows", closed=closed, rows=plan.rows)
     writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
     driver = plan.mechanism.driver.symbol
-    unit = "angle" if summary.of == driver else plan.equations.of(summary.of).unit
+    unit = (plan.mechanism.driver if summary.of == driver else plan.equations.of(summary.of)).unit.kind
     value, where = _of(plan, summary)
     # over nothing: no number, and no 0 that somebody who looks for the smallest would take
     found = formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=closed, value=value)

@@ -2,28 +2,27 @@
 
 The first column reads the driver's values from the table of positions (`$A8`), the head row holds the values of the
 dimension as inputs (`B$7`). Every cell is on its own, but for angles, whose turns the table of positions counts from row
-to row: they stand in blocks of their own beside the table, each within half a turn of the cell above it (`windows`), so that
-no column jumps; and all columns start within half a turn of the angle in the table of positions.
+to row: they stand in blocks of their own beside the table, each within half a turn of the cell above it, so that no column
+jumps; and all columns start within half a turn of the angle in the table of positions.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text
-from mechsheet.formula.parser import parse_description
+from mechsheet.formula.nodes import Call, CellRef, Node, Symbol
 from mechsheet.formula.printer import quote_sheet
+from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken, taken_near
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import input_validation, shown_unit
 from mechsheet.sheet.charts import driver_axis
 from mechsheet.sheet.expansion import Expansion, definitions, expand, needed, varying
-from mechsheet.sheet.plan import Plan, unit_text
-from mechsheet.sheet.positions import places, shown_number
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.positions import places
+from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.windows import WINDOWED, Window, windows_of, with_continued
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
@@ -40,6 +39,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
+from mechsheet.units import ANGLE, Unit
 
 TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range(8)
 """Rows of the sheet: the head is row 7, the first values stand in row 8."""
@@ -86,7 +86,7 @@ class _Table:
         self.title = title
         self.count = len(request.columns)
         self.last = FIRST + plan.rows - 1
-        self.windows: dict[str, Window] = {}
+        self.windows: dict[str, AngleBranch] = {}
         self.angles: list[str] = []
         self.helpers_at = 1 + self.count + 1 + CHART_COLUMNS + 1
         self.column: Dimension = next(dim for dim in plan.mechanism.dimensions if dim.symbol == request.column)
@@ -95,22 +95,22 @@ class _Table:
         """The sheet."""
         plan = self.plan
         expansion = self.expansion()
-        style = styles.decimals(styles.COLUMN, places(plan, self._unit(self.request.value)))
+        style = styles.decimals(styles.COLUMN, places(plan, self._unit(self.request.value).kind))
         value = self._fill(1, expansion.formula, style)
         cells, fills = self._head()
         driver = plan.at.cell(plan.mechanism.driver.symbol, self.title, plan.at.first)
         fills.append(Fill(FIRST, 0, driver, styles.decimals(styles.HEAD, self._driver_places()), rows=plan.rows))
         fills.append(value)
-        for index, (symbol, formula) in enumerate(expansion.helpers):
+        for index, (symbol, helper) in enumerate(expansion.helpers):
             cells += self._helper_heading(index, symbol)
-            inner = styles.decimals(styles.INNER, places(plan, self._unit(symbol)))
+            inner = styles.decimals(styles.INNER, places(plan, self._unit(symbol).kind))
             if index < len(self.angles):
                 cells.append(Cell(NAME_ROW, self._helper_col(index), plan.text("table.near"), styles.NOTE))
                 start = self._start(self.angles[index])
                 fills.append(Fill(HEAD_ROW, self._helper_col(index), start, inner, cols=self.count))
-            fills.append(self._fill(self._helper_col(index), formula, inner))
+            fills.append(self._fill(self._helper_col(index), helper, inner))
         area = Area(FIRST, 1, self.last, self.count)
-        missing = Call("ISNA", (CellRef(FIRST, 1),))
+        missing = formula("ISNA(cell)", cell=CellRef(FIRST, 1))
         return Sheet(
             self.title,
             tuple(cells),
@@ -146,20 +146,30 @@ class _Table:
             for symbol, rule in rules.items()
             if (symbol in free or symbol in columns) and symbol not in (driver, self.request.column)
         }
-        self.windows = windows_of(plan, rules)
-        rules = with_continued(plan, rules, {symbol: self._near(symbol) for symbol in self.windows})
+        self.windows = branches_of(plan.mechanism, equations.equations, plan.nominal)
+        rules = self._continued(rules)
         rules[CELL] = self._cell(rules)
         used = needed(CELL, rules)
         apart = {symbol: WINDOWED.format(symbol=symbol) for symbol in self.windows}
         self.angles = [symbol for symbol, taken in apart.items() if taken in used]
         return expand(CELL, rules, self._bound, self._helper, [apart[symbol] for symbol in self.angles])
 
+    def _continued(self, rules: Mapping[str, Node]) -> dict[str, Node]:
+        """The rules with those of the angles as their columns have them, which outputs read."""
+        outputs = {output.symbol for output in self.plan.mechanism.outputs}
+        found: dict[str, Node] = {}
+        for symbol, rule in rules.items():
+            found[symbol] = reading_taken(rule, self.windows) if symbol in outputs else rule
+            if symbol in self.windows:
+                found[WINDOWED.format(symbol=symbol)] = taken_near(Symbol(symbol), self._near(symbol))
+        return found
+
     def _near(self, symbol: str) -> Node:
         """What an angle is taken within half a turn of: the cell above, or a line from where the columns start."""
         above, start = Symbol(ABOVE.format(symbol=symbol)), Symbol(START.format(symbol=symbol))
         driven = al.sub(Symbol(self.plan.mechanism.driver.symbol), Symbol(FIRST_DRIVER))
         line = al.add(start, al.mul(al.number(self.windows[symbol].slope), driven))
-        return Call("IF", (Call("ISNUMBER", (above,)), above, line))
+        return formula("IF(ISNUMBER(above),above,line)", above=above, line=line)
 
     def _start(self, symbol: str) -> Node:
         """The angle [rad] near which all columns start: that of the table of positions in the first row that exists, carried
@@ -172,7 +182,8 @@ class _Table:
             there = self._there(driver, row)
             way = al.sub(there, self._bound(FIRST_DRIVER))
             angle = al.sub(angle, al.mul(al.number(window.slope), way))
-        return Call("IFERROR", (angle, Number(round(window.centre + window.slope * plan.driver[0], 6))))
+        described = round(window.centre + window.slope * plan.driver[0], 6)
+        return formula("IFERROR(angle,described)", angle=angle, described=described)
 
     def _there(self, symbol: str, row: Node) -> Node:
         """An angle [rad] in a row of the table of positions."""
@@ -194,10 +205,10 @@ class _Table:
                 return CellRef(HEAD_ROW, self._helper_col(index), row_abs=symbol == START.format(symbol=angle))
         if symbol in (driver.symbol, FIRST_DRIVER):
             cell: Node = CellRef(FIRST, 0, symbol == FIRST_DRIVER, True)
-            return Call("RADIANS", (cell,)) if driver.unit == "deg" else cell
+            return Call("RADIANS", (cell,)) if driver.unit.in_degrees else cell
         if symbol == self.request.column:
             cell = CellRef(HEAD_ROW, 1, row_abs=True)
-            return Call("RADIANS", (cell,)) if self.column.unit == "deg" else cell
+            return Call("RADIANS", (cell,)) if self.column.unit.in_degrees else cell
         return plan.at.reference(symbol, self.title, None)
 
     def _helper(self, index: int) -> Node:
@@ -207,16 +218,15 @@ class _Table:
     def _helper_col(self, index: int) -> int:
         return self.helpers_at + index * (self.count + 1)
 
-    def _unit(self, symbol: str) -> str:
+    def _unit(self, symbol: str) -> Unit:
         if symbol == self.plan.mechanism.driver.symbol:
-            return "angle" if self.plan.mechanism.driver.unit in ("deg", "rad") else "length"
+            return self.plan.mechanism.driver.unit
         found = [equation.unit for equation in self.plan.equations.all if equation.symbol == symbol]
-        return found[0] if found else "angle"
+        return found[0] if found else ANGLE
 
     def _driver_places(self) -> int:
         """Decimals of the first column: those that the driver's values need, two at most."""
-        factor = 180 / math.pi if self.plan.mechanism.driver.unit == "deg" else 1.0
-        shown = [value * factor for value in self.plan.driver]
+        shown = [self.plan.mechanism.driver.unit.to_shown(value) for value in self.plan.driver]
         return next((digits for digits in (0, 1) if all(abs(x - round(x, digits)) < 1e-9 for x in shown)), 2)
 
     def _fill(self, col: int, formula: Node, style: Style) -> Fill:
@@ -234,29 +244,29 @@ class _Table:
             Cell(ABOUT_ROW, 0, self._about(), styles.SUBTITLE),
             Cell(HINT_ROW, 0, plan.text("table.hint"), styles.NOTE),
             Cell(CORNER_ROW, 0, _with_unit(plan, request.value), styles.SECTION),
-            Cell(CORNER_ROW, 1, rich(request.column, _bracketed(unit_text(self.column.unit)) + " →"), styles.SECTION),
+            Cell(CORNER_ROW, 1, rich(request.column, _bracketed(self.column.unit.text) + " →"), styles.SECTION),
             *(Cell(CORNER_ROW, col, None, styles.SECTION) for col in range(2, 1 + self.count)),
             Cell(NAME_ROW, 0, None, styles.HEAD),
             Cell(HEAD_ROW, 0, _with_unit(plan, plan.mechanism.driver.symbol, " ↓"), styles.HEAD),
         ]
-        unit = unit_text(self.column.unit)
-        label = Binary("&", Text(f"{plain(request.column)} = "), CellRef(HEAD_ROW, 1))
-        label = Binary("&", label, Text(unit if unit == "°" else f" {unit}")) if unit else label
+        unit = self.column.unit.text
+        after = unit if unit in ("", "°") else f" {unit}"
+        label = joined(f"{plain(request.column)} = ", CellRef(HEAD_ROW, 1), after)
         fills = [Fill(NAME_ROW, 1, label, styles.HEAD, cols=self.count)]
-        degrees = self.column.unit == "deg"
+        degrees = self.column.unit.in_degrees
         for index, quantity in enumerate(request.columns):
-            if isinstance(quantity, str):
-                node = plan.at.bind(parse_description(quantity), self.title, None)
-                fills.append(Fill(HEAD_ROW, 1 + index, Call("DEGREES", (node,)) if degrees else node, styles.INPUT))
+            if isinstance(quantity, float):
+                cells.append(Cell(HEAD_ROW, 1 + index, self.column.unit.written(quantity), styles.INPUT))
             else:
-                cells.append(Cell(HEAD_ROW, 1 + index, shown_number(quantity, degrees), styles.INPUT))
+                node = plan.at.bind(quantity, self.title, None)
+                fills.append(Fill(HEAD_ROW, 1 + index, Call("DEGREES", (node,)) if degrees else node, styles.INPUT))
         return cells, fills
 
     def _about(self) -> str:
         """`s₁₅ [mm] over θ₁₂ [°] and s₁ [mm] (setting)`."""
         plan, request = self.plan, self.request
         driver = plan.mechanism.driver.symbol
-        column = plain(request.column) + _bracketed(unit_text(self.column.unit))
+        column = plain(request.column) + _bracketed(self.column.unit.text)
         if self.column.label:
             column += f" ({self.column.label.of(plan.language)})"
         return plan.text(
@@ -270,7 +280,7 @@ class _Table:
         col = self._helper_col(index)
         cells = [Cell(CORNER_ROW, col + further, None, styles.SECTION) for further in range(1, self.count)]
         bare = symbol.removesuffix(WINDOWED.format(symbol=""))
-        unit = {"angle": "rad", "number": ""}.get(self._unit(bare), self.plan.mechanism.length_unit)
+        unit = self.plan.mechanism.shown(self._unit(bare).internal).text
         return [Cell(CORNER_ROW, col, rich(bare, _bracketed(unit)), styles.SECTION), *cells]
 
     def _text_end(self) -> int:

@@ -9,20 +9,19 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
-from mechsheet.kinematics.naming import link_words
 from mechsheet.model import Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import Writer
 from mechsheet.sheet.checks import ROUNDING, Checks
 from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.extremes import Extremes
-from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.limits import LIMITS, STRETCHES
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, unit_text
+from mechsheet.sheet.extremes import Extremes, about
+from mechsheet.sheet.limits import LIMITS, SETTLED, STRETCHES
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
+from mechsheet.words.equations import link_words
 
 POOR = 40.0
 """Angles of transmission [deg] below this are poor: most of the force only loads the joints."""
@@ -42,7 +41,7 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
     for loop in found.four_bars:
         block.grashof(loop)
     for link in found.swings:
-        block.swing(link, [loop for loop in found.four_bars if link in (loop.first, loop.last)])
+        block.swing(link)
     for joint in found.strokes:
         block.stroke(joint.symbol)
     for symbol in found.returning:
@@ -63,8 +62,8 @@ class _Block:
         self.extremes = extremes
         self.rows = writer.plan.blocks["verdicts"].rows
         self.driver = writer.plan.mechanism.driver
-        self.turning = self.driver.unit in ("deg", "rad")
-        self.unit = _after_number(unit_text(self.driver.unit))
+        self.turning = self.driver.unit.kind == "angle"
+        self.unit = _after_number(self.driver.unit.text)
 
     # --- small things -----------------------------------------------------------------------------------------
 
@@ -117,16 +116,9 @@ class _Block:
         key, rows = "rows_closed", float(plan.rows)
         count = self.bound("COUNTIF(ALL(_status),ok)".replace("ALL(_status)", "said"),
                            said=Symbol(f"{ALL}#status"), ok=plan.text("status.ok"))  # fmt: skip
-        stretches: list[Node | str] = []
-        for number in range(1, STRETCHES + 1):
-            ends = [
-                formula("INDEX(drivers,row)", drivers=self._drivers(), row=Symbol(f"#{key_}_{number}"))
-                for key_ in ("first", "last")
-            ]
-            stretch = joined("; " if number > 1 else "", self.driver_text(ends[0]), " … ", self.driver_text(ends[1]))
-            stretches.append(formula('IF(_stretches<number,"",stretch)', number=number, stretch=stretch))
+        stretches = [Symbol(f"#stretch_{number}") for number in range(1, STRETCHES + 1)]
         more = formula('IF(_stretches>most," …","")', most=STRETCHES)
-        some = joined(self.text("rows.some"), " ", *stretches, more)
+        some = joined(self.text("rows.some"), " ", *stretches, self.unit, more)
         cell = self.value(key)
         words = self.bound(
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=cell, rows=rows,
@@ -142,13 +134,11 @@ class _Block:
 
     def limits(self) -> None:
         """The limit positions within the sweep: how many, and where."""
-        said = f"{ALL}#status"
         spot = self.plan.at.spots["#status"]
         column = self.plan.at.column("#status", self.plan.main)
         if self.plan.rows == 1:
-            self.line("limits", self.text("limits"), "", al.ZERO, 0, Text(self.text("limits.none")))
+            self.line("limits", self.text("limits"), "", al.ZERO, 0, Text(""))
             return
-        del said
         later = RangeRef(CellRef(column.start.row + 1, spot.col, True, True, spot.sheet), column.end)
         earlier = RangeRef(column.start, CellRef(column.end.row - 1, spot.col, True, True, spot.sheet))
         count = self.bound("SUMPRODUCT(--((later=ok)<>(earlier=ok)))", later=later, earlier=earlier,
@@ -160,9 +150,16 @@ class _Block:
             named = joined("; " if number > 1 else "", self.driver_text(place))
             parts.append(formula('IF(count<number,"",named)', count=cell, number=number, named=named))
         more = formula('IF(count>most," …","")', count=cell, most=LIMITS)
+        unsettled = [
+            formula("rest>settled", rest=Symbol(f"#rest_{number}"), settled=SETTLED)
+            for number in range(1, self.extremes.limits.count + 1)
+        ]
+        if unsettled:
+            more = joined(more, formula('IF(any,about,"")', any=Call("OR", tuple(unsettled)), about=self.text("about")))
         words = self.bound(
-            "IF(count=0,none,found)", count=cell, none=self.text("limits.none"), found=joined(*parts, more)
-        )
+            'IF(count>0,found,IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
+            passes=self.value("passes"), none=self.text("limits.none"), found=joined(*parts, more),
+        )  # fmt: skip
         self.line("limits", self.text("limits"), "", count, 0, words)
         self.colour("limits", "count>0", styles.WARN, count=cell)
 
@@ -179,7 +176,7 @@ class _Block:
             ]
         else:
             ends = [self._driver_at(Symbol(f"#{key}_1")) for key in ("from", "to")]
-        unit = unit_text(self.driver.unit)
+        unit = self.driver.unit.text
         everywhere = formula("AND(count=rows,_whole>0)", count=self.value("rows_closed"), rows=self.plan.rows)
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
@@ -205,8 +202,11 @@ class _Block:
             place = self._driver_at(Symbol(f"#gap_row_{number}"))
             where = formula("IF(dips,place,other)", dips=dips, place=place, other=where)
         cell = self.value("passes")
-        words = formula("IF(count=0,through,between)", count=cell, through=self.text("passes.all"),
-                        between=self.text("passes.not"))  # fmt: skip
+        before, after = self.text("passes.not", place="#").split("#")
+        place = CellRef(self.rows["passes"], TOLERANCE, True, True)
+        words = formula('IF(closed=0,"",IF(count=0,through,between))', closed=self.value("rows_closed"), count=cell,
+                        through=self.text("passes.all"),
+                        between=joined(before, formula("ROUND(place,1)", place=place), self.unit, after))  # fmt: skip
         self.line("passes", self.text("passes"), "", self.bound("found", found=found), 0, words)
         self.at("passes", self.bound("where", where=where))
         self.colour("passes", "count>0", styles.WARN, count=cell)
@@ -216,37 +216,27 @@ class _Block:
         plan = self.plan
         key, cell = "largest_gap", self.value("largest_gap")
         rounding = plan.at.cell("#rounding", plan.main, None)
-        tight = formula("IFERROR(gap<=rounding,FALSE)", gap=cell, rounding=rounding)
-        words = formula("IF(typed>0,over,IF(nothing,none,IF(tight,closed,open)))", typed=plan.at.cell("#typed", plan.main, None),
-                        over=self.text("gap.typed", sheet=self.checks.title), tight=tight,
-                        nothing=formula("count=0", count=self.value("rows_closed")), none=self.text("rows.none"),
+        words = formula('IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed)))',
+                        typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
+                        rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
                         closed=self.text("gap.closed"), open=self.text("gap.open", sheet=self.checks.title))  # fmt: skip
         self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), 4, words)
         self.writer.fills[-2] = _restyled(
             self.writer.fills[-2], styles.numbered(styles.RESULT, styles.ERROR.number_format)
         )
-        self.at(key, self.checks.worst_at("gap"))
+        # where rounding is largest says nothing, and another program rounds otherwise
+        place = self.checks.worst_at("gap")
+        self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
         self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key),
                     open=self.text("gap.open", sheet=self.checks.title), over=self.text("gap.typed", sheet=self.checks.title))  # fmt: skip
         self.colour(key, "said=closed", styles.GOOD, said=self.words(key), closed=self.text("gap.closed"))
         cell = self.value("leaps")
-        words = formula("IF(count=0,none,some)", count=cell, none=self.text("leaps.none"), some=self.text("leaps.some"))
+        words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=self.value("rows_closed"), count=cell,
+                        none=self.text("leaps.none"), some=self.text("leaps.some"))  # fmt: skip
         self.line("leaps", self.text("leaps"), "", self.checks.worst("leap"), 0, words)
         self.colour("leaps", "count>0", styles.WARN, count=cell)
 
     # --- four-bar loops ---------------------------------------------------------------------------------------
-
-    def _lengths(self, loop: FourBar) -> tuple[Node, Node, Node, Node]:
-        """Ground, first link, coupler, last link."""
-        ground = self.plan.mechanism.ground
-        ends = (
-            (ground, loop.start, loop.end),
-            (loop.first, loop.start, loop.pin),
-            (loop.coupler, loop.pin, loop.inner),
-            (loop.last, loop.end, loop.inner),
-        )
-        a, b, c, d = (self.plan.at.bind(distance(*end), self.plan.main, None) for end in ends)
-        return a, b, c, d
 
     def _rounding(self) -> Node:
         return formula("times*tolerance", times=ROUNDING,
@@ -255,48 +245,42 @@ class _Block:
     def grashof(self, loop: FourBar) -> None:
         """Shortest + longest - the other two: negative where some link turns fully; and the loop's type in words."""
         key = f"grashof_{loop.group}"
-        ground, first, coupler, last = lengths = self._lengths(loop)
-        all_four = Call("SUM", lengths)
-        shortest, longest = Call("MIN", lengths), Call("MAX", lengths)
+        lengths = self.extremes.lengths_of(loop)
         cell = self.value(key)
 
         def named(word: str, turning: Link | None = None) -> str:
             link = link_words(turning).of(self.plan.language) if turning else ""
-            return self.text(f"grashof.{word}", loop=loop.name, link=link)
+            return self.text(f"grashof.{word}", link=link)
 
         which = formula(
-            "IF(ground=shortest,both,IF(first=shortest,crank,IF(coupler=shortest,rockers,follower)))",
-            ground=ground, first=first, coupler=coupler, shortest=shortest,
+            "CHOOSE(MATCH(MIN(lengths),lengths,0),both,crank,rockers,follower)", lengths=lengths,
             both=named("both"), crank=named("one", loop.first), rockers=named("coupler"), follower=named("one", loop.last),
         )  # fmt: skip
-        del last
         words = formula(
-            "IF(2*longest-total>rounding,open,IF(ABS(excess)<=rounding,change,IF(excess>0,none,which)))",
-            longest=longest, total=all_four, rounding=self._rounding(), excess=cell, which=which,
+            'IF(NOT(ISNUMBER(excess)),"",loop&": "&IF(2*MAX(lengths)-SUM(lengths)>rounding,open,'
+            "IF(ABS(excess)<=rounding,change,IF(excess>0,none,which))))",
+            lengths=lengths, rounding=self._rounding(), excess=cell, which=which, loop=loop.name,
             open=named("open"), change=named("change"), none=named("none"),
         )  # fmt: skip
-        excess = formula("2*(shortest+longest)-total", shortest=shortest, longest=longest, total=all_four)
+        excess = formula("2*(MIN(lengths)+MAX(lengths))-SUM(lengths)", lengths=lengths)
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
-        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=named("open"))
-        self.colour(key, "said=change", styles.WARN, said=self.words(key), change=named("change"))
+        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=f"{loop.name}: {named('open')}")
+        self.colour(key, "said=change", styles.WARN, said=self.words(key), change=f"{loop.name}: {named('change')}")
 
-    def swing(self, link: Link, loops: list[FourBar]) -> None:
+    def swing(self, link: Link) -> None:
         """By how much a link turns, and whether it is a crank or a rocker."""
         symbol = link.angle_symbol
-        key = f"swing_{symbol}"
-        column = Symbol(ALL + symbol)
         turn = 360.0 if self.plan.at.spots[symbol].degrees else 6.283185307179586
-        on = formula("ABS(INDEX(column,rows)-INDEX(column,1))>half", column=column, rows=self.plan.rows, half=turn / 2)
-        whole = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.plan.rows)
-        words = self.bound(
-            "IF(_stretches>1,several,IF(whole,IF(on,crank,rocker),part))", whole=whole, on=on,
-            several=self.text("swing.several"), crank=self.text("crank"), rocker=self.text("rocker"), part=self.text("turned"),
+        closed = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.plan.rows)
+        back = Symbol(f"#wraps_{symbol}")  # the ends of the whole turn are neighbours
+        words = formula(
+            "IF(closed,IF(back>0,rocker,crank),part)", closed=closed, back=back,
+            crank=self.text("crank"), rocker=self.text("rocker"), part=self.text("turned"),
         )  # fmt: skip
-        del loops
-        value = formula("IF(AND(whole,on),turn,range)", whole=whole, on=on, turn=turn, range=self._range(symbol))
-        self._extent(key, symbol, self.plan.unit_shown("angle"), value, "angle", words)
+        value = formula("IF(AND(closed,back=0),turn,range)", closed=closed, back=back, turn=turn, range=self._range(symbol))
+        self._extent(f"swing_{symbol}", symbol, self.plan.mechanism.angle_unit.text, value, "angle", words)
 
     def _range(self, symbol: str) -> Node:
         return formula("high-low", high=Symbol(f"#max_{symbol}"), low=Symbol(f"#min_{symbol}"))
@@ -304,37 +288,34 @@ class _Block:
     def _extent(self, key: str, symbol: str, unit: str, value: Node, kind: str, words: Node) -> None:
         """A swing or stroke: of one stretch; #N/A of several, which the mechanism cannot pass between."""
         node = self.bound("IF(_stretches<>1,NA(),IFERROR(value,NA()))", value=value)
-        about = self.bound('IF(IFERROR(OR(low,high),FALSE),about,"")', low=Symbol(f"#min_about_{symbol}"),
-                           high=Symbol(f"#max_about_{symbol}"), about=self.text("about"))  # fmt: skip
-        self.line(key, rich(symbol), unit, node, places(self.plan, kind), joined(words, about))
+        said = self.bound('IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
+                          about=self.about(symbol), several=self.text("swing.several"), unsure=self.text("unsure"))  # fmt: skip
+        self.line(key, rich(symbol), unit, node, places(self.plan, kind), said)
+
+    def about(self, symbol: str) -> Node:
+        """What is added where the probes of an extreme have not settled, or the rows are too far apart."""
+        return formula('IF(_leaps>0,about,more)', about=self.text("about"), more=about(self.plan, symbol))
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
     def stroke(self, symbol: str) -> None:
         """How far a slide on the ground travels."""
-        words = self.bound(
-            "IF(_stretches>1,several,stroke)", several=self.text("swing.several"), stroke=self.text("stroke")
-        )
         unit = self.plan.mechanism.length_unit
-        self._extent(f"stroke_{symbol}", symbol, unit, self._range(symbol), "length", words)
+        self._extent(f"stroke_{symbol}", symbol, unit, self._range(symbol), "length", Text(self.text("stroke")))
 
     def ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster, for a driver that turns evenly."""
-        turn = 360.0 if self.driver.unit == "deg" else 6.283185307179586
+        turn = 360.0 if self.driver.unit.in_degrees else 6.283185307179586
         way = formula(
             "MOD(high-low,turn)", high=Symbol(f"#max_at_{symbol}"), low=Symbol(f"#min_at_{symbol}"), turn=turn
         )
         value = formula("MAX(way,turn-way)/MIN(way,turn-way)", way=way, turn=turn)
-        column = Symbol(ALL + symbol)
-        there_and_back = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.plan.rows)
-        if self.plan.equations.of(symbol).unit == "angle":
-            half = 180.0 if self.plan.at.spots[symbol].degrees else 3.141592653589793
-            there_and_back = formula("AND(whole,ABS(INDEX(column,rows)-INDEX(column,1))<half)", whole=there_and_back,
-                                     column=column, rows=self.plan.rows, half=half)  # fmt: skip
-        node = self.bound("IF(there_and_back,IFERROR(value,NA()),NA())", there_and_back=there_and_back, value=value)
+        node = self.bound("IF(wraps>0,IFERROR(value,NA()),NA())", value=value,
+                          wraps=Symbol(f"#wraps_{symbol}"))  # fmt: skip
         cell = self.value(f"time_ratio_{symbol}")
-        words = formula("IF(ISNUMBER(ratio),ways,none)", ratio=cell, ways=self.text("ratio", symbol=plain(symbol)),
-                        none=self.text("ratio.none", symbol=plain(symbol)))  # fmt: skip
+        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))', ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
+                           ways=self.text("ratio", symbol=plain(symbol)),
+                           none=self.text("ratio.none", symbol=plain(symbol)))  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
 
     def transmission(self, group: Group) -> None:
@@ -344,23 +325,24 @@ class _Block:
         at = [Symbol(f"#{way}_at_{group.transmission}") for way in ("min", "max")]
         if group.kind == "RRR":  # the angle between coupler and follower itself, 0 to 180 degrees
             folded = (low, formula("PI()-high", high=high))
-            ends: tuple[Node, Node] = (low, high)
+            largest = high
         else:  # the rod against the guide: the angle of transmission is what is missing to 90 degrees
             folded = (formula("PI()/2+low", low=low), formula("PI()/2-high", high=high))
-            most = formula("MAX(high,-low)", low=low, high=high)
-            ends = (formula("PI()/2-most", most=most), formula("PI()/2-MAX(0,low,-high)", low=low, high=high))
-        degrees = self.plan.shown_in_degrees("angle")
-        least = Call("MIN", folded)
-        unit = self.plan.unit_shown("angle")
+            largest = formula("PI()/2-MAX(0,low,-high)", low=low, high=high)
+        degrees = self.plan.mechanism.angle_unit.in_degrees
+        unit = self.plan.mechanism.angle_unit.text
         cell = self.value(key)
-        shown = [formula("ROUND(value,1)", value=_in(end, degrees)) for end in ends]
+        smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
         poor = formula("value<limit", value=cell, limit=POOR if degrees else 0.698)
-        range_ = joined(shown[0], f"{_after_number(unit)} … ", shown[1], _after_number(unit))
         grade = formula("IF(poor,bad,good)", poor=poor, bad=self.text("poor"), good=self.text("fair"))
-        words = self.bound('IFERROR(range&": "&grade,"")', range=range_, grade=grade)
-        label = f"μ{group.number}"
-        node = self.bound("IFERROR(value,NA())", value=_in(least, degrees))
-        self.line(key, label, unit, node, places(self.plan, "angle"), words)
+        after = _after_number(unit)
+        words = self.bound(
+            'IFERROR(range&grade&about,"")', grade=grade, about=self.about(group.transmission),
+            range=joined(formula("ROUND(low,1)", low=smallest), f"{after} … ",
+                         formula("ROUND(high,1)", high=_in(largest, degrees)), f"{after}: "),
+        )  # fmt: skip
+        node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), degrees))
+        self.line(key, f"μ{group.number}", unit, node, places(self.plan, "angle"), words)
         at_low = formula(
             "IF(one<=other+1E-6,place,elsewhere)", one=folded[0], other=folded[1], place=at[0], elsewhere=at[1]
         )
@@ -374,35 +356,47 @@ class _Block:
         """All in one line: whether it closes, what it is, how well it transmits force; or what is wrong, and where."""
         plan = self.plan
         count, rows = self.value("rows_closed"), float(plan.rows)
-        wrong = formula("ISNUMBER(tolerance)", tolerance=plan.at.bind(Symbol(plan.equations.tolerance), plan.main))
         closed = joined(self.text("line.closes"), " ", count, f" / {plan.rows} ", self.text("line.positions"))
         parts: list[Node | str] = [formula("IF(count=rows,everywhere,some)", count=count, rows=rows,
                                            everywhere=self.text("line.all", rows=plan.rows), some=closed)]  # fmt: skip
         if plan.found.limits:
             parts.append(
-                formula('IF(passes>0,dips,"")', passes=self.value("passes"), dips=f"; {self.text('passes.not')}")
+                formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes"))
             )
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", self.words(f"grashof_{loop.group}")]
         for group in plan.found.transmission[:1]:
-            parts.append(formula('IF(ISNUMBER(value),"; "&what&" "&words,"")', value=self.value(f"transmission_{group.number}"),
-                                 what=self.text("line.transmission"), words=self.words(f"transmission_{group.number}")))  # fmt: skip
+            parts.append(formula('IF(ISNUMBER(value),what&words,"")', value=self.value(f"transmission_{group.number}"),
+                                 what=f"; {self.text('line.transmission')} ", words=self.words(f"transmission_{group.number}")))  # fmt: skip
         gap = self.words("largest_gap")
-        bad = formula("OR(said=open,said=over)", said=gap, open=self.text("gap.open", sheet=self.checks.title),
-                      over=self.text("gap.typed", sheet=self.checks.title))  # fmt: skip
-        words = formula(
-            "IF(fine,IF(count=0,nowhere,IF(bad,gap,good)),inputs)", fine=wrong, count=count,
-            nowhere=self.text("line.nowhere"), bad=bad, gap=gap, good=joined(*parts), inputs=self.text("line.inputs"),
+        words = self.bound(
+            "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
+            fine=self._inputs_are_fine(), count=count, nowhere=self.text("line.nowhere"), gap=gap,
+            closed=self.text("gap.closed"),
+            good=joined(*parts), inputs=self.text("line.inputs"),
         )  # fmt: skip
         self.writer.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
-        holes: dict[str, Node | float | str] = {"fine": wrong, "count": count, "bad": bad, "rows": rows}
-        self.writer.conditionals.append(Conditional(area, formula("OR(NOT(fine),count=0,bad)", **holes), styles.BAD))
-        doubts = formula("count<rows", **holes)
+        said = CellRef(VERDICT_ROW, SYMBOL, True, True)
+        # rules read this sheet only: other programs refuse another's cells
+        bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
+                      inputs=self.text("line.inputs"))  # fmt: skip
+        doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))
+        self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
-        self.writer.conditionals.append(Conditional(area, formula("count=rows", **holes), styles.GOOD))
+        self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
+
+    def _inputs_are_fine(self) -> Node:
+        """Whether there is such a position, and all that is derived from lengths and modes is a number (the tolerance is
+        none where a length or mode is wrong)."""
+        rows = self.plan.blocks["derived"].rows.values()
+        derived = RangeRef(CellRef(min(rows), VALUE, True, True), CellRef(max(rows), VALUE, True, True))
+        return formula(
+            "AND(SUMPRODUCT(--(numbers=_position))=1,ISNUMBER(SUM(derived)))",
+            numbers=Symbol(f"{ALL}#number"), derived=derived,
+        )  # fmt: skip
 
 
 def _restyled(fill, style):  # type: ignore[no-untyped-def]

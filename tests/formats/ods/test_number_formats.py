@@ -6,9 +6,9 @@ import csv
 
 import pytest
 
+from mechsheet.checking.programs import convert_with_libreoffice, libreoffice_command
 from mechsheet.formats import write
 from mechsheet.formats.ods.number_formats import number_style
-from mechsheet.programs import convert_with_libreoffice, libreoffice_command
 from mechsheet.sheet.workbook import Cell, Sheet, Style, Workbook
 from odf import schema_errors
 

@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from xlsx_files import MAIN, packed, parts_of
 
+from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import evaluate
 from mechsheet.formats import update_values
@@ -14,7 +15,6 @@ from mechsheet.formats.xlsx.read import read_xlsx
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
-from mechsheet.programs import convert_with_libreoffice
 
 NA = ErrorValue("#N/A")
 

@@ -13,7 +13,8 @@ import pytest
 from strict_xlsx import faults
 
 from chosen import IN_CI, part
-from mechsheet.compute import computed
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load, loads
 from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formats import write
@@ -66,7 +67,7 @@ def test_random_mechanisms(tmp_path):
 
 @pytest.mark.parametrize("name", ["slider-crank", "adjustable-pump"])
 def test_function_workbooks(name, tmp_path):
-    workbook, _ = functions_workbook(load(template(name)), "lambda")
+    workbook = functions_workbook(Compiled(load(template(name))), "lambda")
     assert faults(built(workbook, tmp_path / "a.xlsx")) == []
 
 
@@ -75,7 +76,7 @@ def test_the_validator_finds_nothing(tmp_path):
     from openxml_audit import OpenXmlValidator
 
     mechanism = load(template("slider-crank"))
-    for workbook in (laid_out(mechanism), functions_workbook(mechanism, "lambda")[0]):
+    for workbook in (laid_out(mechanism), functions_workbook(Compiled(mechanism), "lambda")):
         path = built(workbook, tmp_path / "a.xlsx")
         errors = OpenXmlValidator().validate(path).errors
         assert [error for error in errors if "dispNaAsBlank" not in str(error.path)] == []

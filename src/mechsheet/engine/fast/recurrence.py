@@ -19,12 +19,11 @@ from ...formula.book import Block
 from ...formula.nodes import Binary, Call, CellRef, FunctionRef, Node, Number, walk
 from ..graph import area_read, reads_anywhere, references
 from ..interpreter.evaluator import Evaluator
-from ..layout import Layout
 from ..kernels.math import rounded
+from ..layout import Layout
 from ..values.cells import BLANK, NEAR, NUM, Cells, choose, codes_of, finished
 from ..values.coerce import numbers_of, truths_of
 from ..values.frames import Frame, NotReadyError
-
 
 HALF, MANY = 1e-9, 1e6
 """Parts of a turn: nearer to half a turn it is asked one by one which way a value goes; so it is after so many turns."""
@@ -195,6 +194,7 @@ def unwrapped(values: Any, turn: float, above: float) -> Any:
 
     A value after NaN stays as it is. Where a value lies just half a turn away, the rounding of each sum decides.
     """
+    values = np.atleast_1d(values)  # one for all rows: then the first decides for all
     before = np.concatenate(([above], values[:-1]))
     steps = (before - values) / turn
     near = np.rint(steps)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.cell_values import cell_value
+from mechsheet.arguments.cell_values import cell_value
 from mechsheet.diagnostics import Fault, FormulaError, WorkbookError, near_miss
 from mechsheet.engine import Live, compile_book
 from mechsheet.engine.layout import Area

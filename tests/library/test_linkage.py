@@ -3,6 +3,9 @@
 import ast
 import builtins
 import json
+import pickle
+import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +14,7 @@ import pytest
 import mechsheet
 from mechsheet.description.templates import template_text
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parent.parent.parent
 FOUR_BAR = ROOT / "templates" / "four-bar.toml"
 
 
@@ -87,3 +90,20 @@ def test_the_notebook_runs(monkeypatch, tmp_path):
     assert len(cells) >= 6
     assert space["agrees"] is True
     assert space["least"][25] > space["least"][40]
+
+
+def test_a_linkage_is_solved_once_and_its_answers_are_the_callers_own():
+    linkage = mechsheet.template("four-bar")
+    first = linkage.solve()
+    wanted = first["theta14"].copy()
+    first["theta14"][:] = 0.0
+
+    def seconds():
+        start = time.perf_counter()
+        assert np.array_equal(linkage.solve()["theta14"], wanted)
+        return time.perf_counter() - start
+
+    assert min(seconds() for _ in range(5)) < 0.010
+    other = replace(linkage, driver=replace(linkage.driver, values=(0.5, 1.0)))
+    assert len(other.solve()["theta14"]) == 2
+    assert len(pickle.loads(pickle.dumps(linkage)).solve()["theta14"]) == 25

@@ -19,9 +19,9 @@ from mechsheet.engine import incremental as incremental_module
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
-from mechsheet.what_if import Session
+from mechsheet.library.session import Session
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parent.parent.parent
 ROWS = 40
 NA = ErrorValue("#N/A")
 

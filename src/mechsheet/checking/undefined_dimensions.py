@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from mechsheet.formula.parser import parse_description
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Mechanism
@@ -18,10 +17,10 @@ def missing_dimensions(mechanism: Mechanism, inputs: Mapping[str, float]) -> dic
     missing: dict[str, str] = {}
     for symbol in dimension_order(mechanism):
         value = by_symbol[symbol].value
-        if not (by_symbol[symbol].derived and isinstance(value, str)):
+        if isinstance(value, float):
             continue
         try:
-            values[symbol] = evaluate(parse_description(value), values)
+            values[symbol] = evaluate(value, values)
         except KeyError as error:
             missing[symbol] = f"{error.args[0]} has no value"
         except (ArithmeticError, ValueError) as error:

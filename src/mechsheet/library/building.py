@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, near_miss, readable_name
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Workbook
+
+if TYPE_CHECKING:
+    from mechsheet.compiled import Compiled
 
 FORMATS = ("xlsx", "ods")
 FUNCTIONS = ("basic", "lambda")
@@ -29,15 +33,18 @@ def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
 
     Raises MechanismError when the mechanism cannot be solved.
     """
-    from mechsheet.compute import computed
-    from mechsheet.kinematics.sketched import tell
-    from mechsheet.kinematics.solve import solve
-    from mechsheet.sheet.layout import lay_out
+    compiled = told(mechanism)
+    return compiled.workbook, compiled.plan
 
-    equations = solve(mechanism)
-    tell(mechanism, equations)
-    workbook, plan = lay_out(mechanism, equations)
-    return computed(workbook), plan
+
+def told(mechanism: Mechanism) -> Compiled:
+    """The mechanism compiled; every doubt about its sketch is told as a warning."""
+    from mechsheet.compiled import compiled_of
+    from mechsheet.kinematics.sketched import tell
+
+    compiled = compiled_of(mechanism)
+    tell(mechanism, compiled.equations, stacklevel=4)  # whoever called the library
+    return compiled
 
 
 def build(
@@ -63,8 +70,7 @@ def build(
     wanted = targets(mechanism, output, formats, functions)
     if not force:
         refuse_edited(wanted)
-    workbook, _ = compile_workbook(mechanism)
-    return write_all(mechanism, workbook, wanted, output)
+    return write_all(told(mechanism), wanted, output)
 
 
 def targets(
@@ -93,8 +99,8 @@ def targets(
 
 def is_folder(output: str | Path) -> bool:
     """Whether workbooks go into a folder of that name: as for every output, and a new name without an ending."""
+    from mechsheet.arguments.outputs import names_folder
     from mechsheet.formats.archive import is_stream
-    from mechsheet.outputs import names_folder
 
     path = Path(output)
     return names_folder(output) or (not path.suffix and not is_stream(path))
@@ -120,23 +126,20 @@ def refuse_edited(wanted: Iterable[Target]) -> None:
         raise OutputError(faults)
 
 
-def write_all(
-    mechanism: Mechanism, workbook: Workbook, wanted: Sequence[Target], output: str | Path = "."
-) -> list[Path]:
-    """Write the computed workbook of a mechanism, and those with functions, into the files of `targets`."""
-    from mechsheet.compute import computed
+def write_all(compiled: Compiled, wanted: Sequence[Target], output: str | Path = ".") -> list[Path]:
+    """Write the workbook of a mechanism, and those with functions, into the files of `targets`."""
+    from mechsheet.arguments.outputs import folder_ready
+    from mechsheet.compiled.evaluation import computed
     from mechsheet.exporting.workbooks import functions_workbook
     from mechsheet.formats import write
-    from mechsheet.outputs import folder_ready
 
     folder = f"{output}/" if is_folder(output) else output
     with folder_ready(folder):
         for target in wanted:
             if target.form in FUNCTIONS:
-                extra, _ = functions_workbook(mechanism, target.form)
-                write(computed(extra), target.path)
+                write(computed(functions_workbook(compiled, target.form)), target.path)
             else:
-                write(workbook, target.path, target.form)
+                write(compiled.workbook, target.path, target.form)
     return [target.path for target in wanted]
 
 

@@ -7,14 +7,17 @@ from dataclasses import dataclass, fields
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.arguments.numbers import number_text
 from mechsheet.diagnostics import Fault, MechsheetError, MissingProgramError
-from mechsheet.given import number_text
 from mechsheet.model import Mechanism
+
+if TYPE_CHECKING:
+    from mechsheet.compiled import Compiled
 
 Overrides: TypeAlias = Mapping[str, "str | float | Fraction | Decimal | np.number[Any]"]
 
@@ -77,22 +80,32 @@ class Drawing:
 class Linkage(Mechanism):
     """A mechanism (see `Mechanism`: links, joints, driver as data) with what can be done with it."""
 
-    __slots__ = ()
+    __slots__ = ("_kept",)
+    _kept: Compiled
+
+    @property
+    def _compiled(self) -> Compiled:
+        """What was compiled of it, kept: the mechanism never changes, and solving takes longer than evaluating."""
+        from mechsheet.compiled import Compiled
+
+        if not hasattr(self, "_kept"):
+            object.__setattr__(self, "_kept", Compiled(self))
+        return self._kept
 
     def solve(self) -> Motion:
         """The whole sweep: driver, variables, points and outputs by name; the equations of the workbook, in numpy.
 
         Raises MechanismError when the linkage cannot be solved.
         """
-        from mechsheet.motion import motion_of
+        from mechsheet.compiled.motion import motion_of
 
-        return Motion(*motion_of(self))
+        return Motion(*motion_of(self._compiled))
 
     def build(
         self, output: str | Path = ".", formats: str | Iterable[str] | None = None, force: bool = False
     ) -> list[Path]:
         """Write the workbooks; see `mechsheet.build`."""
-        from mechsheet.building import build
+        from mechsheet.library.building import build
 
         return build(self, output, formats, force=force)
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 
-from mechsheet.compute import column_of
-from mechsheet.kinematics.solve import dimension_values, number
+from mechsheet.compiled import Compiled
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.blocks import shown_unit
-from mechsheet.sheet.plan import EXISTS, Plan
-from mechsheet.sheet.workbook import Workbook
 
 MOST_RUNS = 3
 """So many stretches without a position are named."""
@@ -18,18 +17,16 @@ _LANDS = 1e-6
 """By this part of a step the stop may be missed: it is rounding."""
 
 
-def verdict(mechanism: Mechanism, workbook: Workbook, plan: Plan) -> str:
+def verdict(compiled: Compiled) -> str:
     """`closes in 19 of 25 positions, not from 120° to 195°; the step misses the stop (360°): the last row is 350°`.
 
     Read from the values of the computed workbook; nothing is computed again.
     """
-    at = plan.at
-    exists = [value == 1.0 for value in column_of(workbook, plan.table, EXISTS, at.first, at.last)]
-    spot = at.spots[mechanism.driver.symbol]
-    drivers = column_of(workbook, spot.sheet, spot.col, at.first, at.last)
+    mechanism, plan = compiled.mechanism, compiled.plan
+    drivers = compiled.column(plan.at.spots[mechanism.driver.symbol].col)
     unit = shown_unit(plan, mechanism.driver.symbol)
     shown = [_shown(value, unit) for value in drivers]
-    said = [_closing(exists, shown)]
+    said = [_closing(compiled.exists, shown)]
     missed = _missed_stop(mechanism, plan.rows)
     if missed is not None:
         said.append(f"the step misses the stop ({_shown(missed, unit)}): the last row is {shown[-1]}")
@@ -41,7 +38,7 @@ def verdict(mechanism: Mechanism, workbook: Workbook, plan: Plan) -> str:
     return "; ".join(said)
 
 
-def _closing(exists: list[bool], shown: list[str]) -> str:
+def _closing(exists: Sequence[bool], shown: list[str]) -> str:
     count = sum(exists)
     if not count:
         return f"closes in none of {len(exists)} positions: no such mechanism can be assembled in this sweep"
@@ -54,7 +51,7 @@ def _closing(exists: list[bool], shown: list[str]) -> str:
     return text
 
 
-def _runs(exists: list[bool]) -> list[tuple[int, int]]:
+def _runs(exists: Sequence[bool]) -> list[tuple[int, int]]:
     """First and last index of each stretch of rows without a position."""
     runs: list[tuple[int, int]] = []
     for index, there in enumerate(exists):
@@ -76,7 +73,7 @@ def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
     start, stop, step = (number(part, values) for part in (driver.start, driver.stop, driver.step))
     if abs((stop - start) / step - (rows - 1)) < _LANDS:
         return None
-    return math.degrees(stop) if driver.unit == "deg" else stop
+    return driver.unit.to_shown(stop)
 
 
 def _shown(value: object, unit: str) -> str:

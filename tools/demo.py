@@ -5,11 +5,11 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from mechsheet.building import FORMATS, build
 from mechsheet.checking import Report, check
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.solve import dimension_values, driver_values
+from mechsheet.library.building import FORMATS, build
 from mechsheet.model import Mechanism
 
 SMALL = 20

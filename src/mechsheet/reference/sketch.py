@@ -18,7 +18,7 @@ Pose = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
+class Entry:
     """One entry of a sketch, and the block whose solution decides it.
 
     kind    "point" (target x, y), "angle" or "displacement" (target, 0), "pose" (target x, y, theta)
@@ -30,7 +30,7 @@ class Wish:
     block: int
 
 
-class Wishes:
+class Sketched:
     """A sketch, or rough poses, asked block by block. `at`: the driver value that the sketch shows, as the system has it."""
 
     def __init__(self, system: System, start: Mapping[str, Pose] | None) -> None:
@@ -41,7 +41,7 @@ class Wishes:
         scale = system.scale if system.mechanism.driver.joint else 1.0
         self.at = None if at is None else number(at, system.dimensions) / scale
 
-    def _poses(self, start: Mapping[str, Pose]) -> list[Wish]:
+    def _poses(self, start: Mapping[str, Pose]) -> list[Entry]:
         origin, scale = self.system.origin, self.system.scale
         found = []
         for name, (x, y, theta) in start.items():
@@ -50,10 +50,10 @@ class Wishes:
             body = self.system.bodies[name]
             if body:
                 target = ((x - origin[0]) / scale, (y - origin[1]) / scale, theta)
-                found.append(Wish("pose", name, target, max(self._done[3 * body : 3 * body + 3])))
+                found.append(Entry("pose", name, target, max(self._done[3 * body : 3 * body + 3])))
         return found
 
-    def _sketch(self) -> list[Wish]:
+    def _sketch(self) -> list[Entry]:
         system, mechanism = self.system, self.system.mechanism
         angles = {link.angle_symbol: link.name for link in mechanism.links[1:]}
         joints = {joint.symbol: joint for joint in mechanism.joints}
@@ -61,16 +61,16 @@ class Wishes:
         for point, quantities in mechanism.sketch.points.items():
             x, y = (number(quantity, system.dimensions) for quantity in quantities)
             target = ((x - system.origin[0]) / system.scale, (y - system.origin[1]) / system.scale)
-            found.append(Wish("point", point, target, self._settled(self._owner(point))))
+            found.append(Entry("point", point, target, self._settled(self._owner(point))))
         for symbol, quantity in mechanism.sketch.symbols.items():
             value = number(quantity, system.dimensions)
             if symbol in angles:
                 theta = system.column(angles[symbol]) + 2
-                found.append(Wish("angle", angles[symbol], (value,), self._done[theta]))
+                found.append(Entry("angle", angles[symbol], (value,), self._done[theta]))
             elif symbol in joints:
                 joint = joints[symbol]
                 block = max(self._settled(self._owner(joint.point)), self._settled(joint.on))
-                found.append(Wish("displacement", symbol, (value / system.scale,), block))
+                found.append(Entry("displacement", symbol, (value / system.scale,), block))
             elif symbol != mechanism.driver.symbol:
                 raise MechanismError(f'the sketch names "{symbol}", which is no variable')
         return found
@@ -97,11 +97,11 @@ class Wishes:
             return np.asarray(np.abs(off if driver.joint else off - 2 * np.pi * np.round(off / (2 * np.pi))))
         rough = np.zeros((1, self.system.columns))
         known = {self.system.mechanism.ground.name}
-        for wish in self.entries:
-            if wish.kind == "pose":
-                first = self.system.column(wish.name)
-                rough[0, first : first + 3] = wish.target
-                known.add(wish.name)
+        for entry in self.entries:
+            if entry.kind == "pose":
+                first = self.system.column(entry.name)
+                rough[0, first : first + 3] = entry.target
+                known.add(entry.name)
         joint = next((joint for joint in self.system.mechanism.joints if joint.name == driver.joint), None)
         base = driver.relative_to or self.system.mechanism.ground.name
         needed = {joint.link, joint.on} if joint else {driver.link, base}
@@ -115,35 +115,35 @@ class Wishes:
 
     def about(self, block: int) -> bool:
         """Whether an entry is decided by this block."""
-        return any(wish.block == block for wish in self.entries)
+        return any(entry.block == block for entry in self.entries)
 
     def cost(self, block: int, states: Array) -> Array:
         """Sum of squared distances (m,) of states (m, columns) from the entries that this block decides; NaN is far."""
         total = np.zeros(len(states))
-        for wish in self.entries:
-            if wish.block == block:
-                total += self._distance(wish, states)
+        for entry in self.entries:
+            if entry.block == block:
+                total += self._distance(entry, states)
         return np.where(np.isfinite(total), total, np.inf)
 
-    def _distance(self, wish: Wish, states: Array) -> Array:
-        if wish.kind == "displacement":
-            joint = next(j for j in self.system.mechanism.joints if j.symbol == wish.name)
+    def _distance(self, entry: Entry, states: Array) -> Array:
+        if entry.kind == "displacement":
+            joint = next(j for j in self.system.mechanism.joints if j.symbol == entry.name)
             along = displacement(self.system, joint, states, self._owner(joint.point))
-            return np.asarray((along - wish.target[0]) ** 2)
-        if wish.kind == "point":
-            place = point_places(self.system, self._owner(wish.name), wish.name, states)
-            return np.asarray(np.sum((place - np.array(wish.target)) ** 2, axis=1))
-        first = self.system.column(wish.name)
-        turned = (2 * np.sin((states[:, first + 2] - wish.target[-1]) / 2)) ** 2
-        if wish.kind == "angle":
+            return np.asarray((along - entry.target[0]) ** 2)
+        if entry.kind == "point":
+            place = point_places(self.system, self._owner(entry.name), entry.name, states)
+            return np.asarray(np.sum((place - np.array(entry.target)) ** 2, axis=1))
+        first = self.system.column(entry.name)
+        turned = (2 * np.sin((states[:, first + 2] - entry.target[-1]) / 2)) ** 2
+        if entry.kind == "angle":
             return np.asarray(turned)
-        return np.asarray(np.sum((states[:, first : first + 2] - np.array(wish.target[:2])) ** 2, axis=1) + turned)
+        return np.asarray(np.sum((states[:, first : first + 2] - np.array(entry.target[:2])) ** 2, axis=1) + turned)
 
     def turn(self, column: int) -> float | None:
         """The wished value of an angle's column, if there is one: it names the turn that the angle starts in."""
-        for wish in self.entries:
-            if wish.kind in ("angle", "pose") and self.system.column(wish.name) + 2 == column:
-                return wish.target[-1]
+        for entry in self.entries:
+            if entry.kind in ("angle", "pose") and self.system.column(entry.name) + 2 == column:
+                return entry.target[-1]
         return None
 
 

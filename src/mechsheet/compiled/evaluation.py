@@ -44,15 +44,3 @@ def computed(workbook: Workbook) -> Workbook:
                 yield strips[0] if len(strips) == 1 else [strip[row] for row in range(fill.rows) for strip in strips]
 
     return with_values(workbook, columns())
-
-
-def column_of(workbook: Workbook, title: str, col: int, first: int, last: int) -> list[Scalar]:
-    """What the cells of a column show, from row `first` to `last` (from 0), in a computed workbook."""
-    sheet = workbook.sheet(title)
-    cells: dict[int, Scalar] = {
-        cell.row: cell.content for cell in sheet.cells if cell.col == col and isinstance(cell.content, float | str)
-    }
-    for fill in sheet.fills:
-        if fill.col <= col < fill.col + fill.cols:
-            cells |= {row: fill.value(row, col) for row in range(fill.row, fill.row + fill.rows)}
-    return [cells.get(row) for row in range(first, last + 1)]

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mechsheet.areas import Area, area_of
-from mechsheet.cell_values import cell_value, typed
+from mechsheet.arguments.cell_values import cell_value, typed
+from mechsheet.arguments.ranges import Area, area_of
 from mechsheet.diagnostics import Fault, WorkbookError, near_miss, readable_name
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import CellRef, ErrorValue, Scalar

@@ -6,9 +6,9 @@ import pytest
 from edited import audited, edited, laid_out, saved
 
 from mechsheet.checking import check
-from mechsheet.checking.moves import NOTHING, Shift, moves_between, undone
+from mechsheet.checking.inserted_rows import NOTHING, Shift, moves_between, undone
 from mechsheet.checking.pull import pull
-from mechsheet.compute import book_of
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.formula.nodes import CellRef, ErrorValue, RangeRef, shifted, transform
 from mechsheet.sheet.workbook import Cell, Fill
 

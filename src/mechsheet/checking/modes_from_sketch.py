@@ -9,12 +9,13 @@ from dataclasses import replace
 import numpy as np
 
 from mechsheet.description import loads
-from mechsheet.description.rewrite import number_text, with_key, with_number, without_key
+from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_values, driver_values, number, solve
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 
@@ -92,9 +93,9 @@ def _symbol_value(
 ) -> float:
     """An angle or a displacement as a description writes it, rounded."""
     value = float(values[name][row])
-    if equations.of(name).unit != "angle":
+    if equations.of(name).unit.kind != "angle":
         return _rough(value, gap * max([abs(value), *_lengths(mechanism)]))
-    if mechanism.angle_unit == "deg":
+    if mechanism.angle_unit.in_degrees:
         return _rough(math.degrees(value), math.degrees(gap))
     return _rough(value, gap)
 
@@ -105,7 +106,7 @@ def _lengths(mechanism: Mechanism) -> list[float]:
 
 def _with_point(source: Source, name: str, pair: list[float]) -> Source:
     if ("assembly", name, 1) not in source.spots:
-        return with_key(source, ("assembly", name), f"[{number_text(pair[0])}, {number_text(pair[1])}]")
+        return with_value(source, ("assembly", name), f"[{number_text(pair[0])}, {number_text(pair[1])}]")
     for index, value in enumerate(pair):
         source = with_number(source, ("assembly", name, index), value)
     return source
@@ -132,7 +133,7 @@ def _gaps(
             point = equation.symbol.rpartition(".")[0]
             found[point] = np.hypot(found.get(point, np.zeros_like(apart)), apart / size)
         elif equation.role == "variable":
-            found[equation.symbol] = 2 * np.abs(np.sin(apart / 2)) if equation.unit == "angle" else apart / size
+            found[equation.symbol] = 2 * np.abs(np.sin(apart / 2)) if equation.unit.kind == "angle" else apart / size
     return found
 
 

@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 from chosen import IN_CI, some
-from mechsheet.building import compile_workbook
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.motion import motion_of
 from mechsheet.description import load, loads
-from mechsheet.motion import motion_of
+from mechsheet.library.building import compile_workbook
 from random_mechanisms import Grower
 
-TEMPLATES = sorted((Path(__file__).parent.parent / "templates").glob("*.toml"))
+TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 
 
 def shown_in_cells(workbook, plan, symbol):
@@ -29,7 +30,7 @@ def shown_in_cells(workbook, plan, symbol):
 
 def assert_same(mechanism):
     workbook, plan = compile_workbook(mechanism)
-    columns, units = motion_of(mechanism)
+    columns, units = motion_of(Compiled(mechanism))
     size = max([abs(value.value) for value in mechanism.dimensions if isinstance(value.value, float)], default=1.0)
     for symbol, column in columns.items():
         cells = shown_in_cells(workbook, plan, symbol)

@@ -7,24 +7,22 @@ import io
 import json
 import math
 
-from mechsheet.building import compile_workbook
+from mechsheet.compiled import compiled_of
+from mechsheet.compiled.motion import motion_of
 from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
-from mechsheet.kinematics.sketched import tell
-from mechsheet.kinematics.solve import solve
+from mechsheet.library.building import told
 from mechsheet.model import Mechanism
-from mechsheet.motion import motion_of
 from mechsheet.sheet.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
 
 
 def overview_text(mechanism: Mechanism) -> str:
     """Links, mobility, groups with their modes, and what the sketch left open."""
-    equations = solve(mechanism)
-    tell(mechanism, equations)
+    equations = told(mechanism).equations
     lines = [
         mechanism.title.of(mechanism.language),
         f"links: {', '.join(f'{link.number} {link.name}' for link in mechanism.links)}",
@@ -44,9 +42,7 @@ def overview_text(mechanism: Mechanism) -> str:
 
 def equations_text(mechanism: Mechanism) -> str:
     """All equations, one a line, by group; constants first."""
-    solved = solve(mechanism)
-    tell(mechanism, solved)
-    equations = lowered(mechanism, solved)
+    equations = lowered(mechanism, told(mechanism).equations)
     lines = ["constants"]
     lines += [_line(equation) for equation in equations.constants]
     group: int | None = None
@@ -80,19 +76,18 @@ def equations_json(mechanism: Mechanism) -> str:
             "symbol": equation.symbol,
             "expression": print_formula(equation.expression, "text"),
             "kind": equation.role,
-            "unit": equation.unit,
+            "unit": equation.unit.symbol if equation.unit.kind == "label" else equation.unit.kind,
             "group": equation.group,
             "label": {"en": equation.label.en, "tr": equation.label.tr},
         }
-        for equation in lowered(mechanism, solve(mechanism)).all
+        for equation in lowered(mechanism, compiled_of(mechanism).equations).all
     ]
     return json.dumps(rows, ensure_ascii=False, indent=1)
 
 
 def cells_text(mechanism: Mechanism) -> str:
     """Every cell and fill of the workbook, with its value."""
-    workbook, _ = compile_workbook(mechanism)
-    return cells_of_workbook(workbook)
+    return cells_of_workbook(told(mechanism).workbook)
 
 
 def cells_of_workbook(workbook: Workbook) -> str:
@@ -115,9 +110,8 @@ def cells_of_workbook(workbook: Workbook) -> str:
 
 def cells_json(mechanism: Mechanism) -> str:
     """{"sheet": {"A1": value}} of every cell."""
-    workbook, _ = compile_workbook(mechanism)
     sheets: dict[str, dict[str, object]] = {}
-    for sheet in workbook.sheets:
+    for sheet in told(mechanism).workbook.sheets:
         cells: dict[str, object] = {}
         for cell in sheet.cells:
             if cell.content is not None:
@@ -139,7 +133,7 @@ def json_value(value: Scalar) -> object:
 
 def variables_of(mechanism: Mechanism) -> dict[str, list[float | None]]:
     """Driver, variables, points and outputs, row by row, as people read them (degrees); None where there is no position."""
-    columns, _ = motion_of(mechanism)
+    columns, _ = motion_of(compiled_of(mechanism))
     return {
         name: [value if math.isfinite(value) else None for value in column.tolist()] for name, column in columns.items()
     }

@@ -1,0 +1,1 @@
+"""What callers give: numbers, names of files to write, ranges and values of cells."""

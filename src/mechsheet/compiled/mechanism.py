@@ -1,0 +1,114 @@
+"""All that follows from a mechanism, each part computed when it is first asked for, and once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import cached_property
+
+import numpy as np
+
+from mechsheet.compiled.evaluation import computed
+from mechsheet.formula.nodes import Scalar
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.sweep import sweep
+from mechsheet.model import Mechanism
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.layout import lay_out
+from mechsheet.sheet.plan import STATUS, Plan
+from mechsheet.sheet.workbook import Workbook
+
+
+class Compiled:
+    """A mechanism, its equations, their values over the sweep, its workbook.
+
+    modes  assembly modes that are given instead of picked from the sketch, by symbol
+
+    Every part raises MechanismError where the mechanism cannot be solved.
+    """
+
+    def __init__(self, mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> None:
+        self.mechanism = mechanism
+        self._given = modes
+
+    @cached_property
+    def equations(self) -> Equations:
+        """The equations in order of solution."""
+        return solve(self.mechanism, self._given)
+
+    @property
+    def modes(self) -> dict[str, int]:
+        """The assembly mode of each group that has two, by symbol."""
+        return {group.mode: group.mode_value for group in self.equations.groups if group.mode}
+
+    @cached_property
+    def driver(self) -> Array:
+        """The driver's values [rad or length unit]."""
+        return driver_values(self.mechanism, dimension_values(self.mechanism))
+
+    @cached_property
+    def values(self) -> Mapping[str, Array]:
+        """Every symbol's values over the sweep, in internal units; NaN where a position does not exist."""
+        return sweep(self.mechanism, self.equations, self.driver)
+
+    @property
+    def closed(self) -> Array:
+        """True in the rows in which every group can be joined, by the equations' own values."""
+        found = np.ones(len(self.driver), bool)
+        for group in self.equations.groups:
+            found &= np.isfinite(self.values[group.closes])
+        return found
+
+    @cached_property
+    def _laid_out(self) -> tuple[Workbook, Plan]:
+        return lay_out(self.mechanism, self.equations)
+
+    @property
+    def layout(self) -> Workbook:
+        """The workbook, its formulas without values yet."""
+        return self._laid_out[0]
+
+    @property
+    def plan(self) -> Plan:
+        """Where everything is in the workbook."""
+        return self._laid_out[1]
+
+    @cached_property
+    def workbook(self) -> Workbook:
+        """The workbook with the value of every formula."""
+        return computed(self.layout)
+
+    def column(self, col: int) -> list[Scalar]:
+        """What a column of the table of positions shows, row by row."""
+        return self._shown(self.plan.table, col, range(self.plan.at.first, self.plan.at.last + 1))
+
+    def number(self, spot: Spot, row: int) -> float:
+        """The number in a cell, or in that row (from 0) of a column; NaN for anything but a number."""
+        place = self.plan.at.first + row if spot.column else spot.row
+        (value,) = self._shown(spot.sheet, spot.col, range(place, place + 1))
+        return value if isinstance(value, float) else math.nan
+
+    def _shown(self, title: str, col: int, rows: range) -> list[Scalar]:
+        sheet = self.workbook.sheet(title)
+        cells: dict[int, Scalar] = {
+            cell.row: cell.content for cell in sheet.cells if cell.col == col and isinstance(cell.content, float | str)
+        }
+        for fill in sheet.fills:
+            if fill.col <= col < fill.col + fill.cols:
+                own = range(max(rows.start, fill.row), min(rows.stop, fill.row + fill.rows))
+                cells |= {row: fill.value(row, col) for row in own}
+        return [cells.get(row) for row in rows]
+
+    @cached_property
+    def exists(self) -> tuple[bool, ...]:
+        """In which rows the table of positions shows a position."""
+        ok = self.plan.text("status.ok")
+        return tuple(value == ok for value in self.column(STATUS))
+
+
+def compiled_of(mechanism: Mechanism) -> Compiled:
+    """A mechanism compiled; a linkage (`mechsheet.load`) keeps what was compiled of it."""
+    kept: Compiled | None = getattr(mechanism, "_compiled", None)
+    return Compiled(mechanism) if kept is None else kept

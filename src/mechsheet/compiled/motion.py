@@ -1,0 +1,31 @@
+"""The sweep in the units that people read, from the equations in numpy: no workbook is laid out for it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mechsheet.compiled.mechanism import Compiled
+from mechsheet.kinematics.numeric import Array
+
+SHOWN_ROLES = ("variable", "point", "output")
+
+
+def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
+    """Driver, variables, points and outputs, row by row, and the unit of each: "°", "mm", "" for a plain number.
+
+    Angles are continuous; NaN in rows in which some group cannot be joined. Raises MechanismError.
+    """
+    mechanism, values, exists = compiled.mechanism, compiled.values, compiled.closed
+    unit = mechanism.driver.unit
+    columns: dict[str, Array] = {
+        mechanism.driver.symbol: np.array([unit.written(float(value)) for value in compiled.driver])
+    }
+    units = {mechanism.driver.symbol: unit.text}
+    for equation in compiled.equations.columns:
+        symbol = equation.symbol
+        if equation.role not in SHOWN_ROLES or symbol in columns:
+            continue
+        unit = mechanism.shown(equation.unit)
+        units[symbol] = unit.text
+        columns[symbol] = np.where(exists & np.isfinite(values[symbol]), unit.to_shown(values[symbol]), np.nan)
+    return columns, units

@@ -1,0 +1,115 @@
+"""What quantities, links and groups are called, in both languages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from mechsheet.model import Link, Mechanism, Words
+
+NOTHING = Words("", "")
+
+TERMS = {
+    "arm": "kol",
+    "block": "kızak",
+    "coupler": "biyel",
+    "crank": "krank",
+    "frame": "gövde",
+    "ground": "sabit uzuv",
+    "input": "giriş uzvu",
+    "lever": "kol",
+    "output": "çıkış uzvu",
+    "piston": "piston",
+    "plunger": "piston",
+    "ram": "koç",
+    "rocker": "sarkaç",
+    "rod": "biyel",
+    "slider": "kızak",
+}
+"""English name of a link -> the Turkish one."""
+
+BLOCK = "block of "
+"""How the massless block of a pin-slot joint is called, before the joint's symbol."""
+
+PHRASES = {
+    # groups
+    "and": ("{first} and {second}", "{first} ve {second}"),
+    "group_pins": ("{links}: pins {pins}", "{links}: {pins} mafsalları"),
+    "group_slide": ("{links}: pins {pins}, slide {slide}", "{links}: {pins} mafsalları, {slide} kayması"),
+    "group_two_slides": ("{links}: pin {pin}, slides {slides}", "{links}: {pin} mafsalı, {slides} kaymaları"),
+    "left_of": ("{point} left of {start}→{end}", "{point}, {start}→{end} solunda"),
+    "right_of": ("{point} right of {start}→{end}", "{point}, {start}→{end} sağında"),
+    "larger_of_two": ("{symbol} the larger of two", "{symbol} ikisinden büyüğü"),
+    "smaller_of_two": ("{symbol} the smaller of two", "{symbol} ikisinden küçüğü"),
+    # lengths and places
+    "tolerance": ("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır"),
+    "fixed_point": ("{point}, fixed, {axis}", "{point}, sabit, {axis}"),
+    "coordinate": ("{point}, {axis} coordinate", "{point} noktası, {axis} koordinatı"),
+    "point_on": ("{point} on {link}", "{link}: {point}"),
+    "place_in_link": ("{point} in the frame of {link}", "{link} takımında {point}"),
+    "in_driven_pair": ("{name} in the frame of the driven pair", "{name}, tahrik çiftinin takımında"),
+    "origin": ("origin of {link}", "{link}: başlangıç noktası"),
+    "length_in_link": ("{start}–{end} on {link}", "{link}: {start}–{end}"),
+    "distance": ("distance {start}–{end}", "{start}–{end} uzaklığı"),
+    "part_of_way": ("{start}→{end}, {axis} part", "{start}→{end}, {axis} bileşeni"),
+    "displacement": ("displacement of {point} on {link}", "{point} noktasının ötelenmesi ({link} üzerinde)"),
+    "to_guide": ("{point} to the guide, {axis} part", "{point}'den kızağa, {axis} bileşeni"),
+    "along_guide": ("{point} to the guide's origin, along it", "{point}'den kızak başlangıcına, kızak boyunca"),
+    "across_guide": ("{point} to the guide, across it", "{point}'den kızağa dik uzaklık"),
+    "arm_along_guide": ("{start}–{end} along the guide", "kızak boyunca {start}–{end}"),
+    "way_along": ("{start}→{end} along {symbol}", "{symbol} boyunca {start}→{end}"),
+    "slot_offset": ("slot offset", "kanal kaçıklığı"),
+    "between_lines": ("from line 1 to line 2, {axis} part", "1. doğrudan 2. doğruya, {axis} bileşeni"),
+    # angles
+    "angle": ("angle {name}", "{name} açısı"),
+    "angle_of": ("angle of the {link}", "{link} açısı"),
+    "angle_of_link": ("angle of link {number}, {link}", "{number} numaralı uzvun açısı ({link})"),
+    "angle_in_link": ("angle {name} of {link}", "{link}: {name} açısı"),
+    "angle_between": ("angle between {start}→{end} and {symbol}", "{start}→{end} ile {symbol} arasındaki açı"),
+    "angle_to_guide": ("angle of {start}–{end} to the guide", "{start}–{end} ile kızak arasındaki açı"),
+    "transmission_angle": ("angle {name} (transmission)", "{name} açısı (bağlama)"),
+    "direction_of": ("direction of {what}", "{what} doğrultusu"),
+    "direction_in_link": ("direction of {point} on {link}", "{link}: {point} doğrultusu"),
+    "direction_of_guide": ("direction of the guide of {symbol}", "{symbol} kızağının doğrultusu"),
+    "sine_between_lines": ("sine of the angle between the lines", "doğrular arasındaki açının sinüsü"),
+    "sine_where_they_meet": ("the same; #N/A where the lines are parallel", "aynısı; doğrular paralelse #N/A"),
+    # what cells and programs need besides
+    "area": ("area of triangle {name}", "{name} üçgeninin alanı"),
+    "area_for": ("area of the triangle of {symbol}", "{symbol} üçgeninin alanı"),
+    "within_half_a_turn": ("{angle}, within half a turn", "{angle}"),
+    "margin": ("how far from coming apart (not joined below 0)", "ayrılmaya uzaklık (0'ın altında birleşmez)"),
+    "block": ("block of {symbol}", "{symbol} bloğu"),
+}  # fmt: skip
+"""Key -> English and Turkish, with the names of its parts."""
+
+
+def phrase(key: str, **parts: str | Words) -> Words:
+    """The phrase with its parts in place, each in its own language where it has words of its own."""
+    en, tr = PHRASES[key]
+    spelt = {name: part if isinstance(part, Words) else same(part) for name, part in parts.items()}
+    return Words(
+        en.format(**{name: part.en for name, part in spelt.items()}),
+        tr.format(**{name: part.tr for name, part in spelt.items()}),
+    )
+
+
+def same(text: str) -> Words:
+    """A text that is the same in both languages: a symbol, a name."""
+    return Words(text, text)
+
+
+def listed(words: Iterable[Words]) -> Words:
+    """Names beside each other."""
+    found = tuple(words)
+    return Words(" + ".join(each.en for each in found), " + ".join(each.tr for each in found))
+
+
+def link_words(link: Link) -> Words:
+    """A link: the label of the description, or the field's own word for a common name; another name stays as it is."""
+    return link.label or Words(link.name, TERMS.get(link.name, link.name))
+
+
+def body_words(mechanism: Mechanism, name: str) -> Words:
+    """A link, or the block of a pin-slot joint, by its name."""
+    if name.startswith(BLOCK):
+        return phrase("block", symbol=name.removeprefix(BLOCK))
+    return next((link_words(link) for link in mechanism.links if link.name == name), same(name))

@@ -1,0 +1,919 @@
+"""What the first sheet says of a motion, judged by a dense numerical sweep.
+
+The judge knows the equations as mathematics (`kinematics.sweep`), never the sheet's formulas: it sweeps the driver between its
+first and last value on a fine grid, finds by bisection and narrowing where the mechanism closes and where quantities are
+extreme, and compares with the named cells after inputs were typed. A wrong word counts as a failure.
+
+    python tests/sheet/claims.py [--random N] [--changes N]       all templates and N random mechanisms; counts by kind
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+import sys
+import time
+import zlib
+from collections import Counter
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "src")]
+
+from random_mechanisms import Grower  # noqa: E402
+
+from mechsheet.compiled.evaluation import book_of  # noqa: E402
+from mechsheet.description import load, loads  # noqa: E402
+from mechsheet.diagnostics import MechanismError  # noqa: E402
+from mechsheet.engine import compile_book  # noqa: E402
+from mechsheet.formula.nodes import CellRef, ErrorValue, transform  # noqa: E402
+from mechsheet.kinematics.equations import assembly_of  # noqa: E402
+from mechsheet.kinematics.numeric import value as number_of  # noqa: E402
+from mechsheet.kinematics.places import number  # noqa: E402
+from mechsheet.kinematics.solve import dimension_values, largest_length, solve  # noqa: E402
+from mechsheet.kinematics.sweep import sweep  # noqa: E402
+from mechsheet.sheet import styles  # noqa: E402
+from mechsheet.sheet.geometry import distance  # noqa: E402
+from mechsheet.sheet.layout import lay_out  # noqa: E402
+from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW  # noqa: E402
+from mechsheet.sheet.workbook import Fill, Sheet  # noqa: E402
+
+FINE = 20
+"""Places looked at between two rows."""
+
+TURN = 2 * math.pi
+NARROWINGS = 8
+EXTREME = 1e-4
+LIMIT = 1e-5
+COLOURS = {id(styles.BAD): "red", id(styles.WARN): "amber", id(styles.GOOD): "green"}
+
+
+@dataclass
+class Claims:
+    """What was found: how many claims of each kind, and the wrong ones."""
+
+    judged: Counter = field(default_factory=Counter)
+    wrong: list = field(default_factory=list)
+
+    def say(self, kind, right, *details):
+        self.judged[kind] += 1
+        if not right:
+            self.wrong.append((kind, *details))
+
+
+# --- the sheet -----------------------------------------------------------------------------------------------------------
+
+
+class Sheets:
+    """A mechanism's workbook, ready for changed inputs: without its drawing, with the first sheet's colour rules as cells."""
+
+    def __init__(self, mechanism):
+        self.mechanism = mechanism
+        self.equations = solve(mechanism)
+        workbook, self.plan = lay_out(mechanism, self.equations)
+        titles = self.plan.at.titles
+        needed = {titles[key] for key in ("mechanism", "positions", "checks", "extremes")}
+        self.rules = []
+        sheets = []
+        for sheet in workbook.sheets:
+            if sheet.title == self.plan.main:
+                sheet = self._with_rules(sheet)
+            sheets.append(sheet if sheet.title in needed else Sheet(sheet.title))
+        self.book = compile_book(book_of(replace(workbook, sheets=tuple(sheets))))
+        self.names = {name.name: name for name in workbook.names}
+        self.values = None
+
+    def _with_rules(self, sheet):
+        fills = []
+        for index, rule in enumerate(sheet.conditionals):
+            self.rules.append((rule.area, 60 + index, COLOURS.get(id(rule.style), "other")))
+            fills.append(Fill(0, 60 + index, rule.condition))
+        return replace(sheet, fills=(*sheet.fills, *fills))
+
+    def type(self, inputs):
+        """Type what stands in `inputs` by symbol, as shown; None empties a cell."""
+        changes = {}
+        for symbol, value in inputs.items():
+            spot = self.plan.at.spots[symbol]
+            changes[spot.sheet, spot.row, spot.col] = value
+        self.values = self.book.evaluate(changes)
+
+    def cell(self, row, col):
+        return self.values.get(self.plan.main, row, col)
+
+    def of(self, key, col=VALUE):
+        return self.cell(self.plan.blocks["verdicts"].rows[key], col)
+
+    def words(self, key):
+        return self.of(key, MEANING)
+
+    def spot(self, key):
+        spot = self.plan.at.spots[key]
+        return self.values.get(spot.sheet, spot.row, spot.col)
+
+    def colour(self, row, col):
+        """The colour of a cell of the first sheet: of the first rule that holds."""
+        for area, place, colour in self.rules:
+            inside = area.first_row <= row <= area.last_row and area.first_col <= col <= area.last_col
+            if inside and self.cell(0, place) is True:
+                return colour
+        return ""
+
+
+# --- the truth -----------------------------------------------------------------------------------------------------------
+
+
+class Truth:
+    """The motion between the first and the last value of the driver. Places `u` count rows from 1."""
+
+    def __init__(self, sheets, inputs):
+        mechanism, plan, equations = sheets.mechanism, sheets.plan, sheets.equations
+        self.plan = plan
+        given = dict(inputs)
+        changed = []
+        for dim in mechanism.dimensions:
+            if dim.symbol in given:
+                shown = given.pop(dim.symbol)
+                dim = replace(dim, value=math.radians(shown) if dim.unit.in_degrees else float(shown))
+            changed.append(dim)
+        driver = mechanism.driver
+        self.scale = math.degrees(1.0) if driver.unit.in_degrees else 1.0
+        self.mechanism = replace(mechanism, dimensions=tuple(changed))
+        self.dimensions = dimension_values(self.mechanism)
+        if driver.values:
+            self.start = self.step = 0.0
+            self.listed = np.array([number(value, self.dimensions) for value in driver.values])
+        else:
+            self.listed = None
+            self.start, self.step = (
+                given.pop(f"#{key}") / self.scale if f"#{key}" in given else number(getattr(driver, key), self.dimensions)
+                for key in ("start", "step")
+            )
+        groups = tuple(
+            replace(group, assembly=assembly_of(given.pop(group.mode))) if group.mode in given else group
+            for group in equations.groups
+        )
+        if given:
+            raise ValueError(f"unknown inputs: {given}")
+        self.equations = replace(equations, groups=groups)
+        self.size = largest_length(self.mechanism, self.dimensions) or 1.0
+        self.rows = plan.rows
+        self.margins = {}
+        for equation in equations.all:
+            for condition in equation.exists:
+                if condition.reach and equation.role != "constant":
+                    self.margins.setdefault(equation.group, condition.margin)
+        self.crossings = [
+            (equation.group, condition)
+            for equation in equations.columns
+            for condition in equation.exists
+            if not condition.reach
+        ]
+        fine = 1 if self.listed is not None else FINE
+        self.u = 1 + np.arange((self.rows - 1) * fine + 1) / fine
+        self.fine = fine
+        self.at = self.known(self.u)
+        self.there = self.exists(self.at)
+        self.row_there = self.there[::fine]
+        self._edges()
+        self._dips()
+
+    def driver(self, u):
+        if self.listed is not None:
+            return self.listed[np.rint(np.asarray(u) - 1).astype(int)]
+        return self.start + (np.asarray(u, float) - 1) * self.step
+
+    def known(self, u):
+        with np.errstate(all="ignore"):
+            return sweep(self.mechanism, self.equations, np.asarray(self.driver(u), float))
+
+    def exists(self, known):
+        there = np.ones(len(known[self.mechanism.driver.symbol]), dtype=bool)
+        for group in self.equations.groups:
+            there &= np.isfinite(known[group.closes])
+        return there
+
+    def _edges(self):
+        """Places where it begins or stops closing, between two places of the grid."""
+        changes = np.flatnonzero(self.there[1:] != self.there[:-1])
+        low, high = self.u[changes].copy(), self.u[changes + 1].copy()
+        state = self.there[changes]
+        if self.listed is None and len(changes):
+            for _ in range(45):
+                middle = (low + high) / 2
+                same = self.exists(self.known(middle)) == state
+                low, high = np.where(same, middle, low), np.where(same, high, middle)
+        self.edges = np.where(state, low, high)
+
+    def _narrow(self, function, places, width):
+        """Around each place the one with the least value of the function (vectorised over places)."""
+        best, half = np.asarray(places, float), np.full(len(places), width)
+        offsets = np.linspace(-1, 1, 9)
+        values = None
+        for _ in range(NARROWINGS):
+            u = np.clip(best[:, None] + half[:, None] * offsets, 1, self.rows)
+            values = function(u.ravel()).reshape(u.shape)
+            values = np.where(np.isnan(values), np.inf, values)
+            pick = np.argmin(values, axis=1)
+            best, half = u[np.arange(len(u)), pick], half / 3.5
+        return best, (np.min(values, axis=1) if values is not None else np.array([]))
+
+    def _dips(self):
+        """Places off the grid where it does not close (`dips`), or closes only there (`peeps`); doubtful ones apart."""
+        self.dips, self.peeps, self.doubt = [], [], []
+        if self.listed is not None or self.rows < 2:
+            return
+        for group, margin in self.margins.items():
+            with np.errstate(all="ignore"):
+                m = np.broadcast_to(number_of(margin, self.at), self.u.shape).astype(float)
+            for sign, found in ((1.0, self.dips), (-1.0, self.peeps)):
+                v = sign * m
+                inner = np.flatnonzero((v[1:-1] <= v[:-2]) & (v[1:-1] <= v[2:]) & (v[1:-1] < 0.2 * self.size) & (v[1:-1] >= 0)) + 1
+                if not len(inner):
+                    continue
+
+                def of(u, sign=sign, margin=margin):
+                    known = self.known(u)
+                    with np.errstate(all="ignore"):
+                        return sign * np.broadcast_to(number_of(margin, known), u.shape)
+
+                places, least = self._narrow(of, self.u[inner], 1.0 / self.fine)
+                for place, low in zip(places, least, strict=True):
+                    if abs(low) < 1e-9 * self.size:
+                        self.doubt.append(place)
+                    elif low < 0:
+                        found.append(place)
+        for _, condition in self.crossings:  # lines that turn parallel, pins that coincide, between two places
+            with np.errstate(all="ignore"):
+                c = number_of(condition.margin, self.at)
+            if np.ndim(c) == 0:
+                continue
+            inner = np.flatnonzero((c[1:-1] <= c[:-2]) & (c[1:-1] <= c[2:])) + 1
+
+            def near(u, condition=condition):
+                with np.errstate(all="ignore"):
+                    return np.broadcast_to(number_of(condition.margin, self.known(u)), u.shape)
+
+            if len(inner):
+                places, least = self._narrow(near, self.u[inner], 1.0 / self.fine)
+                scale = np.nanmax(c)
+                self.doubt += [place for place, low in zip(places, least, strict=True) if low < 1e-4 * scale]
+
+    # --- stretches -----------------------------------------------------------------------------------------------------
+
+    @property
+    def count(self):
+        return int(self.row_there.sum())
+
+    @property
+    def row_stretches(self):
+        """(first row, last row) of each stretch of rows that close, from 1."""
+        found, begun = [], None
+        for row, there in enumerate([*self.row_there, False], 1):
+            if there and begun is None:
+                begun = row
+            elif not there and begun is not None:
+                found.append((begun, row - 1))
+                begun = None
+        return found
+
+    @property
+    def holes(self):
+        """Places between two neighbouring rows that close, where it does not."""
+        found = list(self.dips)
+        found += [edge for edge in self.edges if self.row_there[math.floor(edge) - 1] and self.row_there[min(self.rows, math.ceil(edge)) - 1]]
+        return [u for u in found if self.row_there[math.floor(u) - 1] and self.row_there[min(self.rows, math.ceil(u)) - 1]]
+
+    def limits(self):
+        """(row before, possible places) for each change between neighbouring rows."""
+        rows = np.flatnonzero(self.row_there[1:] != self.row_there[:-1]) + 1
+        return [(int(row), [edge for edge in self.edges if row - 1e-9 <= edge <= row + 1 + 1e-9]) for row in rows]
+
+    @property
+    def whole(self):
+        """Whether the driver covers whole turns: its last value is its first again, or the next one would be."""
+        driver = self.mechanism.driver
+        if not driver.link or self.listed is not None or self.rows < 4:
+            return False
+        covered, more = (abs(self.step) * rows / TURN for rows in (self.rows - 1, self.rows))
+        return any(abs(round(part) - part) < 1e-9 and round(part) > 0 for part in (covered, more))
+
+    @property
+    def closes_everywhere(self):
+        return bool(self.there.all()) and not self.dips
+
+    @property
+    def doubtful(self):
+        return bool(self.doubt)
+
+    # --- quantities ----------------------------------------------------------------------------------------------------
+
+    def extremes(self, symbol, of=None):
+        """(least, where, largest, where) of a quantity over all that exists; None where it is nowhere a number."""
+        change = of or (lambda x: x)
+        column = np.asarray(change(self.at[symbol]), float)
+        found = []
+        for sign in (1.0, -1.0):
+            v = np.where(self.there, sign * column, np.inf)
+            if not np.isfinite(v).any():
+                return None
+            padded = np.concatenate(([np.inf], v, [np.inf]))
+            low = np.flatnonzero(np.isfinite(v) & (v <= padded[:-2]) & (v <= padded[2:]))
+            low = low[np.argsort(v[low])][:12]
+            starts = list(self.u[low])
+            best, where = v[low[0]], self.u[low[0]]
+            if self.listed is None and self.rows > 1:
+                edges = list(self.edges)
+                whole = self._held(column)
+
+                def near(u, sign=sign):
+                    known = self.known(u)
+                    raw = np.asarray(change(known[symbol]), float)
+                    nearest = np.clip(np.rint((u - 1) * self.fine).astype(int), 0, len(self.u) - 1)
+                    # the nearest place that exists, for whole turns
+                    held = whole[nearest]
+                    if self._turns(symbol):
+                        raw = raw - TURN * np.round((raw - held) / TURN)
+                    return np.where(self.exists(known), sign * raw, np.nan)
+
+                places, values = self._narrow(near, starts, 1.0 / self.fine)
+                if edges:
+                    places = np.concatenate((places, edges))
+                    values = np.concatenate((values, np.nan_to_num(near(np.array(edges)), nan=np.inf)))
+                pick = int(np.argmin(values))
+                if values[pick] < best:
+                    best, where = values[pick], places[pick]
+            found += [sign * best, where]
+        return tuple(found)
+
+    def _turns(self, symbol):
+        if symbol == self.mechanism.driver.symbol:
+            return False
+        equation = self.equations.of(symbol)
+        return equation.unit.kind == "angle"
+
+    def _held(self, column):
+        """The column with the nearest value before it, or the first, in places that do not exist."""
+        good = np.flatnonzero(np.isfinite(column) & self.there)
+        return column[good[np.clip(np.searchsorted(good, np.arange(len(column)), side="right") - 1, 0, len(good) - 1)]]
+
+    def value_at(self, symbol, driver_shown, of=None):
+        """The quantity at a value of the driver as shown, as the sweep reaches it."""
+        if self.step == 0 and self.listed is None:
+            return None
+        u = (
+            1 + (driver_shown / self.scale - self.start) / self.step
+            if self.listed is None
+            else 1 + float(np.argmin(np.abs(self.listed - driver_shown / self.scale)))
+        )
+        if not 1 - 1e-6 <= u <= self.rows + 1e-6:
+            return None
+        u = min(max(u, 1.0), float(self.rows))
+        known = self.known(np.array([u]))
+        raw = float(np.asarray((of or (lambda x: x))(known[symbol]))[0])
+        column = np.asarray((of or (lambda x: x))(self.at[symbol]), float)
+        if self._turns(symbol) and math.isfinite(raw):
+            held = self._held(column)[int(np.clip(round((u - 1) * self.fine), 0, len(self.u) - 1))]
+            raw -= TURN * round((raw - held) / TURN)
+        return raw
+
+    def turns_between_rows(self):
+        """The largest turn of each link between neighbouring rows that close, with all between them closing."""
+        found = {}
+        for link in self.mechanism.links[1:]:
+            symbol = link.angle_symbol
+            if symbol == self.mechanism.driver.symbol or not self.plan.equations.of(symbol).reads:
+                continue
+            column = self.at[symbol][:: self.fine]
+            found[symbol] = np.abs(np.diff(column))
+        return found
+
+
+# --- judging -------------------------------------------------------------------------------------------------------------
+
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
+
+
+def numbers_in(text):
+    return [float(part) for part in NUMBER.findall(text)]
+
+
+def close(found, truth, tolerance):
+    return isinstance(found, float) and abs(found - truth) <= tolerance
+
+
+def missing(value):
+    return isinstance(value, ErrorValue)
+
+
+def judge(sheets, inputs, claims, where):
+    """All that the first sheet says with these inputs."""
+    sheets.type(inputs)
+    _Judge(sheets, inputs, claims, where).all()
+
+
+class _Judge:
+    def __init__(self, sheets, inputs, claims, where):
+        self.sheets, self.plan, self.claims = sheets, sheets.plan, claims
+        self.where = (where, inputs)
+        self.inputs = inputs
+        self.found = self.plan.found
+        self.text = self.plan.text
+
+    def say(self, kind, right, *details):
+        self.claims.say(kind, bool(right), *self.where, *details)
+
+    def verdict(self, key, **parts):
+        return self.text(f"verdict.{key}", **parts)
+
+    def all(self):
+        self.no_errors_in_words()
+        if self.wrong_inputs():
+            self.refused()
+            return
+        try:
+            self.truth = Truth(self.sheets, {key: value for key, value in self.inputs.items() if key != "#position"})
+        except ValueError:  # a derived dimension that does not exist
+            self.say("impossible: red", self.sheets.colour(VERDICT_ROW, 0) == "red", self.sheets.colour(VERDICT_ROW, 0))
+            return
+        if self.truth.step == 0 and self.truth.listed is None:
+            return
+        if any(not np.isfinite(self.truth.at[each.symbol]).all() for each in self.truth.equations.constants):
+            self.say("impossible: red", self.sheets.colour(VERDICT_ROW, 0) == "red", self.sheets.colour(VERDICT_ROW, 0))
+            return
+        self.rows_closed()
+        self.line()
+        if not self.truth.count:
+            loops = [f"grashof_{loop.group}" for loop in self.found.four_bars]
+            for key in self.found.entries:
+                if key not in ("rows_closed", "input_from", *loops):
+                    self.say("nothing else said where nothing closes", not self.sheets.words(key), key, self.sheets.words(key))
+        if self.found.limits:
+            self.limits()
+            self.input_range()
+            self.passes()
+        self.gap_and_leaps()
+        for loop in self.found.four_bars:
+            self.grashof(loop)
+        # what happens between rows that the sheet warns of is not said to be known
+        self.warned = self.found.limits and self.sheets.of("passes") != 0.0
+        for link in self.found.swings:
+            self.extent(f"swing_{link.angle_symbol}", link.angle_symbol, True)
+        for joint in self.found.strokes:
+            self.extent(f"stroke_{joint.symbol}", joint.symbol, False)
+        for symbol in self.found.returning:
+            self.ratio(symbol)
+        for group in self.found.transmission:
+            self.transmission(group)
+        for summary in self.plan.mechanism.summaries:
+            self.summary(summary)
+
+    def wrong_inputs(self):
+        spots = self.plan.at.spots
+        for symbol, value in self.inputs.items():
+            if symbol in self.plan.equations.positive and not (isinstance(value, float) and value > 0):
+                return True
+            if symbol in {group.mode for group in self.plan.equations.groups} and value not in (1.0, -1.0):
+                return True
+            if symbol == "#position" and not (isinstance(value, float) and value in range(self.plan.rows)):
+                return True
+            assert symbol in spots
+        return False
+
+    def refused(self):
+        sheets = self.sheets
+        if set(self.inputs) != {"#position"}:
+            self.say("wrong input: no row closes", sheets.of("rows_closed") == 0.0, sheets.of("rows_closed"))
+        self.say("wrong input: red", sheets.colour(VERDICT_ROW, 0) == "red", sheets.colour(VERDICT_ROW, 0))
+        line = sheets.cell(VERDICT_ROW, 0)
+        self.say("wrong input: words", isinstance(line, str) and line.startswith(self.verdict("line.inputs")[:12]), line)
+
+    def no_errors_in_words(self):
+        sheets = self.sheets
+        texts = [sheets.cell(VERDICT_ROW, 0), *(sheets.words(key) for key in self.found.entries)]
+        for summary in self.plan.mechanism.summaries:
+            texts.append(sheets.cell(self.plan.blocks["summary"].rows[summary.symbol], MEANING))
+        for text in texts:
+            self.say("words without errors", isinstance(text, str) and "#" not in text, text)
+
+    # --- rows and stretches ----------------------------------------------------------------------------------------------
+
+    def rows_closed(self):
+        truth, sheets = self.truth, self.sheets
+        count = sheets.of("rows_closed")
+        self.say("rows_closed", count == truth.count, count, truth.count)
+        words = sheets.words("rows_closed")
+        if truth.count == 0:
+            right = words == self.verdict("rows.none")
+        elif truth.count == truth.rows:
+            right = words == self.verdict("rows.all")
+        else:
+            ends = [float(truth.driver(end)) * truth.scale for stretch in truth.row_stretches[:3] for end in stretch]
+            said = numbers_in(words)
+            right = words.startswith(self.verdict("rows.some")) and (not said or np.allclose(said, ends[: len(said)], atol=0.0051))
+            right = right and (words.endswith("…") or len(said) == 2 * len(truth.row_stretches))
+        self.say("rows_closed words", right, words, truth.row_stretches)
+
+    def limits(self):
+        truth, sheets = self.truth, self.sheets
+        limits = truth.limits()
+        count = sheets.of("limits")
+        self.say("limits", count == len(limits), count, len(limits))
+        words = sheets.words("limits")
+        if words == self.verdict("limits.none"):
+            self.say("limits words", truth.closes_everywhere or truth.doubtful or (truth.count == 0 and not truth.peeps and not truth.there.any()),
+                     words, list(truth.edges), truth.dips, truth.peeps)
+        if truth.listed is not None:
+            return
+        for number_, (row, places) in enumerate(limits[:4], 1):
+            key = f"#limit_{number_}"
+            if key not in self.plan.at.spots:
+                continue
+            shown = sheets.spot(key)
+            u = 1 + (shown / truth.scale - truth.start) / truth.step if isinstance(shown, float) else math.nan
+            tolerance = LIMIT if not truth.doubtful and self.verdict("about") not in words else 5e-2
+            self.say("limit", any(abs(u - place) <= tolerance for place in places), number_, u, places)
+            if isinstance(shown, float) and number_ <= 2:
+                said = numbers_in(words)
+                self.say("limit in words", not said or len(said) < number_ or abs(said[number_ - 1] - shown) < 0.0051, words, shown)
+        for number_ in range(len(limits) + 1, 5):
+            if f"#limit_{number_}" in self.plan.at.spots:
+                shown = sheets.spot(f"#limit_{number_}")
+                self.say("limit", missing(shown) or shown == "", number_, shown)
+
+    def input_range(self):
+        truth, sheets = self.truth, self.sheets
+        low, high, words = sheets.of("input_from"), sheets.of("input_to"), sheets.words("input_from")
+        if not truth.count:
+            self.say("input", missing(low) and missing(high), low, high)
+            return
+        about = self.verdict("about") in sheets.words("limits")
+        first, last = truth.row_stretches[0]
+        ends = []
+        for row, other in ((first, first - 1), (last, last + 1)):
+            between = [edge for edge in truth.edges if min(row, other) - 1e-9 <= edge <= max(row, other) + 1e-9]
+            inside = 1 <= other <= truth.rows
+            ends.append(between if inside and between and truth.listed is None else [float(row)])
+        for shown, places in zip((low, high), ends, strict=True):
+            right = isinstance(shown, float) and any(
+                abs(shown - float(truth.driver(place)) * truth.scale) <= (LIMIT if not truth.doubtful and not about else 5e-2) * abs(truth.step) * truth.scale + 1e-9
+                for place in places
+            )
+            self.say("input", right, low, high, [[float(truth.driver(p)) * truth.scale for p in places] for places in ends])
+        free = truth.whole and truth.closes_everywhere
+        if words == self.verdict("input.free"):
+            self.say("input words", free or truth.doubtful, words)
+        else:
+            self.say("input words", not free, words)
+
+    def passes(self):
+        truth, sheets = self.truth, self.sheets
+        shown, words = sheets.of("passes"), sheets.words("passes")
+        if not truth.count:
+            return
+        holes = truth.holes
+        if truth.doubtful and not holes:
+            return
+        self.say("passes", (shown != 0.0) == bool(holes), shown, holes)
+        if words == self.verdict("passes.all"):
+            self.say("passes words", not holes, words, holes)
+        elif words:
+            place = numbers_in(words)
+            near = [float(truth.driver(hole)) * truth.scale for hole in holes]
+            step = abs(truth.step) * truth.scale
+            self.say("passes words", any(abs(place[0] - hole) <= step for hole in near), words, near)
+
+    def gap_and_leaps(self):
+        truth, sheets = self.truth, self.sheets
+        gap = sheets.of("largest_gap")
+        words = sheets.words("largest_gap")
+        if truth.count:
+            self.say("largest_gap", isinstance(gap, float) and gap <= 1e-9 * truth.size, gap)
+            self.say("largest_gap words", words == self.verdict("gap.closed"), words)
+        turned = truth.turns_between_rows()
+        most = math.radians(90.0)
+        far = np.zeros(truth.rows - 1, dtype=bool)
+        doubt = False
+        for column in turned.values():
+            far |= column > most
+            doubt |= bool(np.any(np.abs(column - most) < 1e-6))
+        shown = sheets.of("leaps")
+        far &= truth.row_there[1:] & truth.row_there[:-1]
+        if not doubt and not truth.holes and not truth.doubtful:
+            self.say("leaps", (shown > 0) == bool(far.any()), shown, int(far.sum()))
+
+    # --- lines -----------------------------------------------------------------------------------------------------------
+
+    def line(self):
+        truth, sheets = self.truth, self.sheets
+        line, colour = sheets.cell(VERDICT_ROW, 0), sheets.colour(VERDICT_ROW, 0)
+        if truth.count == 0:
+            self.say("verdict", line.startswith(self.verdict("line.nowhere")[:12]), line)
+            self.say("verdict colour", colour == "red", colour)
+            return
+        if truth.count == truth.rows:
+            self.say("verdict", line.startswith(self.verdict("line.all", rows=truth.rows)), line)
+            if not truth.doubtful:
+                self.say("verdict colour", colour == ("amber" if truth.holes else "green"), colour, truth.holes)
+        else:
+            said = numbers_in(line.split(";")[0])
+            self.say("verdict", sorted(said[:2]) == sorted([truth.count, truth.rows]), line, truth.count)
+            self.say("verdict colour", colour == "amber", colour)
+
+    def grashof(self, loop):
+        truth, sheets = self.truth, self.sheets
+        ground = truth.mechanism.ground
+        links = ((ground, loop.start, loop.end), (loop.first, loop.start, loop.pin), (loop.coupler, loop.pin, loop.inner), (loop.last, loop.end, loop.inner))
+        known = truth.dimensions
+        constants = {name: float(column[0]) for name, column in truth.at.items() if truth.equations_constant(name)}
+        lengths = [float(number_of(distance(*link), {**constants, **known})) for link in links]
+        low, high, total = min(lengths), max(lengths), sum(lengths)
+        excess = 2 * (low + high) - total
+        key = f"grashof_{loop.group}"
+        tolerance = 1e-8 * truth.size
+        self.say("grashof", close(sheets.of(key), excess, tolerance), sheets.of(key), excess)
+        near = 1e-9 * truth.size
+        index = lengths.index(low)
+        ties = [i for i, length in enumerate(lengths) if abs(length - low) <= near]
+        from mechsheet.words.equations import link_words
+
+        names = [None, loop.first, None, loop.last]
+        if 2 * high - total > near:
+            word = "open"
+        elif abs(excess) <= 2 * near:
+            word = "change"
+        elif excess > 0:
+            word = "none"
+        else:
+            word = ("both", "one", "coupler", "one")[index]
+        link = link_words(names[index]).of(self.plan.language) if names[index] else ""
+        expected = f"{loop.name}: {self.verdict(f'grashof.{word}', link=link)}"
+        doubtful = abs(abs(excess) - near) < near or (len(ties) > 1 and word in ("both", "one", "coupler"))
+        if not doubtful:
+            self.say("grashof words", sheets.words(key) == expected, sheets.words(key), expected)
+
+    # --- quantities ------------------------------------------------------------------------------------------------------
+
+    def scale_of(self, symbol):
+        return math.degrees(1.0) if self.plan.at.spots[symbol].degrees else 1.0
+
+    def continuous(self, symbol):
+        """Whether the rows follow the angle: nothing turns by half a turn or more from row to row."""
+        return all(np.nanmax(column, initial=0.0) < math.pi for column in self.truth.turns_between_rows().values())
+
+    def extent(self, key, symbol, angle):
+        truth, sheets = self.truth, self.sheets
+        shown, words = sheets.of(key), sheets.words(key)
+        if not truth.count:
+            self.say(key.split("_")[0], missing(shown), shown)
+            return
+        if len(truth.row_stretches) > 1:
+            self.say(key.split("_")[0], missing(shown), shown)
+            self.say(key.split("_")[0] + " words", words.startswith(self.verdict("swing.several")), words)
+            return
+        if words == self.verdict("unsure"):
+            self.say("unsure", sheets.of("leaps") > 0, words)
+            return
+        if truth.holes or truth.doubtful:
+            return  # warned of by `passes`, judged there
+        low, _, high, _ = truth.extremes(symbol)
+        range_ = high - low
+        scale = self.scale_of(symbol)
+        crank = False
+        if angle and truth.whole and truth.closes_everywhere:
+            column = truth.at[symbol]
+            crank = abs(column[-1] - column[0]) > math.pi
+        expected = (TURN if crank else range_) * scale
+        about = words.endswith(self.verdict("about"))
+        tolerance = (2e-2 if about else EXTREME) * expected + 1e-8 * (scale if angle else truth.size)
+        kind = key.split("_")[0] + ("" if self.continuous(symbol) else " (rows too far apart)")
+        self.say(kind, close(shown, expected, tolerance), shown, expected, words)
+        if angle:
+            word = ("crank" if crank else "rocker") if truth.whole and truth.closes_everywhere else "turned"
+            self.say(kind + " words", words.startswith(self.verdict(word)), words, word)
+
+    def ratio(self, symbol):
+        truth, sheets = self.truth, self.sheets
+        shown = sheets.of(f"time_ratio_{symbol}")
+        goes = truth.whole and truth.closes_everywhere and truth.count == truth.rows
+        if truth.doubtful or truth.holes:
+            return
+        if goes:
+            column = truth.at[symbol]
+            if truth._turns(symbol) and abs(column[-1] - column[0]) > math.pi:
+                goes = False
+        if not goes:
+            self.say("time_ratio", missing(shown), shown)
+            return
+        if sheets.words(f"time_ratio_{symbol}") == self.verdict("unsure"):
+            return
+        low, u_low, high, u_high = truth.extremes(symbol)
+        if high - low < 1e-7 * (1.0 if truth._turns(symbol) else truth.size):
+            self.say("time_ratio", missing(shown), shown, "constant")
+            return
+        lows, highs = (self._ties(symbol, best) for best in (low, high))
+        candidates = []
+        for a in (u_low, *lows):
+            for b in (u_high, *highs):
+                way = (abs(b - a) * abs(truth.step)) % TURN
+                if 0 < way < TURN:
+                    candidates.append(max(way, TURN - way) / min(way, TURN - way))
+        about = sheets.words(f"time_ratio_{symbol}").endswith(self.verdict("about"))
+        right = isinstance(shown, float) and any(abs(shown - ratio) <= (2e-2 if about else 2e-3) * ratio for ratio in candidates)
+        kind = "time_ratio" + ("" if self.continuous(symbol) else " (rows too far apart)")
+        self.say(kind, right, shown, candidates[:3])
+
+    def _ties(self, symbol, best):
+        truth = self.truth
+        column = truth.at[symbol]
+        span = np.nanmax(column) - np.nanmin(column)
+        return list(truth.u[np.abs(column - best) < 2e-4 * span])[:200]
+
+    def transmission(self, group):
+        truth, sheets = self.truth, self.sheets
+        key, symbol = f"transmission_{group.number}", group.transmission
+        shown, words, at = sheets.of(key), sheets.words(key), sheets.of(key, TOLERANCE)
+        if not truth.count:
+            self.say("transmission", missing(shown), shown)
+            return
+        if truth.holes or truth.doubtful or sheets.of("leaps") > 0:
+            return
+        if missing(shown) and len(truth.limits()) > 4:
+            return
+        if group.kind == "RRR":
+            def fold(x):
+                return np.minimum(x, math.pi - x)
+        else:
+            def fold(x):
+                return math.pi / 2 - np.abs(x)
+        least, _, most, _ = truth.extremes(symbol, fold)
+        degrees = self.plan.mechanism.angle_unit.in_degrees
+        scale = math.degrees(1.0) if degrees else 1.0
+        tolerance = (EXTREME * max(most - least, 1e-3) + 2e-6) * scale
+        if self.verdict("about") in words:
+            tolerance = 0.02 * scale
+        self.say("transmission", close(shown, least * scale, tolerance), shown, least * scale, words)
+        if isinstance(at, float) and isinstance(shown, float):
+            there = truth.value_at(symbol, at, fold)
+            self.say("transmission at", there is not None and close(there * scale, shown, 10 * tolerance), at, shown, there)
+        else:
+            self.say("transmission at", False, at)
+        if degrees and abs(least * scale - 40) > 1e-3:
+            word = self.verdict("poor" if least * scale < 40 else "fair")
+            self.say("transmission words", word in words, words, word)
+        low, _, high, _ = truth.extremes(symbol, (lambda x: x) if group.kind == "RRR" else (lambda x: math.pi / 2 - np.abs(x)))
+        said = numbers_in(words)
+        digits = 0.051 if degrees else 0.0051
+        if self.verdict("about") in words:
+            digits += 0.02 * scale
+        self.say("transmission range", len(said) >= 2 and abs(said[0] - low * scale) <= digits and abs(said[1] - high * scale) <= digits,
+                 words, low * scale, high * scale)
+
+    def summary(self, summary):
+        truth, sheets = self.truth, self.sheets
+        row = self.plan.blocks["summary"].rows[summary.symbol]
+        shown, at = sheets.cell(row, VALUE), sheets.cell(row, TOLERANCE)
+        kind = f"summary {summary.take}"
+        words = sheets.cell(row, MEANING)
+        partly = self.text("summary.part", count=truth.count, rows=truth.rows) in words
+        self.say("summary words", partly == (truth.count < truth.rows), words, truth.count)
+        if not truth.count:
+            self.say(kind, missing(shown), shown)
+            return
+        if truth.holes or truth.doubtful:
+            return
+        if (missing(shown) and len(truth.limits()) > 4) or sheets.of("leaps") > 0:
+            return
+        symbol = summary.of
+        output = next((out for out in truth.mechanism.outputs if out.symbol == symbol), None)
+        if symbol == truth.mechanism.driver.symbol:
+            scale = truth.scale
+        elif output is not None:
+            scale = math.degrees(1.0) if output.unit.in_degrees else 1.0
+        else:
+            scale = self.scale_of(symbol)
+        if not self.continuous(symbol) and truth._turns(symbol):
+            return
+        if len(truth.row_stretches) > 1 and truth._turns(symbol) and missing(shown):
+            return
+        column = truth.at[symbol][:: truth.fine] * scale
+        there = np.flatnonzero(truth.row_there)
+        extremes = truth.extremes(symbol)
+        if extremes is None:  # an output that does not exist
+            self.say(kind, missing(shown), shown)
+            return
+        low, _, high, _ = (part * scale for part in extremes)
+        range_ = high - low
+        floor = 1e-8 * max(abs(high), abs(low), 1e-12) + 1e-9
+        expected = {
+            "min": low, "max": high, "range": range_, "mean": float(np.mean(column[there])),
+            "first": column[there[0]], "last": column[there[-1]],
+        }[summary.take]  # fmt: skip
+        about = self.verdict("about") in words
+        tolerance = (2e-2 if about else EXTREME) * range_ + floor
+        if len(truth.row_stretches) > 1 and truth._turns(symbol):
+            return  # turns counted anew in each stretch
+        self.say(kind, close(shown, expected, tolerance), shown, expected, words)
+        if summary.take in ("min", "max") and isinstance(at, float) and symbol != truth.mechanism.driver.symbol:
+            there = truth.value_at(symbol, at)
+            self.say("summary at", there is not None and close(there * scale, expected, 10 * tolerance), at, there, expected)
+
+
+def _constant(self, name):
+    return any(equation.symbol == name for equation in self.equations.constants)
+
+
+Truth.equations_constant = _constant
+
+
+# --- changes -------------------------------------------------------------------------------------------------------------
+
+
+def shown_inputs(sheets):
+    """What the yellow cells of dimensions, start, step and modes hold, by symbol."""
+    found = {}
+    for dim in sheets.mechanism.dimensions:
+        if not dim.derived:
+            found[dim.symbol] = dim.shown if dim.shown is not None else math.degrees(dim.value) if dim.unit.in_degrees else float(dim.value)
+    return found
+
+
+def change(sheets, random):
+    """Random changes of some yellow cells."""
+    plan, driver = sheets.plan, sheets.mechanism.driver
+    inputs = {}
+    spread = random.choice([0.02, 0.1, 0.3, 0.6])
+    for symbol, value in shown_inputs(sheets).items():
+        dim = next(each for each in sheets.mechanism.dimensions if each.symbol == symbol)
+        if random.random() < 0.4:
+            continue
+        inputs[symbol] = float(value + math.degrees(random.normal(0, spread))) if dim.unit.in_degrees else float(value * math.exp(random.uniform(-spread, spread)))
+    if not driver.values and driver.link:
+        degrees = 1.0 if driver.unit.in_degrees else math.radians(1.0)
+        if isinstance(driver.start, float) and random.random() < 0.5:
+            inputs["#start"] = round(random.uniform(-180, 360), 3) * degrees
+        if isinstance(driver.step, float) and random.random() < 0.5:
+            whole = 360 / (plan.rows - 1)
+            steps = [whole, -whole, 360 / plan.rows, random.uniform(0.2, 1.5) * whole, -random.uniform(0.2, 1) * whole]
+            inputs["#step"] = float(steps[int(random.integers(len(steps)))]) * degrees
+    for group in plan.equations.groups:
+        if group.mode and random.random() < 0.3:
+            inputs[group.mode] = -float(group.mode_value)
+    return inputs
+
+
+def random_sheets(seed, dyads, rows=25, step=15.0, language="en"):
+    """The workbook of a random mechanism, or None where it has none."""
+    try:
+        return Sheets(loads(Grower(seed, dyads).text(rows, step, language)))
+    except MechanismError:
+        return None
+
+
+def report(claims, limit=12):
+    """Counts by kind, and some of the wrong claims of each."""
+    wrong = Counter(entry[0] for entry in claims.wrong)
+    print(f"{sum(wrong.values())} wrong of {sum(claims.judged.values())} claims")
+    for kind, count in sorted(claims.judged.items()):
+        print(f"  {kind:40} {wrong[kind]:6} of {count}")
+    shown = Counter()
+    for entry in claims.wrong:
+        shown[entry[0]] += 1
+        if shown[entry[0]] <= limit:
+            print(*entry)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--random", type=int, default=60)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--changes", type=int, default=10)
+    parser.add_argument("--templates", default="*")
+    parser.add_argument("--seeds", default="")
+    parser.add_argument("--show", type=int, default=12)
+    given = parser.parse_args()
+    claims = Claims()
+    begun = time.perf_counter()
+    runs = []
+    for path in sorted((ROOT / "templates").glob(f"{given.templates}.toml")):
+        runs.append((path.stem, lambda path=path: Sheets(load(path))))
+    for seed in [int(part) for part in given.seeds.split(",")] if given.seeds else range(given.first, given.first + given.random):
+        runs.append((f"random {seed}", lambda seed=seed: random_sheets(seed, 1 + seed % 3)))
+    for name, make in runs:
+        sheets = make()
+        if sheets is None:
+            continue
+        random = np.random.default_rng(zlib.crc32(name.encode()))
+        judge(sheets, {}, claims, name)
+        for _ in range(given.changes):
+            judge(sheets, change(sheets, random), claims, name)
+        print(f"{name}: {len(claims.wrong)} of {sum(claims.judged.values())}, {time.perf_counter() - begun:.0f} s", file=sys.stderr)
+    report(claims, given.show)
+
+
+if __name__ == "__main__":
+    main()
