@@ -23,7 +23,6 @@ from mechsheet.sheet.outlines import corners, direction_of, line_end, through_of
 from mechsheet.sheet.page.degrees import together
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
 from mechsheet.sheet.page.top import LEAST, MOST, over_rows
-from mechsheet.sheet.plan import unit_text
 from mechsheet.sheet.points import moving_points, pins_of
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shapes import link_color
@@ -389,7 +388,7 @@ class PageDrawing:
         """The driver's value in the upper left corner, and what does not close."""
         plan = self.plan
         driver = plan.mechanism.driver
-        unit = unit_text(driver.unit)
+        unit = driver.unit.text
         value = Call("ROUND", (self._quantity(driver.symbol), Number(3.0)))
         said = self._indexed("#status")
         words: Node = joined(f"{plain(driver.symbol)} = ", value, unit if unit in ("", "°") else f" {unit}", "  ", said)

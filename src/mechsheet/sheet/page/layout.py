@@ -191,7 +191,7 @@ def _axis(plan: PagePlan, symbol: str) -> Axis:
     """Degrees in sensible steps; its ends are left to the program, since start, step and rows are not fixed."""
     unit = shown_unit(plan, symbol)
     title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
-    if symbol != plan.mechanism.driver.symbol or plan.mechanism.driver.unit != "deg":
+    if symbol != plan.mechanism.driver.symbol or not plan.mechanism.driver.unit.in_degrees:
         return Axis(title)
     extent = math.degrees(max(plan.driver) - min(plan.driver))
     return Axis(title, step=next((float(step) for step in STEPS if extent / step <= 8), None) if extent else None)

@@ -29,6 +29,7 @@ from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.lowering import Assignment, Assignments, guarded
 from mechsheet.sheet.mathematics import law_of_cosines
 from mechsheet.sheet.quoted import formula
+from mechsheet.units import LENGTH
 
 DIGITS = 12
 """Digits of a cosine or sine that count."""
@@ -185,7 +186,7 @@ class _Lowering:
             if isinstance(margin, Call) and margin.name == "MIN":
                 parts = [part for part in margin.args if not self._stays(self._seen(part))]
                 margin = al.smallest(parts) if parts else al.ONE
-            near = NEAR * (1.0 if equation.unit == "number" else self.size)
+            near = NEAR * (1.0 if equation.unit.kind == "number" else self.size)
             if not self._stays(self._seen(margin)) and self._least(margin) < near:
                 found.append(Condition(self._seen(margin), condition.least))
         return found
@@ -217,7 +218,7 @@ class _Lowering:
                 if all(name in self.known for name in symbols(tree)):
                     name = self.names.reserve(f"{'s' if group.kind == 'RRR' else 'r'}_{axis}", group.number)
                     label = Words(f"{other.label.en}, {axis} part", f"{other.label.tr}, {axis} bileşeni")
-                    self._add(Equation(name, tree, "intermediate", "length", label, group.number), tree, tree)
+                    self._add(Equation(name, tree, "intermediate", LENGTH, label, group.number), tree, tree)
                     self.legs[tree] = Symbol(name)
 
     def _group(self, equation: Equation) -> Group | None:

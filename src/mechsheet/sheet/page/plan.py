@@ -158,16 +158,16 @@ def _name_places(plan: PagePlan, modes: list[str]) -> None:
     taken = {folded(cell) for cell in cells.values() if cell}
     for dim in mechanism.dimensions:
         row = rows["derived" if dim.derived else "dimensions"][dim.symbol]
-        _place(plan, dim.symbol, row, dim.unit == "deg", cells[dim.symbol] or dim.symbol, taken)
+        _place(plan, dim.symbol, row, dim.unit.in_degrees, cells[dim.symbol] or dim.symbol, taken)
     for equation in plan.equations.constants:
-        degrees = plan.shown_in_degrees(equation.unit)
+        degrees = mechanism.shown(equation.unit).in_degrees
         _place(plan, equation.symbol, rows["derived"][equation.symbol], degrees, equation.symbol, taken)
     for key in plan.lengths:
         _place(plan, key, rows["derived"][key], False, f"length_{key.removeprefix('#')}", taken)
     for mode in modes:
         _place(plan, mode, rows["assembly"][mode], False, mode, taken)
     for key, row in rows.get("sweep", {}).items():
-        _place(plan, f"#{key}", row, mechanism.driver.unit == "deg", plan.text(f"name.{key}"), taken)
+        _place(plan, f"#{key}", row, mechanism.driver.unit.in_degrees, plan.text(f"name.{key}"), taken)
     for key, row in rows.get("position", {}).items():
         _place(plan, f"#{key}", row, False, plan.text("name.position"), taken)
     for key, row in rows["verdicts"].items():
@@ -196,14 +196,14 @@ def _plan_table(plan: PagePlan) -> None:
     plan.at.first = plan.note_row + 3 + plan.grouped
     plan.at.last = plan.at.first + plan.rows - 1
     driver = plan.mechanism.driver
-    outputs = {output.symbol: output.unit == "deg" for output in plan.mechanism.outputs}
+    outputs = {output.symbol for output in plan.mechanism.outputs}
     columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
-    degrees = {driver.symbol: driver.unit == "deg"}
+    degrees = {driver.symbol: driver.unit.in_degrees}
     for col, equation in enumerate(plan.equations.columns, 1):
         inner = equation.role == "intermediate"
         group = -1 if equation.symbol in outputs else equation.group
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
-        degrees[equation.symbol] = outputs.get(equation.symbol, plan.shown_in_degrees(equation.unit))
+        degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees
     columns.append(TableColumn(len(columns), "#status", "status", -2, False))
     plan.columns += columns
     for column in columns:

@@ -6,15 +6,16 @@ import math
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
-from mechsheet.formula.parser import parse_description
 from mechsheet.sheet import styles
+from mechsheet.sheet.blocks import shown_unit
 from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.page.degrees import in_degrees, together
 from mechsheet.sheet.page.plan import PagePlan
 from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
-from mechsheet.sheet.positions import first_open, heading, places, shown_number
+from mechsheet.sheet.positions import first_open, places
 from mechsheet.sheet.quoted import SHOWN, formula
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
 
 MOST_STEPPED = 400
@@ -108,7 +109,8 @@ class Table:
 
     def _column(self, column: TableColumn) -> None:
         plan, first = self.plan, self.plan.at.first
-        title = "" if column.kind == "status" else heading(plan, column)
+        unit = shown_unit(plan, column.symbol) if column.kind != "status" else ""
+        title = rich(column.symbol, f" [{unit}]" if unit else "") if column.kind != "status" else ""
         self.cells.append(Cell(plan.symbol_row, column.col, title or None, styles.HEAD))
         self.cells.append(
             Cell(plan.symbol_row + 1, column.col, self.mathematics[column.col] or None, styles.FORMULA_TEXT)
@@ -130,15 +132,15 @@ class Table:
 
     def _driver(self) -> None:
         plan, driver, first = self.plan, self.plan.mechanism.driver, self.plan.at.first
-        degrees = driver.unit == "deg"
-        style = styles.decimals(styles.COLUMN, places(plan, "angle" if driver.unit in ("deg", "rad") else "length"))
+        degrees = driver.unit.in_degrees
+        style = styles.decimals(styles.COLUMN, places(plan, driver.unit.kind))
         if driver.values:
             for row, value in enumerate(driver.values, first):
-                if isinstance(value, str):
-                    node = self._bound(parse_description(value), row)
-                    self.fills.append(Fill(row, 0, in_degrees(node) if degrees else node, style))
+                if isinstance(value, float):
+                    self.cells.append(Cell(row, 0, driver.unit.written(value), styles.INPUT))
                 else:
-                    self.cells.append(Cell(row, 0, shown_number(value, degrees), styles.INPUT))
+                    node = self._bound(value, row)
+                    self.fills.append(Fill(row, 0, in_degrees(node) if degrees else node, style))
             return
         start = self._bound(self._checked(Symbol("#start")), first)
         self.fills.append(Fill(first, 0, start, style))
@@ -167,7 +169,7 @@ class Table:
             raise ValueError(f"a column without an equation: {column.symbol}")
         self.comments.append(Comment(plan.symbol_row, column.col, equation.label.of(plan.language)))
         inner = styles.INNER if column.inner else styles.COLUMN
-        style = styles.decimals(inner, places(plan, equation.unit))
+        style = styles.decimals(inner, places(plan, equation.unit.kind))
         node = self._bound(equation.expression, first)
         degrees = plan.at.spots[column.symbol].degrees
         value = in_degrees(node) if degrees else node

@@ -6,20 +6,18 @@ from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
-from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.equations import Group
-from mechsheet.kinematics.naming import body_words, link_words
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.page.degrees import in_degrees, together
 from mechsheet.sheet.page.plan import PagePlan, sides_of
-from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW, unit_text
-from mechsheet.sheet.positions import shown_number
+from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.words.equations import body_words, link_words
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
@@ -116,23 +114,24 @@ class Top:
             label = dim.label.of(plan.language) if dim.label else ""
             if dim.tolerance:
                 label = f"{label} (±{dim.tolerance:g})".strip()
-            self.line(row, rich(dim.symbol), unit_text(dim.unit), label)
-            shown = dim.shown if dim.shown is not None else shown_number(dim.value, dim.unit == "deg")
-            self.put(row, VALUE, shown, styles.INPUT)
+            self.line(row, rich(dim.symbol), dim.unit.text, label)
+            if isinstance(dim.value, float):
+                shown = dim.shown if dim.shown is not None else dim.unit.written(dim.value)
+                self.put(row, VALUE, shown, styles.INPUT)
             self.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
 
     def _sweep(self) -> None:
         plan, driver = self.plan, self.plan.mechanism.driver
         if "sweep" not in plan.blocks:
             return
-        rows, degrees = plan.blocks["sweep"].rows, driver.unit == "deg"
+        rows, degrees = plan.blocks["sweep"].rows, driver.unit.in_degrees
         meanings = {"start": plan.text("page.start", driver=plain(driver.symbol)), "step": plan.text("page.step.words")}
         for key, quantity in (("start", driver.start), ("step", driver.step)):
-            self.line(rows[key], plan.text(f"name.{key}"), unit_text(driver.unit), meanings[key])
-            if isinstance(quantity, str):
-                self._result(rows[key], parse_description(quantity), degrees, styles.RESULT)
+            self.line(rows[key], plan.text(f"name.{key}"), driver.unit.text, meanings[key])
+            if isinstance(quantity, float):
+                self.put(rows[key], VALUE, driver.unit.written(quantity), styles.INPUT)
             else:
-                self.put(rows[key], VALUE, shown_number(quantity, degrees), styles.INPUT)
+                self._result(rows[key], quantity, degrees, styles.RESULT)
 
     def _modes(self) -> None:
         plan = self.plan
@@ -174,20 +173,21 @@ class Top:
         plan = self.plan
         rows = plan.blocks["derived"].rows
         for dim in plan.mechanism.dimensions:
-            if dim.derived and isinstance(dim.value, str):
-                unit = {"deg": "angle", "rad": "angle", "1": "number"}.get(dim.unit, "length")
-                label = dim.label.of(plan.language) if dim.label else dim.value
-                self.line(rows[dim.symbol], rich(dim.symbol), unit_text(dim.unit), label)
-                self._result(rows[dim.symbol], parse_description(dim.value), dim.unit == "deg", value_style(plan, unit))
+            if not isinstance(dim.value, float):
+                label = dim.label.of(plan.language) if dim.label else dim.written
+                self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, label)
+                self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
         for key, tree in plan.lengths.items():
             words = plan.text("page.length", name=key.removeprefix("#"))
             self.line(rows[key], key.removeprefix("#"), plan.mechanism.length_unit, words)
             self._result(rows[key], tree, False, value_style(plan, "length"))
         for equation in plan.equations.constants:
             row = rows[equation.symbol]
-            self.line(row, rich(equation.symbol), plan.unit_shown(equation.unit), equation.label.of(plan.language))
+            self.line(
+                row, rich(equation.symbol), plan.mechanism.shown(equation.unit).text, equation.label.of(plan.language)
+            )
             small = equation.symbol == plan.equations.tolerance
-            style = styles.numbered(styles.RESULT, "0.0E+00") if small else value_style(plan, equation.unit)
+            style = styles.numbered(styles.RESULT, "0.0E+00") if small else value_style(plan, equation.unit.kind)
             self._result(row, equation.expression, plan.at.spots[equation.symbol].degrees, style)
 
     def _verdicts(self) -> None:
@@ -224,7 +224,7 @@ class Top:
         )  # fmt: skip
         words = formula(
             "loop&IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which)))",
-            loop=loop.name, excess=excess, shortest=shortest, coupler=coupler, which=which,
+            loop=f"{loop.name}: ", excess=excess, shortest=shortest, coupler=coupler, which=which,
             open=said("open"), change=said("change"), none=said("none"),
         )  # fmt: skip
         self.line(row, plan.text("verdict.grashof"), plan.mechanism.length_unit, words)
@@ -247,7 +247,7 @@ class Top:
             least = formula("MIN(low,half-high)", low=low, high=high, half=half)
         else:  # the rod against the guide: the angle of transmission is what is missing to a right one
             least = formula("half/2-MAX(high,-low)", low=low, high=high, half=half)
-        self.line(row, f"μ{group.number}", plan.unit_shown("angle"), plan.text("page.transmission"))
+        self.line(row, f"μ{group.number}", plan.mechanism.angle_unit.text, plan.text("page.transmission"))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
         self.fill(row, VALUE, value, value_style(plan, "angle"))
 
@@ -262,7 +262,7 @@ class Top:
             parts += ["; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)]
         for group in plan.found.transmission[:1]:
             value = self.cell(f"#transmission_{group.number}")
-            unit = plan.unit_shown("angle")
+            unit = plan.mechanism.angle_unit.text
             parts += [text("page.verdict.transmission"), formula("ROUND(value,1)", value=value),
                       f"{'' if unit == '°' else ' '}{unit}{text('page.verdict.rows')}"]  # fmt: skip
         first = CellRef(plan.at.first, 0, True, True)
@@ -292,10 +292,10 @@ class Top:
             )
             meaning = plan.text("page.take.rows", label=label)
             self.line(row, rich(summary.symbol), shown_unit(plan, summary.of), meaning)
-            turning = summary.of == plan.mechanism.driver.symbol
-            unit = "angle" if turning else plan.equations.of(summary.of).unit
+            driver = plan.mechanism.driver
+            kind = (driver.unit if summary.of == driver.symbol else plan.equations.of(summary.of).unit).kind
             value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=self._taken(summary))
-            self.fill(row, VALUE, value, value_style(plan, unit))
+            self.fill(row, VALUE, value, value_style(plan, kind))
 
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""
