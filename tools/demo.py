@@ -15,6 +15,9 @@ from mechsheet.model import Mechanism
 SMALL = 20
 """Workbooks of up to so many rows are also judged by `formulas`, which needs 10 to 20 ms a cell with our long formulas."""
 
+PAGES = ("adjustable-pump", "fivelink", "four-bar", "slider-crank")
+"""Templates that are built in both layouts."""
+
 
 def demo(templates: Path, generated: Path) -> bool:
     """Build and check; True when everything agrees."""
@@ -27,7 +30,12 @@ def demo(templates: Path, generated: Path) -> bool:
     fine = True
     for description in descriptions:
         mechanism = load(description)
-        for path in build(mechanism, generated, FORMATS, force=True):
+        files = build(mechanism, generated, FORMATS, force=True)
+        if description.stem in PAGES:
+            for ending in FORMATS:
+                path = generated / f"{description.stem}-page.{ending}"
+                files += build(mechanism, path, force=True, layout="page")
+        for path in files:
             programs = ["formulas"] if path.suffix == ".xlsx" and _rows(mechanism) <= SMALL else []
             report = check(path, programs)
             fine = fine and report.agrees

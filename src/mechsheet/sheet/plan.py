@@ -119,6 +119,16 @@ class Plan:
         return words(self.language, key, **parts)
 
     @property
+    def status_column(self) -> int:
+        """The column of the table that says what does not close."""
+        return self.at.spots["#status"].col
+
+    @property
+    def ok(self) -> str:
+        """What it says where everything closes."""
+        return self.text("status.ok")
+
+    @property
     def main(self) -> str:
         """Title of the first sheet."""
         return self.at.titles["mechanism"]

@@ -52,12 +52,9 @@ NOTE_LINE, NOTE_CHARACTERS = 15.0, 1.1
 VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 34.0, 28.0, 24.0
 
 
-def lay_out_page(mechanism: Mechanism, equations: Equations, drawing: bool = True) -> tuple[Workbook, PagePlan]:
-    """The workbook of one visible sheet (its formulas have no values yet) and the plan that it follows.
-
-    drawing  False leaves the drawing out, and what it needs to the right of the table
-    """
-    plan = plan_page(mechanism, equations, drawing)
+def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, PagePlan]:
+    """The workbook of one visible sheet (its formulas have no values yet) and the plan that it follows."""
+    plan = plan_page(mechanism, equations)
     title = mechanism.title.of(plan.language)
     properties = Properties(
         title=title,

@@ -67,14 +67,14 @@ class PagePlan(Plan):
         return self.at.last + SPARE
 
     @property
-    def status_column(self) -> int:
-        """The last column, which says what does not close."""
-        return len(self.columns) - 1
+    def ok(self) -> str:
+        """The status says something only where a group does not close."""
+        return ""
 
 
-def plan_page(mechanism: Mechanism, equations: Equations, drawn: bool) -> PagePlan:
+def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     """The plan of a mechanism's page."""
-    language = mechanism.language
+    language, drawn = mechanism.language, mechanism.drawing
     titles = dict.fromkeys(SHEETS, words(language, "sheet.mechanism"))
     titles["description"] = words(language, "sheet.description")
     values = driver_values(mechanism, dimension_values(mechanism))
