@@ -231,7 +231,7 @@ class Mechanism:
     language: Literal["en", "tr"] = "en"
     references: Literal["names", "anchors"] = "names"
     layout: Literal["sheets", "page"] = "sheets"
-    drawing: bool = True
+    drawn: bool = True
     text: str = ""
     file: str = field(default="", compare=False)
 

@@ -122,7 +122,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "tables": results.tables(_part(data, "tables", []), driven.symbol if driven else None, scope),
         "language": _choice(workbook, "language", "en"),
         "layout": (layout := _choice(workbook, "layout", "sheets")),
-        "drawing": workbook.get("drawing", True) is not False,
+        "drawn": workbook.get("drawing", True) is not False,
         "references": _choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     name = _name(head, report)

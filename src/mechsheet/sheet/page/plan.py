@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from mechsheet.formula.names import folded, safe_name
@@ -67,6 +67,11 @@ class PagePlan(Plan):
         return self.at.last + SPARE
 
     @property
+    def plain(self) -> Mapping[str, Node]:
+        """What has no cell of its own: points that are written where they are read."""
+        return self.page.plain
+
+    @property
     def ok(self) -> str:
         """The status says something only where a group does not close."""
         return ""
@@ -74,7 +79,7 @@ class PagePlan(Plan):
 
 def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     """The plan of a mechanism's page."""
-    language, drawn = mechanism.language, mechanism.drawing
+    language, drawn = mechanism.language, mechanism.drawn
     titles = dict.fromkeys(SHEETS, words(language, "sheet.mechanism"))
     titles["description"] = words(language, "sheet.description")
     values = driver_values(mechanism, dimension_values(mechanism))
