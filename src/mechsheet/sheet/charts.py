@@ -168,6 +168,7 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
 
 
 def chart_title(plan: Plan, request: ChartRequest) -> str:
+    """What stands over curves, where the description has no title."""
     driver = plain(request.x)
     equations = [plan.equations.of(symbol) for symbol in request.y]
     if len(equations) == 1 and equations[0].role == "output":

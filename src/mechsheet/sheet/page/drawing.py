@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, Unary, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, Unary, symbols, transform
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Joint, Link
 from mechsheet.sheet import styles
@@ -51,6 +51,8 @@ class PageDrawing:
         self.fills: list[Fill] = []
         self.row = 2
         self.shown: dict[str, CellRef] = {}
+        self.last_corner = ""
+        self.swings: dict[str, tuple[CellRef, CellRef, CellRef]] = {}
         self.corners: dict[str, tuple[CellRef, CellRef]] = {}
         self.path_columns = 0
         self._text(NAME, plan.text("page.drawing"))
@@ -175,9 +177,11 @@ class PageDrawing:
                 link, pin = pivot
                 centre = self._at_position(Symbol(f"{pin}.{axis}"))
                 arm = self._at_position(distance(link, pin, point))
-                rows = self._over_rows(Symbol(symbol))
-                lows.append(formula("IFERROR(SUMPRODUCT(MIN(rows)),least)", rows=rows, least=al.sub(centre, arm)))
-                highs.append(formula("IFERROR(SUMPRODUCT(MAX(rows)),most)", rows=rows, most=al.add(centre, arm)))
+                least, most = al.sub(centre, arm), al.add(centre, arm)
+                if link.name != plan.mechanism.driver.link:
+                    least, most = self._swing(symbol, least, most)
+                lows.append(least)
+                highs.append(most)
             elif point in fixed:
                 lows.append(self._at_position(Symbol(symbol)))
                 highs.append(lows[-1])
@@ -187,22 +191,41 @@ class PageDrawing:
             return [al.ZERO], [al.ZERO]
         return lows, highs
 
-    def _over_rows(self, node: Node) -> Node:
-        """A tree over symbols for all rows of the table at once."""
-        plan, at = self.plan, self.plan.at
+    def _swing(self, symbol: str, least: Node, most: Node) -> tuple[Node, Node]:
+        """From where to where a coordinate of a rocker's point goes, nearly; of the whole circle, where it turns far.
 
-        def change(part: Node) -> Node:
-            if not isinstance(part, Symbol):
-                return part
-            if part.name not in at.spots:
-                return self._over_rows(plan.page.plain[part.name])
-            spot = at.spots[part.name]
-            if not spot.column:
-                return at.reference(part.name, plan.main, None)
-            column = at.column(part.name, plan.main)
-            return Call("RADIANS", (column,)) if spot.degrees else column
+        By the ends and the middle of its swing: what lies between is at most 13 % of the arm farther out.
+        """
+        at = self.plan.at
+        tree = self.plan.page.plain.get(symbol)
+        moving = [name for name in symbols(tree) if self._has_column(name)] if tree else []
+        if tree is None or len(set(moving)) != 1:
+            return least, most
+        turn = moving[0]
+        ends = self._ends(turn)
+        degrees = at.spots[turn].degrees
 
-        return al.tidied(transform(node, change))
+        def there(cell: CellRef) -> Node:
+            angle: Node = Call("RADIANS", (cell,)) if degrees else cell
+            return self._at_position(transform(tree, lambda part: angle if part == Symbol(turn) else part))
+
+        low, middle, high = ends
+        near = formula("high-low<=far", high=high, low=low, far=120.0 if degrees else 2.0)
+        places = tuple(there(cell) for cell in (low, middle, high))
+        return (
+            formula("IF(near,some,least)", near=near, some=Call("MIN", places), least=least),
+            formula("IF(near,some,most)", near=near, some=Call("MAX", places), most=most),
+        )
+
+    def _ends(self, symbol: str) -> tuple[CellRef, CellRef, CellRef]:
+        """Least, middle and largest of an angle, as people read it."""
+        if symbol not in self.swings:
+            column = self._table_column(symbol, self.plan.last_looked_at)
+            self._text(NAME, rich(symbol))
+            low, high = self._formula(X, over_rows(LEAST, column)), self._formula(Y, over_rows(MOST, column))
+            self.swings[symbol] = low, self._formula(MIDDLE, formula("(low+high)/2", low=low, high=high)), high
+            self.row += 1
+        return self.swings[symbol]
 
     def _slide_extent(self, symbol: str, lows: list[Node], highs: list[Node]) -> None:
         """Of a coordinate that is a displacement of the table, or a constant."""
@@ -253,6 +276,7 @@ class PageDrawing:
             x = self._formula(X, self._chart_x(self._at_position(Symbol(f"{point}.x"))))
             y = self._formula(Y, self._chart_y(self._at_position(Symbol(f"{point}.y"))))
             self.corners[point] = x, y
+        self.last_corner = point
         self.row += 1
 
     def _link(self, link: Link) -> Series | None:
@@ -266,7 +290,11 @@ class PageDrawing:
                 return None
             self._corner(order[0])
             return None
-        for point in (*order, order[0]) if len(order) > 2 else order:
+        if order[0] == self.last_corner:  # where the link before ends, this one begins
+            first, order = first - 1, (*order[1:], order[0]) if len(order) > 2 else order[1:]
+        elif len(order) > 2:
+            order = (*order, order[0])
+        for point in order:
             self._corner(point)
         driven = plan.mechanism.driver.link or next(
             joint.link for joint in plan.mechanism.joints if joint.name == plan.mechanism.driver.joint
