@@ -129,7 +129,8 @@ class Either:
     shapes: tuple[Shape, ...]
 
 
-Shape: TypeAlias = "Number | Integer | YesNo | Quantity | Text | Words | Items | Named | Table | Kinds | Either"  # a string: it is recursive
+# A string: it is recursive.
+Shape: TypeAlias = "Number | Integer | YesNo | Quantity | Text | Words | Items | Named | Table | Kinds | Either"
 
 PAIR = Items(Quantity(), 2, 2, "[x, y]")
 _LABEL = Key(Words(), "what it is called, in one language or both")

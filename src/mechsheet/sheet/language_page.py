@@ -39,6 +39,11 @@ PAGE: dict[str, tuple[str, str]] = {
     "page.of": ("of ", "/ "),
     "page.verdict.all": ("closes in all ", "bütün konumlarda kapanıyor: "),
     "page.verdict.some": ("closes in ", "kapandığı konum: "),
+    "page.verdict.nowhere": ("closes in no position", "hiçbir konumda kapanmıyor"),
+    "page.verdict.inputs": (
+        "look at the yellow cells: a length is not above 0, or an assembly is neither 1 nor -1",
+        "sarı hücrelere bakın: 0'dan büyük olmayan bir uzunluk ya da 1 / -1 olmayan bir montaj var",
+    ),
     "page.verdict.of": (" of ", " / "),
     "page.verdict.positions": (" positions", ""),
     "page.transmission": ("least transmission angle in these rows", "bu satırlarda en küçük bağlama açısı"),

@@ -35,6 +35,9 @@ NAME, X, Y, MIDDLE = range(4)
 MARGIN = 1.25
 """How much larger than everything that moves the window is."""
 
+FEW_POINTS = 3
+"""So many moving points have their extents in one formula."""
+
 LEFT, BOTTOM, CAPTION = -0.95, -0.95, 0.93
 STYLE = styles.decimals(styles.INNER, 4)
 WORDS = replace(styles.INNER, name="", align="left", wrap=True)
@@ -180,6 +183,12 @@ class PageDrawing:
                 least, most = al.sub(centre, arm), al.add(centre, arm)
                 if link.name != plan.mechanism.driver.link:
                     least, most = self._swing(symbol, least, most)
+                    if (
+                        len(moving_points(plan.mechanism)) > FEW_POINTS
+                    ):  # in cells of its own: one formula would be long
+                        self._text(NAME, rich(symbol))
+                        least, most = self._formula(X, least), self._formula(Y, most)
+                        self.row += 1
                 lows.append(least)
                 highs.append(most)
             elif point in fixed:

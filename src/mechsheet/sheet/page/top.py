@@ -217,9 +217,10 @@ class Top:
             return plan.text(f"verdict.grashof.{word}", loop="", link=turning)
 
         turning = [link_words(link).of(plan.language) for link in (loop.first, loop.last)]
+        others = [Call("MIN", (*lengths[:index], *lengths[index + 1 :])) for index in range(3)]
         which = formula(
-            "IF(ground=shortest,both,IF(first=shortest,crank,IF(coupler=shortest,rockers,follower)))",
-            ground=ground, first=first, coupler=coupler, shortest=shortest, both=said("both"),
+            "IF(ground<=a,both,IF(first<=b,crank,IF(coupler<=c,rockers,follower)))",
+            ground=ground, first=first, coupler=coupler, a=others[0], b=others[1], c=others[2], both=said("both"),
             crank=said("one", turning[0]), rockers=said("coupler"), follower=said("one", turning[1]),
         )  # fmt: skip
         words = formula(
@@ -255,9 +256,9 @@ class Top:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
         plan, text = self.plan, self.plan.text
         count, rows = self.cell("#rows_closed"), Call("COUNT", (filled,))
-        some = joined(text("page.verdict.some"), count, text("page.verdict.of"), rows, text("page.verdict.positions"))
-        every = joined(text("page.verdict.all"), rows, text("page.verdict.positions"))
-        parts: list[Node | str] = [formula("IF(n=rows,every,some)", n=count, rows=rows, every=every, some=some)]
+        some = joined(text("page.verdict.some"), count, text("page.verdict.of"))
+        counted = formula("IF(n=rows,every,some)", n=count, rows=rows, every=text("page.verdict.all"), some=some)
+        parts: list[Node | str] = [counted, rows, text("page.verdict.positions")]
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)]
         for group in plan.found.transmission[:1]:
@@ -268,7 +269,7 @@ class Top:
         first = CellRef(plan.at.first, 0, True, True)
         words = formula(
             "IF(ISNUMBER(first),IF(n=0,nowhere,good),inputs)", first=first, n=count, good=joined(*parts),
-            nowhere=text("verdict.line.nowhere"), inputs=text("verdict.line.inputs"),
+            nowhere=text("page.verdict.nowhere"), inputs=text("page.verdict.inputs"),
         )  # fmt: skip
         self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
