@@ -4,17 +4,13 @@ from dataclasses import replace
 
 from mechsheet.checking import Comparison
 from mechsheet.checking.against_reference import against_plan
+from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.engine import evaluate
 from mechsheet.formula.nodes import CellRef, walk
-from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
-from mechsheet.sheet.checks import checks_sheet
-from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.mechanism import mechanism_sheet
-from mechsheet.sheet.plan import Plan, plan_of
-from mechsheet.sheet.positions import positions_sheet
-from mechsheet.sheet.workbook import Fill, Properties, Workbook
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.workbook import Fill, Workbook
 
 
 def judged(mechanism: Mechanism, changes: dict[str, float] | None = None) -> Comparison:
@@ -30,15 +26,9 @@ def judged(mechanism: Mechanism, changes: dict[str, float] | None = None) -> Com
 
 
 def positions_only(mechanism: Mechanism) -> tuple[Workbook, Plan]:
-    """The workbook without what reads the positions: that is nine tenths of its formulas, and not what is judged here.
-
-    The same cells as `lay_out` makes: tests/property holds the two against each other.
-    """
-    plan = plan_of(mechanism, solve(mechanism))
-    checks_sheet(plan)  # the first sheet has the addresses of its verdicts
-    sheets = (mechanism_sheet(plan), positions_sheet(plan))
-    workbook = with_typed_constants(Workbook(sheets, tuple(plan.names), Properties()))
-    return only_positions(workbook, plan), plan
+    """The workbook without what reads the positions: that is most of its formulas, and not what is judged here."""
+    compiled = Compiled(mechanism)
+    return only_positions(compiled.layout, compiled.plan), compiled.plan
 
 
 def only_positions(workbook: Workbook, plan: Plan) -> Workbook:

@@ -15,6 +15,7 @@ from small import CRANK, run
 import mechsheet
 from chosen import part
 from mechsheet.compiled import Compiled
+from mechsheet.formats import read
 from mechsheet.formats.seal import is_untouched
 
 posix = pytest.mark.skipif(os.name == "nt", reason="Windows has no such files")
@@ -263,13 +264,13 @@ def test_new_lists_titles():
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
-        ((), "closes in 25 of 25 positions"),
-        (("a2=50",), "closes in 22 of 25 positions, not from 165° to 195°"),
+        ((), "closes in all 25 positions; A0ABB0: crank-rocker, crank turns; transmission angle"),
+        (("a2=50",), "closes in 22 / 25 positions; A0ABB0: triple rocker"),
         (("step", "35"), "the step misses the stop (360°): the last row is 350°"),
     ],
 )
 def test_one_line_says_whether_it_closes(tmp_path, settings, said):
-    from mechsheet.cli.verdict import verdict
+    from mechsheet.library.verdicts import verdict
 
     text = (Path(__file__).parents[2] / "templates" / "four-bar.toml").read_text(encoding="utf-8")
     overrides = {}
@@ -284,7 +285,10 @@ def test_one_line_says_whether_it_closes(tmp_path, settings, said):
 def test_build_prints_the_verdict_beside_the_names(here):
     result = run("build", "mine.toml")
     assert result.stdout == "mine.xlsx\n", "names only: they can be piped"
-    assert result.stderr == "mine.toml: closes in 5 of 5 positions\n"
+    line = read(Path("mine.xlsx")).sheets[0].cached.get(1, 0)
+    assert result.stderr == f"mine.toml: {line}\n", "the line of the first sheet"
+    assert "closes in all 5 positions" in result.stderr
+    assert result.stderr.removeprefix("mine.toml: ") in run("show", "mine.toml").stdout
 
 
 # --- numbers given to the library ----------------------------------------------------------------------------------

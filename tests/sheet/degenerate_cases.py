@@ -14,12 +14,10 @@ class Case:
     why           what it is about
     description   the text of the description
     missing       rows without a position, from 0 on
-    undetermined  those of them whose position is undetermined
-    shared        rows in which both assemblies of a group meet
-    leaps         rows to which the mechanism leaps
+    undetermined  those of them in which links can turn freely: the reference tells them apart
+    leaps         rows that a link reaches by a turn of more than 90 degrees
     says          a part of the status of every missing row; or of the message, where the description is refused
     refused       True where building must fail with a message
-    clear         False where the sheet of checks must not be clear
     values        {symbol: {row: value}} as people read them
     """
 
@@ -28,11 +26,9 @@ class Case:
     description: str
     missing: frozenset[int] = frozenset()
     undetermined: frozenset[int] = frozenset()
-    shared: frozenset[int] = frozenset()
     leaps: frozenset[int] = frozenset()
     says: str = ""
     refused: bool = False
-    clear: bool = True
     values: dict[str, dict[int, float]] = field(default_factory=dict)
 
 
@@ -44,7 +40,7 @@ def cases(folder: str) -> list[Case]:
 def _case(path: Path) -> Case:
     data = tomllib.loads(path.read_text(encoding="utf-8"))
     expect = data.get("expect", {})
-    sets = {key: frozenset(_rows(expect.get(key, []))) for key in ("missing", "undetermined", "shared", "leaps")}
+    sets = {key: frozenset(_rows(expect.get(key, []))) for key in ("missing", "undetermined", "leaps")}
     values = {
         symbol: {int(row): value for row, value in rows.items()} for symbol, rows in expect.get("values", {}).items()
     }
@@ -55,7 +51,6 @@ def _case(path: Path) -> Case:
         **sets,
         says=expect.get("says", ""),
         refused=expect.get("refused", False),
-        clear=expect.get("clear", True),
         values=values,
     )
 

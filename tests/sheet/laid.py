@@ -9,6 +9,7 @@ from mechsheet.description import loads
 from mechsheet.engine import compile_book, evaluate
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
+from mechsheet.sheet.plan import MEANING
 
 ROOT = Path(__file__).parents[2]
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
@@ -19,14 +20,10 @@ def template_text(name):
 
 
 @lru_cache(maxsize=24)
-def once(text, language, overrides, copies):
+def once(text, language, overrides):
     """What descriptions that come again have in common: mechanism, workbook, plan and values."""
     mechanism = loads(text, language=language, overrides=dict(overrides))
     workbook, plan = lay_out(mechanism, solve(mechanism))
-    if not copies:
-        unread = plan.at.titles["recomputed"]
-        sheets = (replace(sheet, fills=()) if sheet.title == unread else sheet for sheet in workbook.sheets)
-        workbook = replace(workbook, sheets=tuple(sheets))
     return mechanism, workbook, plan, evaluate(book_of(workbook))
 
 
@@ -37,18 +34,16 @@ def compiled(*key):
 
 
 class Laid:
-    """The workbook of a description. Cells are read by key: a spot's name ("#clear"), or a line of a block.
+    """The workbook of a description. Cells are read by the key of their place: "theta14", "#rows_closed"."""
 
-    copies  False: the sheet "Recomputed" is empty, which no other sheet minds, and half of the work is left out
-    """
-
-    def __init__(self, text, language=None, overrides=None, copies=False):
-        self.key = (text, language, tuple((overrides or {}).items()), copies)
+    def __init__(self, text, language=None, overrides=None):
+        self.key = (text, language, tuple((overrides or {}).items()))
         self.mechanism, self.workbook, self.plan, self.values = once(*self.key)
 
     def change(self, **symbols):
-        """Type numbers (as shown) into input cells."""
-        spots = {symbol: self.plan.at.spots[symbol] for symbol in symbols}
+        """Type numbers (as shown) into input cells; `_start` is the place "#start"."""
+        spots = {symbol: self.plan.at.spots[symbol.replace("_", "#", 1) if symbol[0] == "_" else symbol]
+                 for symbol in symbols}  # fmt: skip
         changes = {(spot.sheet, spot.row, spot.col): float(symbols[symbol]) for symbol, spot in spots.items()}
         self.values = compiled(*self.key).evaluate(changes)
         return self
@@ -68,9 +63,24 @@ class Laid:
 
     def spot(self, key):
         """The value at a registered place."""
-        spot = self.plan.at.shown[key]
+        spot = self.plan.at.spots[key]
         return self.values.get(spot.sheet, spot.row, spot.col)
 
-    def stands(self, key, col=1):
-        """A cell of a line of the block "How it stands": 1 the value, 3 where, 4 the words."""
-        return self.values.get(self.plan.main, self.plan.blocks["stands"].rows[key], col)
+    def column(self, key):
+        """A column of the table of positions, as people read it."""
+        spot = self.plan.at.spots[key]
+        return [self.values.get(spot.sheet, spot.row + row, spot.col) for row in range(self.plan.rows)]
+
+    @property
+    def exists(self):
+        """In which rows the table shows a position."""
+        return [said == self.plan.text("status.ok") for said in self.column("#status")]
+
+    def words(self, key):
+        """What a line of the block of verdicts says."""
+        return self.values.get(self.plan.main, self.plan.blocks["verdicts"].rows[key], MEANING)
+
+    @property
+    def verdict(self):
+        """The line under the title."""
+        return self.spot("#verdict")

@@ -20,6 +20,7 @@ from mechsheet.sheet.charts import chart_requests, traced_points
 from mechsheet.sheet.drawing import drawing_of
 from mechsheet.sheet.frames import SAMPLES
 from mechsheet.sheet.layout import lay_out
+from mechsheet.sheet.plan import STATUS
 
 ROOT = Path(__file__).parents[2]
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
@@ -151,15 +152,15 @@ def _lengths(laid):
 
 
 def test_a_position_that_does_not_exist_draws_nothing():
-    """With a longer crank the four-bar does not close everywhere: links vanish, supports stay, the caption says why."""
+    """With a longer crank the four-bar does not close everywhere: what is to close vanishes, the crank and the
+    supports stay, the caption says why."""
     laid = template("four-bar")
     values = laid.at(12, a2=90.0)
     chart = laid.drawing.chart
     links = [series for series in chart.series if series.width == 3.0]
-    assert len(links) == 3
-    for series in links:
-        places = laid.series(values, series)
-        assert np.isfinite(places).all(axis=1).sum() <= 1  # a fixed pin alone makes no line
+    assert [series.name for series in links] == ["crank", "coupler", "rocker"]
+    ends = [int(np.isfinite(laid.series(values, series)).all(axis=1).sum()) for series in links]
+    assert ends == [2, 2, 1]  # the coupler's outline begins and ends at the crank's pin: one point, and no line
     caption = next(s for s in chart.series if s.label_size == 11.0).name
     assert "does not close" in values.get(caption.sheet, caption.row, caption.col)
     good = laid.at(0)
@@ -173,7 +174,8 @@ def test_paths_leave_gaps():
     values = laid.at(0, a2=90.0)
     path = next(s for s in laid.drawing.chart.series if s.x.area.last_row - s.x.area.first_row == laid.plan.rows - 1)
     places = laid.series(values, path)
-    exists = [values.get(laid.plan.table, row, 3) for row in range(laid.plan.at.first, laid.plan.at.last + 1)]
+    said = values.column(laid.plan.table, STATUS, laid.plan.at.first, laid.plan.at.last)
+    exists = [words == "ok" for words in said]
     assert 0 < sum(exists) < len(exists)
     assert (np.isfinite(places).all(axis=1) == np.array(exists, dtype=bool)).all()
     assert np.nanmax(np.abs(places)) <= 1.0

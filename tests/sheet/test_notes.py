@@ -10,7 +10,7 @@ from chosen import some
 from mechsheet.formula.nodes import Binary, Call, Number, Previous, Symbol, Text, walk
 from mechsheet.formula.parser import parse_description
 from mechsheet.sheet.language import WORDS
-from mechsheet.sheet.mathematics import shortened, written
+from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.notes import EQUATION, MEANING, PLACE, SYMBOL, WIDTHS
 from mechsheet.sheet.workbook import Rich
 
@@ -39,12 +39,6 @@ def test_subscripts_and_powers():
     assert parts == (("θ", "italic"), ("13", "sub"), ("2", "super"))
 
 
-def test_shortened():
-    text = written(parse_description("a1 + b22 + c"), "en")
-    assert shortened(text, 100) == text
-    assert shortened(text, 8).plain == "a1 + b2…"
-
-
 def lines(laid):
     sheet = laid.workbook.sheet(laid.plan.at.titles["notes"])
     found = {}
@@ -61,7 +55,7 @@ def test_one_line_for_every_symbol(name):
     places = {line.get(PLACE) for line in found.values()}
     assert len([line for line in found.values() if line.get(EQUATION)]) > len(laid.plan.equations.all)
     for equation in laid.plan.equations.columns:
-        place = laid.plan.at.shown[equation.symbol]
+        place = laid.plan.at.spots[equation.symbol]
         assert any(text and text.startswith(place.sheet + " ") for text in places)
         label = equation.label.of(laid.plan.language)
         assert any(line.get(MEANING) == label and str(line[EQUATION]).startswith("=") for line in found.values()), label

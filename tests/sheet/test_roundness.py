@@ -112,7 +112,7 @@ def test_libreoffice_moves_the_drawing(tmp_path):
         found = stored_values(answer)
         for point in ("A", "B", "C", "D"):
             for axis, col in (("x", 1), ("y", 2)):
-                spot = plan.at.shown[f"{point}.{axis}"]
+                spot = plan.at.spots[f"{point}.{axis}"]
                 expected = found.get(plan.table, plan.at.first + 7, spot.col)
                 assert isinstance(expected, float)
                 assert found.get("Drawing", names[point], col) == pytest.approx(expected, abs=1e-9)

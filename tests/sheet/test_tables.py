@@ -34,7 +34,7 @@ def blocks(sheet, plan, count):
 
 
 def shown_column(workbook, plan, symbol):
-    spot = plan.at.shown[symbol]
+    spot = plan.at.spots[symbol]
     fills = [fill for fill in workbook.sheet(spot.sheet).fills if fill.col == spot.col]
     return [value for fill in sorted(fills, key=lambda fill: fill.row) for value in fill.values]
 

@@ -43,37 +43,47 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     if missing := missing_dimensions(mechanism, inputs.dimensions):
         lost = readers(plan.equations, missing)
         words = [f"{symbol} has no value with these dimensions: {why}" for symbol, why in missing.items()]
-        return _nowhere(plan, values, lost), [*inputs.remarks, *words, UNREACHED]
+        return _without(plan, values, lost), [*inputs.remarks, *words, UNREACHED]
+    opened = _opened(plan, values)
     start = _start(mechanism, inputs)
     if start is None:
-        return _nowhere(plan, values), [*inputs.remarks, NOWHERE]
+        tally = Tally("reference")
+        _judge_status(plan, tally, opened, np.zeros(plan.rows, dtype=bool))
+        for symbol, mask in opened.items():
+            if symbol in plan.at.spots and plan.equations.of(symbol).role in RESULTS:
+                _expect_nothing(plan, tally, symbol, _column(plan, values, symbol), mask)
+        return tally.result(), [*inputs.remarks, NOWHERE]
     solution = reference.solve(mechanism, inputs.dimensions, start=start, values=inputs.driver)
-    theirs = reference.variables(solution)
     tally = Tally("reference")
     known = _Known(plan, values)
-    ours = {symbol: known[symbol] for symbol in _judged(plan) if symbol in theirs}
+    ours = {symbol: known[symbol] for symbol in _judged(plan)}
+    theirs = _theirs(solution, ours)
     placed = {symbol: known[symbol] for symbol in theirs if symbol in plan.at.spots or symbol in plan.plain}
-    closed = _closed_rows(mechanism, solution, placed)
+    closed = _closed_rows(mechanism, solution, ours | placed)
+    _judge_status(plan, tally, opened, solution.exists)
     for symbol, column in ours.items():
-        _compare_column(plan, tally, symbol, column, theirs, solution, closed)
+        _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol))
     return tally.result(), list(inputs.remarks)
 
 
-NOWHERE = "with these dimensions and modes no row exists: there is no position to compare, only that none is shown"
+RESULTS = ("variable", "point", "output")
+"""Roles of the equations that are judged; intermediate quantities are nobody's but the sheet's."""
 
+EVERY = ""
+"""Stands among symbols for the whole mechanism."""
+
+NOWHERE = "with these dimensions and modes no row exists: there is no position to compare, only that none is shown"
 
 UNREACHED = "the reference cannot be asked: compared is only that no number is shown of what depends on them"
 
 
-def _nowhere(plan: Plan, values: Any, symbols: Collection[str] | None = None) -> Comparison:
-    """Nothing assembles: every result (or each of `symbols`) must say so."""
+def _without(plan: Plan, values: Any, symbols: Collection[str]) -> Comparison:
+    """Nothing can be said of `symbols`: each must say so in every row."""
     tally = Tally("reference")
     for equation in plan.equations.columns:
-        if equation.role in ("variable", "point", "output") and (symbols is None or equation.symbol in symbols):
-            spot = plan.at.spots[equation.symbol]
-            for row, value in enumerate(_column(plan, values, equation.symbol)):
-                where = f"{cell_address(spot.sheet, plan.at.first + row, spot.col)} ({equation.symbol}, row {row})"
-                tally.note(0.0 if math.isnan(value) else math.inf, where, float(value), None)
+        if equation.role in RESULTS and equation.symbol in symbols:
+            column = _column(plan, values, equation.symbol)
+            _expect_nothing(plan, tally, equation.symbol, column, np.ones(plan.rows, dtype=bool))
     return tally.result()
 
 
@@ -94,11 +104,52 @@ class _Known(dict[str, Array]):
         return found
 
 
+def _expect_nothing(plan: Plan, tally: Tally, symbol: str, ours: Array, rows: NDArray[np.bool_]) -> None:
+    for row in np.flatnonzero(rows):
+        where = f"{_address(plan, symbol, int(row))} ({symbol}, row {row})"
+        tally.note(0.0 if math.isnan(ours[row]) else math.inf, where, float(ours[row]), None)
+
+
+def _opened(plan: Plan, values: Any) -> dict[str, NDArray[np.bool_]]:
+    """By symbol the rows in which, as the sheet has it, a group comes apart that it depends on; under EVERY any group."""
+    nowhere = np.zeros(plan.rows, dtype=bool)
+    found = {EVERY: nowhere}
+    for group in plan.equations.groups:
+        apart = np.isnan(_Known(plan, values)[group.closes])
+        for symbol in (EVERY, group.closes, *readers(plan.equations, {group.closes})):
+            found[symbol] = found.get(symbol, nowhere) | apart
+    return found
+
+
+def _judge_status(plan: Plan, tally: Tally, opened: Mapping[str, NDArray[np.bool_]], exists: NDArray[np.bool_]) -> None:
+    """In a row that does not exist some group comes apart."""
+    for row in np.flatnonzero(~exists):
+        said = "joined" if not opened[EVERY][row] else "cannot be joined"
+        where = f"{_address(plan, '#status', int(row))} (row {row})"
+        tally.note(0.0 if opened[EVERY][row] else math.inf, where, said, "cannot be joined")
+
+
+def _address(plan: Plan, symbol: str, row: int) -> str:
+    spot = plan.at.spots[symbol]
+    return cell_address(spot.sheet, plan.at.first + row if spot.column else spot.row, spot.col)
+
+
+def _theirs(solution: reference.Solution, ours: Mapping[str, Array]) -> dict[str, Array]:
+    """The reference's variables, and the outputs for them.
+
+    Where no position lies between, an angle may be a whole turn away: outputs are asked for the sheet's turn.
+    """
+    found = reference.reached(solution)
+    angles = {link.angle_symbol for link in solution.mechanism.links} & found.keys() & ours.keys()
+    turned = {symbol: math.tau * np.round((ours[symbol] - found[symbol]) / math.tau) for symbol in angles}
+    found |= {symbol: found[symbol] + np.nan_to_num(turns) for symbol, turns in turned.items()}
+    return found | reference.outputs(solution, found)
+
+
 def _judged(plan: Plan) -> list[str]:
-    kinds = ("variable", "point", "output")
     fixed = [f"{point}.{axis}" for point in plan.mechanism.ground.points for axis in "xy"]
-    columns = [equation.symbol for equation in plan.equations.columns if equation.role in kinds]
-    judged = dict.fromkeys([plan.mechanism.driver.symbol, *fixed, *columns])
+    columns = [equation.symbol for equation in plan.equations.columns if equation.role in RESULTS]
+    judged = list(dict.fromkeys([plan.mechanism.driver.symbol, *fixed, *columns]))
     return [symbol for symbol in judged if symbol in plan.at.spots]
 
 
@@ -130,8 +181,8 @@ def _compare_column(
     found: Mapping[str, Array],
     solution: reference.Solution,
     closed: NDArray[np.bool_],
+    opened: NDArray[np.bool_] | None,
 ) -> None:
-    spot = plan.at.spots[symbol]
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
     unit = plan.equations.of(symbol).unit.kind if symbol != plan.mechanism.driver.symbol else ""
@@ -144,8 +195,10 @@ def _compare_column(
         else:
             gap = gap / (scale if output is None or unit == "length" else np.maximum(1.0, np.abs(theirs)))
     apart = np.abs(gap)
-    both_missing = np.isnan(theirs) if not spot.column else np.isnan(ours) & np.isnan(theirs)
-    apart = np.where(both_missing, 0.0, np.where(np.isnan(apart), math.inf, apart))
+    fine = np.isnan(ours) & np.isnan(theirs)
+    # in a row that does not exist, the sheet goes on with what does not depend on the group that comes apart
+    fine |= ~solution.exists & (np.isnan(ours) | (np.isnan(theirs) & (True if opened is None else ~opened)))
+    apart = np.where(fine, 0.0, np.where(np.isnan(apart), math.inf, apart))
     at_dead_centre = closed & (apart <= DEAD_CENTRE)
     apart = np.where(at_dead_centre, np.minimum(apart, TOLERANCE), apart)
     if output is not None and (apart > TOLERANCE).any():
@@ -153,9 +206,7 @@ def _compare_column(
         apart = np.where(steep, 0.0, apart)
     tally.cells += len(apart) - 1
     row = int(np.argmax(apart))
-    where = (
-        f"{cell_address(spot.sheet, plan.at.first + row if spot.column else spot.row, spot.col)} ({symbol}, row {row})"
-    )
+    where = f"{_address(plan, symbol, row)} ({symbol}, row {row})"
     tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
 
 

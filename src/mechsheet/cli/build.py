@@ -69,8 +69,7 @@ def build(
     """
     from mechsheet.description.reader import with_layout
     from mechsheet.library.building import refuse_edited, targets, told, write_all
-
-    from .verdict import verdict
+    from mechsheet.library.verdicts import verdict
 
     if output == STANDARD_OUTPUT:
         raise OutputError(

@@ -15,17 +15,22 @@ from .streams import print_file
 @SET
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
 @click.option("--cells", "what", flag_value="cells", help="Every cell of the workbook.")
+@click.option(
+    "--verdicts", "what", flag_value="verdicts", help="What the first sheet says of it, by the names of its cells."
+)
 @JSON
 @click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")
 def show(description: Path, settings: tuple[str, ...], what: str | None, as_json: bool, as_csv: bool) -> None:
-    """Print what was understood: the groups and variables, the equations, or the cells.
+    """Print what was understood: the groups and variables, the equations, the cells, or the verdicts.
 
     \b
     mechsheet show four-bar.toml
     mechsheet show four-bar.toml --equations
+    mechsheet show four-bar.toml --verdicts --json
     mechsheet show four-bar.toml --json
     """
     from mechsheet.library import show as shows
+    from mechsheet.library import verdicts
 
     mechanism = described(description, settings)
     with at_lines_of(mechanism, description):
@@ -33,6 +38,8 @@ def show(description: Path, settings: tuple[str, ...], what: str | None, as_json
             text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
         elif what == "cells":
             text = shows.cells_json(mechanism) if as_json else shows.cells_text(mechanism)
+        elif what == "verdicts":
+            text = verdicts.verdicts_json(mechanism) if as_json else verdicts.verdicts_text(mechanism)
         elif as_json:
             text = shows.variables_json(mechanism)
         elif as_csv:

@@ -86,10 +86,14 @@ class Compiled:
         """What a column of the table of positions shows, row by row."""
         return self._shown(self.plan.table, col, range(self.plan.at.first, self.plan.at.last + 1))
 
-    def number(self, spot: Spot, row: int) -> float:
-        """The number in a cell, or in that row (from 0) of a column; NaN for anything but a number."""
+    def value(self, spot: Spot, row: int = 0) -> Scalar:
+        """What a cell shows, or that row (from 0) of a column."""
         place = self.plan.at.first + row if spot.column else spot.row
-        (value,) = self._shown(spot.sheet, spot.col, range(place, place + 1))
+        return self._shown(spot.sheet, spot.col, range(place, place + 1))[0]
+
+    def number(self, spot: Spot, row: int = 0) -> float:
+        """The number in a cell, or in that row (from 0) of a column; NaN for anything but a number."""
+        value = self.value(spot, row)
         return value if isinstance(value, float) else math.nan
 
     def _shown(self, title: str, col: int, rows: range) -> list[Scalar]:

@@ -203,11 +203,16 @@ def rooted(value: Node) -> Node:
 
     def change(part: Node) -> Node:
         match part:
-            case Call("SQRT", (under,)):
+            case Call("SQRT", (under,)) if not _never_below_zero(under):
                 return Call("SQRT", (Call("MAX", (ZERO, under)),))
         return part
 
     return transform(value, change)
+
+
+def _never_below_zero(node: Node) -> bool:
+    """Whether it reads MAX(0, ...)."""
+    return isinstance(node, Call) and node.name == "MAX" and ZERO in node.args
 
 
 def triangle_area(a: Node, b: Node, c: Node) -> Node:

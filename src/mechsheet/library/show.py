@@ -15,14 +15,16 @@ from mechsheet.formula.references import cell_name
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.library.building import told
+from mechsheet.library.verdicts import verdict
 from mechsheet.model import Mechanism
 from mechsheet.sheet.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
 
 
 def overview_text(mechanism: Mechanism) -> str:
-    """Links, mobility, groups with their modes, and what the sketch left open."""
-    equations = told(mechanism).equations
+    """Links, mobility, groups with their modes, what the sketch left open, and what the first sheet says of it all."""
+    compiled = told(mechanism)
+    equations = compiled.equations
     lines = [
         mechanism.title.of(mechanism.language),
         f"links: {', '.join(f'{link.number} {link.name}' for link in mechanism.links)}",
@@ -31,12 +33,11 @@ def overview_text(mechanism: Mechanism) -> str:
     for group in equations.groups:
         mode = f"  {group.mode} = {group.mode_value:+d} ({group.mode_words.en})" if group.mode else ""
         lines.append(f"group {group.number} {group.kind}: {group.label.en}{mode}")
-        if group.open:
-            lines.append("    the sketch says nothing about this group: mode +1 was taken")
     variables = [equation.symbol for equation in equations.columns if equation.role == "variable"]
     lines.append(f"variables: {', '.join(variables)}")
     if mechanism.outputs:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
+    lines.append(verdict(compiled))
     return "\n".join(lines)
 
 

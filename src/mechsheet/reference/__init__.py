@@ -5,7 +5,7 @@ It knows nothing of equations, formulas, cells or the groups that the workbook i
 
 from .continuity import leaps
 from .geometry import dimension_values, driver_values
-from .poses import Solution, assemblies, outputs, solve, variables
+from .poses import Solution, assemblies, outputs, reached, solve, variables
 from .rates import rates
 from .residual import residuals, worst
 
@@ -17,6 +17,7 @@ __all__ = [
     "leaps",
     "outputs",
     "rates",
+    "reached",
     "residuals",
     "solve",
     "variables",

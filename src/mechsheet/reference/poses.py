@@ -36,6 +36,8 @@ class Solution:
     residual       (n,) worst residual of all constraints, as a length (angles times `size`)
     size           characteristic length, to measure errors by
     system, state  the constraints, and the poses (n, columns) in their own lengths: what further analyses start from
+    reached        the same poses, and in rows that do not exist those that come before the loop that cannot be closed;
+                   angles there may be whole turns away
     """
 
     mechanism: Mechanism
@@ -50,6 +52,7 @@ class Solution:
     size: float
     system: System
     state: Array
+    reached: Array
 
 
 def variables(solution: Solution) -> dict[str, Array]:
@@ -57,17 +60,29 @@ def variables(solution: Solution) -> dict[str, Array]:
 
     NaN in rows that do not exist, except for the driver.
     """
-    found: dict[str, Array] = {}
-    for link in solution.mechanism.links[1:]:
-        found[link.angle_symbol] = solution.poses[link.name][:, 2]
-    found.update(solution.displacements)
-    driver = solution.mechanism.driver
-    found[driver.symbol] = solution.driver
-    for point, places in solution.points.items():
-        found[f"{point}.x"], found[f"{point}.y"] = places[:, 0], places[:, 1]
+    found = _variables(solution, solution.poses, solution.displacements, solution.points)
     for symbol, result in outputs(solution, found).items():
         result[~solution.exists] = np.nan
         found[symbol] = result
+    return found
+
+
+def reached(solution: Solution) -> dict[str, Array]:
+    """The variables without the outputs, and in rows that do not exist those that are decided before it comes to that."""
+    return _variables(solution, *_places(solution.system, solution.reached))
+
+
+def _variables(
+    solution: Solution, poses: Mapping[str, Array], displacements: Mapping[str, Array], points: Mapping[str, Array]
+) -> dict[str, Array]:
+    found: dict[str, Array] = {}
+    for link in solution.mechanism.links[1:]:
+        found[link.angle_symbol] = poses[link.name][:, 2]
+    found.update(displacements)
+    driver = solution.mechanism.driver
+    found[driver.symbol] = solution.driver
+    for point, places in points.items():
+        found[f"{point}.x"], found[f"{point}.y"] = places[:, 0], places[:, 1]
     return found
 
 
@@ -117,12 +132,15 @@ def solve(
             state[rows] = found.state
             undetermined[rows] = found.undetermined
             alive[rows] = found.exists
+            state[np.ix_(rows[~found.exists], np.array(built.blocks[i].columns))] = np.nan
         if progress is not None:
             progress(i + 1, len(built.blocks))
     state, alive, undetermined, path = state[asked], alive[asked], undetermined[asked], path[asked]
+    reached = state.copy()
     state[~alive] = np.nan
     _continuous(built, sketched, state, path, alive)
-    return _solution(built, driver, path, state, alive, undetermined)
+    reached[alive] = state[alive]
+    return _solution(built, driver, path, state, reached, alive, undetermined)
 
 
 def _with_steps_between(built: System, driver: Array) -> tuple[Array, NDArray[np.int_]]:
@@ -220,25 +238,31 @@ def _continuous(built: System, sketched: Sketched, state: Array, value: Array, a
                 state[rows, theta] -= side * turn * np.round(miss / turn)
 
 
-def _solution(built: System, driver: Array, value: Array, state: Array, alive: Mask, undetermined: Mask) -> Solution:
+def _places(built: System, state: Array) -> tuple[dict[str, Array], dict[str, Array], dict[str, Array]]:
+    """Poses by link, displacements by symbol, places by point, in the file's unit."""
     mechanism = built.mechanism
+    owners = {point: link.name for link in reversed(mechanism.links) for point in link.points}
+    points = {
+        point: point_places(built, owners[point], point, state) * built.scale + built.origin
+        for point in dict.fromkeys(p for link in mechanism.links for p in link.points)
+    }
+    slides = {joint.symbol: displacement(built, joint, state) * built.scale for joint in mechanism.joints}
+    return _poses(built, state), slides, points
+
+
+def _solution(
+    built: System, driver: Array, value: Array, state: Array, reached: Array, alive: Mask, undetermined: Mask
+) -> Solution:
     worst = np.zeros(len(driver))
     for block in built.blocks:
         for equation in block.equations:
             worst = np.maximum(worst, np.abs(residual(equation, state, value)[0]))
     worst[~alive] = np.nan
-    owners = {point: link.name for link in reversed(mechanism.links) for point in link.points}
-    points = {}
-    for point in dict.fromkeys(p for link in mechanism.links for p in link.points):
-        places = point_places(built, owners[point], point, state) * built.scale + built.origin
-        places[~alive] = np.nan
-        points[point] = places
-    poses = _poses(built, state)
-    for pose in poses.values():
-        pose[~alive] = np.nan
-    slides = {joint.symbol: displacement(built, joint, state) * built.scale for joint in mechanism.joints}
+    poses, slides, points = _places(built, state)
+    for each in (*poses.values(), *points.values()):
+        each[~alive] = np.nan
     return Solution(
-        mechanism=mechanism,
+        mechanism=built.mechanism,
         dimensions=built.dimensions,
         driver=driver,
         exists=alive,
@@ -247,7 +271,8 @@ def _solution(built: System, driver: Array, value: Array, state: Array, alive: M
         displacements=slides,
         points=points,
         residual=worst * built.scale,
-        size=geometry.size(mechanism, built.dimensions),
+        size=geometry.size(built.mechanism, built.dimensions),
         system=built,
         state=state,
+        reached=reached,
     )

@@ -2,14 +2,15 @@
 
 A name in the text is a hole when an argument of that name is given, else the symbol of a quantity (`theta14`, `C.x`), which
 `Addresses.bind` turns into a cell. A leading underscore names what is no quantity of the mechanism: `_start` is the cell
-`#start`. `ALL(x)` is the whole column of x, `SHOWN(x)` its cell as people read it (degrees, not radians).
+`#start`. `ALL(x)` is the whole column of x, `SHOWN(x)` its cell as people read it (degrees, not radians). A symbol
+that would read as a cell's address (`s14`) comes through a hole of another name.
 """
 
 from __future__ import annotations
 
 from functools import cache
 
-from mechsheet.formula.nodes import Call, NameRef, Node, Number, Symbol, Text, transform
+from mechsheet.formula.nodes import Call, CellRef, NameRef, Node, Number, Symbol, Text, transform, walk
 from mechsheet.formula.parser import parse_formula
 
 ALL, SHOWN = "ALL ", "SHOWN "
@@ -35,7 +36,10 @@ def formula(text: str, **holes: Node | float | str) -> Node:
 
 @cache
 def _parsed(text: str) -> Node:
-    return parse_formula(text)
+    tree = parse_formula(text)
+    if any(isinstance(part, CellRef) for part in walk(tree)):
+        raise ValueError(f"a name in it reads as a cell's address: {text}")
+    return tree
 
 
 def _node(value: Node | float | str) -> Node:

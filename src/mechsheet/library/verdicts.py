@@ -1,0 +1,95 @@
+"""What is to be said of a mechanism: the verdicts of its workbook's first sheet, and what no cell can know."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+from mechsheet.compiled import Compiled
+from mechsheet.formula.nodes import Scalar
+from mechsheet.kinematics.places import number
+from mechsheet.kinematics.solve import dimension_values
+from mechsheet.library.building import told
+from mechsheet.model import Mechanism
+from mechsheet.sheet.blocks import shown_unit
+from mechsheet.sheet.plan import MEANING
+
+_LANDS = 1e-6
+"""By this part of a step the stop may be missed: it is rounding."""
+
+
+def verdict(compiled: Compiled) -> str:
+    """`closes in 19 / 25 positions; ...; the step misses the stop (360°): the last row is 350°`.
+
+    The cell `verdict` of the computed workbook, in its language, and what is wrong with the description itself.
+    """
+    mechanism, plan = compiled.mechanism, compiled.plan
+    said = [str(compiled.value(plan.at.spots["#verdict"]))]
+    missed = _missed_stop(mechanism, plan.rows)
+    if missed is not None:
+        unit = shown_unit(plan, mechanism.driver.symbol)
+        last = compiled.value(plan.at.spots[mechanism.driver.symbol], plan.rows - 1)
+        said.append(f"the step misses the stop ({_shown(missed, unit)}): the last row is {_shown(last, unit)}")
+    said += [
+        f"the sketch says nothing about group {group.number}: mode +1 was taken"
+        for group in plan.equations.groups
+        if group.open
+    ]
+    return "; ".join(said)
+
+
+def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
+    """The stop of the sweep as people read it, where the steps do not land on it."""
+    driver = mechanism.driver
+    if driver.values:
+        return None
+    values = dimension_values(mechanism)
+    start, stop, step = (number(part, values) for part in (driver.start, driver.stop, driver.step))
+    if abs((stop - start) / step - (rows - 1)) < _LANDS:
+        return None
+    return driver.unit.to_shown(stop)
+
+
+def _shown(value: object, unit: str) -> str:
+    gap = "" if unit in ("", "°") else " "
+    return f"{value:.6g}{gap}{unit}" if isinstance(value, float | int) else str(value)
+
+
+def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]]:
+    """What the first sheet says, by the names of its cells: the value, where it occurs, and the words beside it.
+
+    The first is `verdict`, the line under the title. None stands for a value that there is none of.
+    """
+    compiled = told(mechanism)
+    plan = compiled.plan
+
+    def line(value: Scalar, where: Scalar, words: Scalar) -> dict[str, float | str | None]:
+        """One line; errors and empty texts are nothing."""
+        number, place = (each if isinstance(each, float) else None for each in (value, where))
+        return {"value": number, "where": place, "words": words if isinstance(words, str) else ""}
+
+    verdict = plan.at.spots["#verdict"]
+    found = {verdict.name: line(None, None, compiled.value(verdict))}
+    for key in plan.found.entries:
+        spot, at = plan.at.spots[f"#{key}"], plan.at.spots.get(f"#{key}_at")
+        where = None if at is None else compiled.value(at)
+        found[spot.name] = line(compiled.value(spot), where, compiled.value(replace(spot, col=MEANING)))
+    for key, spot in plan.at.spots.items():
+        if key.startswith("#limit_") and isinstance(limit := compiled.value(spot), float):
+            found[spot.name] = line(limit, None, None)
+    return found
+
+
+def verdicts_text(mechanism: Mechanism) -> str:
+    """The same, one a line: `transmission_1 = 33.9 at 360: 33.9° … 125.1°: poor`."""
+    lines = []
+    for name, said in verdicts_of(mechanism).items():
+        text = name if said["value"] is None else f"{name} = {said['value']:.10g}"
+        text += "" if said["where"] is None else f" at {said['where']:.10g}"
+        lines.append(f"{text}: {said['words']}" if said["words"] else text)
+    return "\n".join(lines)
+
+
+def verdicts_json(mechanism: Mechanism) -> str:
+    """{"transmission_1": {"value": 33.9, "where": 360.0, "words": "..."}}."""
+    return json.dumps(verdicts_of(mechanism), ensure_ascii=False, indent=1)
