@@ -17,6 +17,9 @@ from mechsheet.library.building import FORMATS, build
 FEWEST = 3
 """So many workbooks, those of the fewest formulas, are also judged by `formulas`, which needs 10 ms a cell and more."""
 
+PAGES = ("adjustable-pump", "fivelink", "four-bar", "slider-crank")
+"""Templates that are built in both layouts."""
+
 
 def demo(templates: Path, generated: Path) -> bool:
     """Build and check, one template a process; True when everything agrees."""
@@ -48,7 +51,12 @@ def _formulas(description: Path) -> int:
 def _built(description: Path, generated: Path, judged: set[Path]) -> tuple[str, bool]:
     """The lines of a template's workbooks, and whether all judges agree."""
     lines, fine = [], True
-    for path in build(load(description), generated, FORMATS, force=True):
+    mechanism = load(description)
+    files = build(mechanism, generated, FORMATS, force=True)
+    if description.stem in PAGES:
+        for ending in FORMATS:
+            files += build(mechanism, generated / f"{description.stem}-page.{ending}", force=True, layout="page")
+    for path in files:
         report = check(path, ["formulas"] if path.suffix == ".xlsx" and description in judged else [])
         fine = fine and report.agrees
         lines.append(_line(path.name, report))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from mechsheet.sheet.language_notes import NOTES
+from mechsheet.sheet.language_page import PAGE
 
 Language = Literal["en", "tr"]
 
@@ -172,6 +173,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.margin": ("margin, group {number}", "pay, {number}. grup"),
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
+    **PAGE,
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.near": ("the first row within half a turn of:", "ilk satır bundan en çok yarım tur uzaktadır:"),
     "table.hint": (
