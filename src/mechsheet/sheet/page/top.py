@@ -224,7 +224,8 @@ class Top:
             crank=said("one", turning[0]), rockers=said("coupler"), follower=said("one", turning[1]),
         )  # fmt: skip
         words = formula(
-            "IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which)))", excess=excess, shortest=shortest, coupler=coupler, which=which,
+            "IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which)))",
+            excess=excess, shortest=shortest, coupler=coupler, which=which,
             open=said("open"), change=said("change"), none=said("none"),
         )  # fmt: skip
         self.line(row, loop.name, plan.mechanism.length_unit, words)
