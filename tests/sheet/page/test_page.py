@@ -270,10 +270,8 @@ def test_an_input_that_is_none_shows_no_position(typed):
 
 def test_verdict_says_rows_only():
     said = Page(text_of("four-bar")).cell("#verdict")
-    assert (
-        said  # noqa: E501
-        == "closes in all 25 positions; crank-rocker, crank can turn fully; transmission angle at least 33.9° in these rows"
-    )
+    assert said.startswith("closes in all 25 positions; crank-rocker, crank can turn fully; ")
+    assert said.endswith("transmission angle at least 33.9° in these rows")
     assert Page(text_of("four-bar"), "tr").cell("#verdict").startswith("bütün konumlarda kapanıyor: 25; krank-sarkaç")
 
 
