@@ -19,7 +19,7 @@ from mechsheet.description.schema import DESCRIPTION, Either, Items, Kinds, Name
 from mechsheet.description.templates import template_names
 from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.stands import POOR
+from mechsheet.sheet.verdicts import POOR
 
 ROOT = Path(__file__).parent.parent
 DOCS = ROOT / "docs"

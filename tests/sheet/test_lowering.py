@@ -1,6 +1,7 @@
 """From mathematics to cells: angles of triangles, angles that go on, and what makes a row claim no position."""
 
 import math
+from itertools import pairwise
 
 import mpmath
 import pytest
@@ -90,7 +91,7 @@ def test_direction_goes_on_within_half_a_turn(step):
     laid = Laid(template_text("drag-link").partition("[[charts]]")[0]).change(_step=step)
     phi = laid.column("phi")
     assert all(laid.exists)
-    assert max(abs(after - before) for before, after in zip(phi, phi[1:])) <= math.pi + 1e-12
+    assert max(abs(after - before) for before, after in pairwise(phi)) <= math.pi + 1e-12
     turned = math.degrees(phi[-1] - phi[0])
     assert abs(turned) > 300  # it counts turns, and does not come back into one
 
@@ -105,9 +106,7 @@ def test_direction_begins_anew_after_rows_without_a_position():
     assert theta[begun[0]] == pytest.approx(theta[begun[1]], abs=1e-9)
 
 
-@pytest.mark.parametrize(
-    "typed", [{"a3": 0}, {"a4": -56}, {"mode_1": 2}, {"mode_1": 0}], ids=lambda typed: f"{typed}"
-)
+@pytest.mark.parametrize("typed", [{"a3": 0}, {"a4": -56}, {"mode_1": 2}, {"mode_1": 0}], ids=lambda typed: f"{typed}")
 def test_no_row_claims_a_position_for_inputs_that_cannot_be(typed):
     """A length of 0 or less between joints, an assembly that is none: the tolerance is #N/A and with it every row."""
     laid = Laid(FOUR_BAR)

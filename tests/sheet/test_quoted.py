@@ -63,8 +63,10 @@ def at():
 
 
 def test_bound_to_cells(at):
-    """Dimensions by name, columns by the cell of the row, angles in radians unless they are asked for as people read them."""
-    assert text(at.bind(formula("length+beta+theta", length=Symbol("a1")), "Table", 8)) == "a_1+RADIANS(beta)+RADIANS(E9)"
+    """Dimensions by name, columns by the cell of the row, angles in radians unless asked for as shown."""
+    assert (
+        text(at.bind(formula("length+beta+theta", length=Symbol("a1")), "Table", 8)) == "a_1+RADIANS(beta)+RADIANS(E9)"
+    )
     assert text(at.bind(formula("SHOWN(theta)-SHOWN(beta)"), "Main", 8)) == "Table!E9-beta"
     assert text(at.bind(formula("MAX(ALL(theta))+_count"), "Main")) == "MAX(Table!$E$4:$E$10)+$B$8"
     assert at.bind(formula("x", x=Previous("theta")), "Table", 8).args == (CellRef(7, 4),)

@@ -93,8 +93,8 @@ NOTES: dict[str, tuple[str, str]] = {
         "Angles of a triangle come from the law of cosines, as written here. The cells hold its half-angle form, "
         "2·arctan2(√…; √…): where the links lie in a line, rounding may ask the arccosine for a cosine of "
         "1.0000000000000002, an error, and in a thin triangle it loses digits.",
-        "Üçgenin açıları, burada yazıldığı gibi kosinüs teoremindendir. Hücrelerde bunun yarım açı biçimi, 2·arctan2(√…; √…), "
-        "vardır: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir kosinüs verebilir, arkkosinüs orada "
+        "Üçgenin açıları, burada yazıldığı gibi kosinüs teoremindendir. Hücrelerde bunun yarım açı biçimi, "
+        "2·arctan2(√…; √…), vardır: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir kosinüs verebilir, arkkosinüs orada "
         "hatadır; ince bir üçgende de basamak yitirir.",
     ),
     "notes.assumptions.continuous": (
