@@ -48,7 +48,7 @@ End Function
 
 Sub Work(folder As String)
     Dim jobs As Variant, lines As Variant, number As Long, row As Long
-    Dim document As Object, library As Object, url As String, stem As String
+    Dim document As Object, library As Object, url As String, stem As String, origin As Object
     jobs = Split(WholeText(folder & "/jobs.txt"), Chr(10))
     For number = 0 To UBound(jobs)
         stem = folder & "/" & number
@@ -56,6 +56,12 @@ Sub Work(folder As String)
         If jobs(number) <> "new" Then url = ConvertToURL(jobs(number))
         document = StarDesktop.loadComponentFromURL(url, "_blank", 0, _
             Array(Setting("Hidden", True), Setting("MacroExecutionMode", 4)))
+        If FileExists(stem & ".copied") Then
+            origin = document
+            document = StarDesktop.loadComponentFromURL("private:factory/scalc", "_blank", 0, Array(Setting("Hidden", True)))
+            document.Sheets.importSheet(origin, origin.Sheets.getByIndex(0).Name, 0)
+            origin.close(True)
+        End If
         If FileExists(stem & ".bas") Then
             If Not document.BasicLibraries.hasByName("Standard") Then document.BasicLibraries.createLibrary("Standard")
             library = document.BasicLibraries.getByName("Standard")
@@ -82,9 +88,13 @@ PATIENCE = 60
 
 @dataclass(frozen=True)
 class Job:
-    """A document to open, or a module with the formulas of column A of a new document."""
+    """A document to open, or a module with the formulas of column A of a new document.
+
+    copied  True: the document's first sheet is copied into a new document, which is what is computed
+    """
 
     document: Path | None = None
+    copied: bool = False
     module: bytes = b""
     formulas: Sequence[str] = ()
 
@@ -104,6 +114,8 @@ def with_macros(jobs: Sequence[Job]) -> list[Answers]:
         for number, job in enumerate(jobs):
             if job.document is not None:
                 shutil.copy(job.document, folder / f"{number}{job.document.suffix}")
+            if job.copied:
+                (folder / f"{number}.copied").touch()
             if job.module:
                 (folder / f"{number}.bas").write_bytes(job.module)
                 (folder / f"{number}.txt").write_text("\n".join(job.formulas), encoding="utf-8")

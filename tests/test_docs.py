@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from mechsheet.sheet.stands import POOR
 
 import mechsheet
 from mechsheet.cli import main as commands
@@ -19,7 +20,6 @@ from mechsheet.description.schema import DESCRIPTION, Either, Items, Kinds, Name
 from mechsheet.description.templates import template_names
 from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.verdicts import POOR
 
 ROOT = Path(__file__).parent.parent
 DOCS = ROOT / "docs"

@@ -25,6 +25,7 @@ from mechsheet.description.schema import (
     Table,
     Text,
     Words,
+    YesNo,
 )
 
 DOCS = Path(__file__).parent.parent / "docs"
@@ -117,6 +118,8 @@ def _held(shape: Shape) -> str:
             return "number" if least is None else f"number, at least {least:g}"
         case Integer(least, most):
             return f"whole number, {least}" if least == most else f"whole number, {least} to {most}"
+        case YesNo():
+            return "`true` or `false`"
         case Quantity():
             return "number or expression"
         case Text(choices=choices, names=names):

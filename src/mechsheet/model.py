@@ -230,6 +230,8 @@ class Mechanism:
     tables: tuple[TableRequest, ...] = ()
     language: Literal["en", "tr"] = "en"
     references: Literal["names", "anchors"] = "names"
+    layout: Literal["sheets", "page"] = "sheets"
+    drawn: bool = True
     text: str = ""
     file: str = field(default="", compare=False)
 

@@ -9,7 +9,7 @@ from chosen import part
 from mechsheet.checking import check
 from mechsheet.compiled.evaluation import computed
 from mechsheet.formats import write
-from mechsheet.formula.nodes import Call, CellRef, Unary, transform
+from mechsheet.formula.nodes import Call, CellRef, Unary, transform, walk
 from mechsheet.sheet.workbook import Cell
 
 
@@ -45,7 +45,8 @@ def judged(workbook, tmp_path):
 def intermediate(plan, function):
     """A column whose formula calls a function."""
     for equation in plan.equations.columns:
-        if isinstance(equation.expression, Call) and equation.expression.name == function and equation.first is None:
+        called = {node.name for node in walk(equation.expression) if isinstance(node, Call)}
+        if function in called and equation.role == "intermediate":
             return equation.symbol
     raise AssertionError(function)
 
@@ -82,14 +83,13 @@ def test_reference_shifted_by_one_row(built, tmp_path):
 
 
 def test_unit_factor_dropped(built, tmp_path):
-    """The driver's column read as radians although it holds degrees."""
+    """The driver's column, which holds degrees, read as radians."""
     workbook, plan = built
-    driver = plan.mechanism.driver.symbol
 
     def drop(node):
         return node.args[0] if isinstance(node, Call) and node.name == "RADIANS" else node
 
-    assert not judged(with_formula(workbook, plan, driver, drop), tmp_path)["reference"].agrees
+    assert not judged(with_formula(workbook, plan, "A.x", drop), tmp_path)["reference"].agrees
 
 
 def test_stored_value_zeroed(built, tmp_path):

@@ -132,7 +132,7 @@ def test_a_row_inserted_inside_the_table(yoke, tmp_path):
 
 def test_a_deleted_column(yoke):
     workbook, plan = yoke
-    col = plan.at.shown["s13"].col
+    col = plan.at.spots["s13"].col
     report = audited(moved(workbook, "Positions", cols=Shift(col, -1)))
     assert report.edits[0].kind == "deleted"
     assert any("#REF!" in edit.now for edit in report.edits)

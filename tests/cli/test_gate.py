@@ -216,7 +216,7 @@ def test_a_judge_that_is_missing_does_not_hide_the_others(tmp_path, suffix, monk
     def absent(path):
         raise MissingProgramError("LibreOffice Calc is not installed")
 
-    from mechsheet import programs
+    from mechsheet.checking import programs
 
     monkeypatch.setitem(programs.PROGRAMS, "libreoffice", absent)
     stale = written(tmp_path, suffix, STALE)

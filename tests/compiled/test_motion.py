@@ -10,30 +10,28 @@ from chosen import IN_CI, some
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.motion import motion_of
 from mechsheet.description import load, loads
-from mechsheet.library.building import compile_workbook
 from random_mechanisms import Grower
 
 TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 
 
-def shown_in_cells(workbook, plan, symbol):
-    """What stands in the column that people read; NaN for anything but a number."""
-    spot = plan.at.spots[symbol]
-    sheet = workbook.sheet(spot.sheet)
-    rows = range(plan.at.first, plan.at.last + 1)
-    cells = {cell.row: cell.content for cell in sheet.cells if cell.col == spot.col}
-    for fill in sheet.fills:
-        if fill.col <= spot.col < fill.col + fill.cols:
-            cells |= {row: fill.value(row, spot.col) for row in range(fill.row, fill.row + fill.rows)}
-    return np.array([cells[row] if isinstance(cells.get(row), float) else math.nan for row in rows])
+def shown_in_cells(compiled, symbol):
+    """What stands in the column, in rows with a position; NaN for anything but a number.
+
+    In other rows the sheet goes on with what does not depend on the group that comes apart; here they are empty.
+    """
+    cells = compiled.column(compiled.plan.at.spots[symbol].col)
+    numbers = np.array([cell if isinstance(cell, float) else math.nan for cell in cells])
+    is_driver = symbol == compiled.mechanism.driver.symbol
+    return numbers if is_driver else np.where(compiled.exists, numbers, math.nan)
 
 
 def assert_same(mechanism):
-    workbook, plan = compile_workbook(mechanism)
-    columns, units = motion_of(Compiled(mechanism))
+    compiled = Compiled(mechanism)
+    columns, units = motion_of(compiled)
     size = max([abs(value.value) for value in mechanism.dimensions if isinstance(value.value, float)], default=1.0)
     for symbol, column in columns.items():
-        cells = shown_in_cells(workbook, plan, symbol)
+        cells = shown_in_cells(compiled, symbol)
         assert (np.isnan(column) == np.isnan(cells)).all(), symbol
         scale = 1.0 if units[symbol] in ("", "°", "rad") else size
         assert np.nanmax(np.abs(column - cells), initial=0.0) <= 1e-9 * max(scale, 1.0), symbol

@@ -87,6 +87,8 @@ def of_shape(shape: Any) -> st.SearchStrategy[str]:
             fitting = st.one_of([of_shape(one) for one in shapes])
         case s.Number() | s.Integer():
             fitting = st.sampled_from(["1", "2", "3", "70", "-1", "0.5", "0"])
+        case s.YesNo():
+            fitting = st.sampled_from(["true", "false"])
         case s.Quantity():
             fitting = st.sampled_from(["1", "30", "0", "-2.5", '"a1"', '"a1*2"', '"b"', '"1/a1"', '"theta12"'])
         case s.Text(choices) if choices:

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from mechsheet.description import load, loads
+from mechsheet.description.reader import with_layout
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.formula.nodes import Symbol, Unary
@@ -95,6 +96,20 @@ def test_six_link_dwell() -> None:
 @pytest.fixture(scope="module")
 def everything() -> Mechanism:
     return load(DATA / "everything.toml")
+
+
+def test_layout_of_the_workbook() -> None:
+    text = (DATA / "slider-crank.toml").read_text(encoding="utf-8")
+    plain = loads(text)
+    assert (plain.layout, plain.drawn, plain.references) == ("sheets", True, "names")
+    page = loads(f'{text}\n[workbook]\nlayout = "page"\ndrawing = false\n')
+    assert (page.layout, page.drawn, page.references) == ("page", False, "anchors")
+    named = loads(f'{text}\n[workbook]\nlayout = "page"\nreferences = "names"\n')
+    assert named.references == "names"
+    assert loads(with_layout(plain, "page").text).layout == "page"
+    assert with_layout(page, None) is page
+    with pytest.raises(DescriptionError, match='"sheets", "page"'):
+        with_layout(plain, "book")
 
 
 def test_every_key_head(everything: Mechanism) -> None:

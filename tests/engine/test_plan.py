@@ -47,7 +47,8 @@ def test_order_is_found_whatever_the_order_of_the_blocks():
 RECURRENCES = {
     "A1+B2": RunningSum, "B2+A1": RunningSum, "A1-B2": RunningSum, "IF(B2>0,B2,A1)": Held, "IF(B2>0,A1,B2)": Held,
     "A1*0.5+B2": None, "A1+B2+1": None, "IF(B2>0,A1+1,A1)": None, "MAX(A1,B2)": None, "SUM(A$1:A1)": None, "A1&B2": None,
-    "IF(A1>3,B2,A1)": None, "B2+3*IFERROR(ROUND((A1-B2)/3,0),0)": Unwrapped, "B2+2*PI()*IFERROR(ROUND((A1-B2)/(2*PI()),0),0)": Unwrapped,
+    "IF(A1>3,B2,A1)": None, "B2+3*IFERROR(ROUND((A1-B2)/3,0),0)": Unwrapped,
+    "B2+2*PI()*IFERROR(ROUND((A1-B2)/(2*PI()),0),0)": Unwrapped,
     "B2+3*IFERROR(ROUND((A1-B2)/2,0),0)": None,
 }  # fmt: skip
 

@@ -1,8 +1,8 @@
 """What the first sheet says of a motion, judged by a dense numerical sweep.
 
-The judge knows the equations as mathematics (`kinematics.sweep`), never the sheet's formulas: it sweeps the driver between its
-first and last value on a fine grid, finds by bisection and narrowing where the mechanism closes and where quantities are
-extreme, and compares with the named cells after inputs were typed. A wrong word counts as a failure.
+The judge knows the equations as mathematics (`kinematics.sweep`), never the sheet's formulas: it sweeps the driver
+between its first and last value on a fine grid, finds by bisection and narrowing where the mechanism closes and where
+quantities are extreme, and compares with the named cells after inputs were typed. A wrong word counts as a failure.
 
     python tests/sheet/claims.py [--random N] [--changes N]       all templates and N random mechanisms; counts by kind
 """
@@ -24,13 +24,11 @@ import numpy as np
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "src")]
 
-from random_mechanisms import Grower  # noqa: E402
-
 from mechsheet.compiled.evaluation import book_of  # noqa: E402
 from mechsheet.description import load, loads  # noqa: E402
 from mechsheet.diagnostics import MechanismError  # noqa: E402
 from mechsheet.engine import compile_book  # noqa: E402
-from mechsheet.formula.nodes import CellRef, ErrorValue, transform  # noqa: E402
+from mechsheet.formula.nodes import ErrorValue  # noqa: E402
 from mechsheet.kinematics.equations import assembly_of  # noqa: E402
 from mechsheet.kinematics.numeric import value as number_of  # noqa: E402
 from mechsheet.kinematics.places import number  # noqa: E402
@@ -41,6 +39,7 @@ from mechsheet.sheet.geometry import distance  # noqa: E402
 from mechsheet.sheet.layout import lay_out  # noqa: E402
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW  # noqa: E402
 from mechsheet.sheet.workbook import Fill, Sheet  # noqa: E402
+from random_mechanisms import Grower  # noqa: E402
 
 FINE = 20
 """Places looked at between two rows."""
@@ -69,7 +68,8 @@ class Claims:
 
 
 class Sheets:
-    """A mechanism's workbook, ready for changed inputs: without its drawing, with the first sheet's colour rules as cells."""
+    """A mechanism's workbook, ready for changed inputs: without its drawing, with the first sheet's colour rules as
+    cells."""
 
     def __init__(self, mechanism):
         self.mechanism = mechanism
@@ -150,7 +150,9 @@ class Truth:
         else:
             self.listed = None
             self.start, self.step = (
-                given.pop(f"#{key}") / self.scale if f"#{key}" in given else number(getattr(driver, key), self.dimensions)
+                given.pop(f"#{key}") / self.scale
+                if f"#{key}" in given
+                else number(getattr(driver, key), self.dimensions)
                 for key in ("start", "step")
             )
         groups = tuple(
@@ -227,12 +229,17 @@ class Truth:
         self.dips, self.peeps, self.doubt = [], [], []
         if self.listed is not None or self.rows < 2:
             return
-        for group, margin in self.margins.items():
+        for _group, margin in self.margins.items():
             with np.errstate(all="ignore"):
                 m = np.broadcast_to(number_of(margin, self.at), self.u.shape).astype(float)
             for sign, found in ((1.0, self.dips), (-1.0, self.peeps)):
                 v = sign * m
-                inner = np.flatnonzero((v[1:-1] <= v[:-2]) & (v[1:-1] <= v[2:]) & (v[1:-1] < 0.2 * self.size) & (v[1:-1] >= 0)) + 1
+                inner = (
+                    np.flatnonzero(
+                        (v[1:-1] <= v[:-2]) & (v[1:-1] <= v[2:]) & (v[1:-1] < 0.2 * self.size) & (v[1:-1] >= 0)
+                    )
+                    + 1
+                )
                 if not len(inner):
                     continue
 
@@ -285,8 +292,14 @@ class Truth:
     def holes(self):
         """Places between two neighbouring rows that close, where it does not."""
         found = list(self.dips)
-        found += [edge for edge in self.edges if self.row_there[math.floor(edge) - 1] and self.row_there[min(self.rows, math.ceil(edge)) - 1]]
-        return [u for u in found if self.row_there[math.floor(u) - 1] and self.row_there[min(self.rows, math.ceil(u)) - 1]]
+        found += [
+            edge
+            for edge in self.edges
+            if self.row_there[math.floor(edge) - 1] and self.row_there[min(self.rows, math.ceil(edge)) - 1]
+        ]
+        return [
+            u for u in found if self.row_there[math.floor(u) - 1] and self.row_there[min(self.rows, math.ceil(u)) - 1]
+        ]
 
     def limits(self):
         """(row before, possible places) for each change between neighbouring rows."""
@@ -312,13 +325,15 @@ class Truth:
 
     # --- quantities ----------------------------------------------------------------------------------------------------
 
-    def extremes(self, symbol, of=None):
+    def extremes(self, symbol, of=None, rows_only=False):
         """(least, where, largest, where) of a quantity over all that exists; None where it is nowhere a number."""
         change = of or (lambda x: x)
         column = np.asarray(change(self.at[symbol]), float)
         found = []
         for sign in (1.0, -1.0):
-            v = np.where(self.there, sign * column, np.inf)
+            shown = self._of_rows()
+            there = shown & (np.arange(len(self.u)) % self.fine == 0) if rows_only else shown
+            v = np.where(there, sign * column, np.inf)
             if not np.isfinite(v).any():
                 return None
             padded = np.concatenate(([np.inf], v, [np.inf]))
@@ -326,11 +341,16 @@ class Truth:
             low = low[np.argsort(v[low])][:12]
             starts = list(self.u[low])
             best, where = v[low[0]], self.u[low[0]]
-            if self.listed is None and self.rows > 1:
-                edges = list(self.edges)
+            if self.listed is None and self.rows > 1 and not rows_only:
+                edges = [
+                    edge
+                    for edge in self.edges
+                    if shown[max(0, math.ceil((edge - 1) * self.fine) - 1)]
+                    or shown[min(len(shown) - 1, math.floor((edge - 1) * self.fine) + 1)]
+                ]
                 whole = self._held(column)
 
-                def near(u, sign=sign):
+                def near(u, sign=sign, whole=whole):
                     known = self.known(u)
                     raw = np.asarray(change(known[symbol]), float)
                     nearest = np.clip(np.rint((u - 1) * self.fine).astype(int), 0, len(self.u) - 1)
@@ -349,6 +369,15 @@ class Truth:
                     best, where = values[pick], places[pick]
             found += [sign * best, where]
         return tuple(found)
+
+    def _of_rows(self):
+        """The places that close in stretches with a row: what closes only between two rows that do not is not spoken of."""
+        starts = np.flatnonzero(np.diff(np.concatenate(([False], self.there, [False])).astype(int)))
+        found = np.zeros(len(self.u), dtype=bool)
+        for begin, end in zip(starts[::2], starts[1::2], strict=True):
+            if np.any(np.arange(begin, end) % self.fine == 0):
+                found[begin:end] = True
+        return found
 
     def _turns(self, symbol):
         if symbol == self.mechanism.driver.symbol:
@@ -451,7 +480,12 @@ class _Judge:
             loops = [f"grashof_{loop.group}" for loop in self.found.four_bars]
             for key in self.found.entries:
                 if key not in ("rows_closed", "input_from", *loops):
-                    self.say("nothing else said where nothing closes", not self.sheets.words(key), key, self.sheets.words(key))
+                    self.say(
+                        "nothing else said where nothing closes",
+                        not self.sheets.words(key),
+                        key,
+                        self.sheets.words(key),
+                    )
         if self.found.limits:
             self.limits()
             self.input_range()
@@ -490,7 +524,9 @@ class _Judge:
             self.say("wrong input: no row closes", sheets.of("rows_closed") == 0.0, sheets.of("rows_closed"))
         self.say("wrong input: red", sheets.colour(VERDICT_ROW, 0) == "red", sheets.colour(VERDICT_ROW, 0))
         line = sheets.cell(VERDICT_ROW, 0)
-        self.say("wrong input: words", isinstance(line, str) and line.startswith(self.verdict("line.inputs")[:12]), line)
+        self.say(
+            "wrong input: words", isinstance(line, str) and line.startswith(self.verdict("line.inputs")[:12]), line
+        )
 
     def no_errors_in_words(self):
         sheets = self.sheets
@@ -514,7 +550,9 @@ class _Judge:
         else:
             ends = [float(truth.driver(end)) * truth.scale for stretch in truth.row_stretches[:3] for end in stretch]
             said = numbers_in(words)
-            right = words.startswith(self.verdict("rows.some")) and (not said or np.allclose(said, ends[: len(said)], atol=0.0051))
+            right = words.startswith(self.verdict("rows.some")) and (
+                not said or np.allclose(said, ends[: len(said)], atol=0.0051)
+            )
             right = right and (words.endswith("…") or len(said) == 2 * len(truth.row_stretches))
         self.say("rows_closed words", right, words, truth.row_stretches)
 
@@ -525,11 +563,19 @@ class _Judge:
         self.say("limits", count == len(limits), count, len(limits))
         words = sheets.words("limits")
         if words == self.verdict("limits.none"):
-            self.say("limits words", truth.closes_everywhere or truth.doubtful or (truth.count == 0 and not truth.peeps and not truth.there.any()),
-                     words, list(truth.edges), truth.dips, truth.peeps)
+            self.say(
+                "limits words",
+                truth.closes_everywhere
+                or truth.doubtful
+                or (truth.count == 0 and not truth.peeps and not truth.there.any()),
+                words,
+                list(truth.edges),
+                truth.dips,
+                truth.peeps,
+            )
         if truth.listed is not None:
             return
-        for number_, (row, places) in enumerate(limits[:4], 1):
+        for number_, (_row, places) in enumerate(limits[:4], 1):
             key = f"#limit_{number_}"
             if key not in self.plan.at.spots:
                 continue
@@ -539,7 +585,12 @@ class _Judge:
             self.say("limit", any(abs(u - place) <= tolerance for place in places), number_, u, places)
             if isinstance(shown, float) and number_ <= 2:
                 said = numbers_in(words)
-                self.say("limit in words", not said or len(said) < number_ or abs(said[number_ - 1] - shown) < 0.0051, words, shown)
+                self.say(
+                    "limit in words",
+                    not said or len(said) < number_ or abs(said[number_ - 1] - shown) < 0.0051,
+                    words,
+                    shown,
+                )
         for number_ in range(len(limits) + 1, 5):
             if f"#limit_{number_}" in self.plan.at.spots:
                 shown = sheets.spot(f"#limit_{number_}")
@@ -560,10 +611,13 @@ class _Judge:
             ends.append(between if inside and between and truth.listed is None else [float(row)])
         for shown, places in zip((low, high), ends, strict=True):
             right = isinstance(shown, float) and any(
-                abs(shown - float(truth.driver(place)) * truth.scale) <= (LIMIT if not truth.doubtful and not about else 5e-2) * abs(truth.step) * truth.scale + 1e-9
+                abs(shown - float(truth.driver(place)) * truth.scale)
+                <= (LIMIT if not truth.doubtful and not about else 5e-2) * abs(truth.step) * truth.scale + 1e-9
                 for place in places
             )
-            self.say("input", right, low, high, [[float(truth.driver(p)) * truth.scale for p in places] for places in ends])
+            self.say(
+                "input", right, low, high, [[float(truth.driver(p)) * truth.scale for p in places] for places in ends]
+            )
         free = truth.whole and truth.closes_everywhere
         if words == self.verdict("input.free"):
             self.say("input words", free or truth.doubtful, words)
@@ -627,7 +681,12 @@ class _Judge:
     def grashof(self, loop):
         truth, sheets = self.truth, self.sheets
         ground = truth.mechanism.ground
-        links = ((ground, loop.start, loop.end), (loop.first, loop.start, loop.pin), (loop.coupler, loop.pin, loop.inner), (loop.last, loop.end, loop.inner))
+        links = (
+            (ground, loop.start, loop.end),
+            (loop.first, loop.start, loop.pin),
+            (loop.coupler, loop.pin, loop.inner),
+            (loop.last, loop.end, loop.inner),
+        )
         known = truth.dimensions
         constants = {name: float(column[0]) for name, column in truth.at.items() if truth.equations_constant(name)}
         lengths = [float(number_of(distance(*link), {**constants, **known})) for link in links]
@@ -723,7 +782,9 @@ class _Judge:
                 if 0 < way < TURN:
                     candidates.append(max(way, TURN - way) / min(way, TURN - way))
         about = sheets.words(f"time_ratio_{symbol}").endswith(self.verdict("about"))
-        right = isinstance(shown, float) and any(abs(shown - ratio) <= (2e-2 if about else 2e-3) * ratio for ratio in candidates)
+        right = isinstance(shown, float) and any(
+            abs(shown - ratio) <= (2e-2 if about else 2e-3) * ratio for ratio in candidates
+        )
         kind = "time_ratio" + ("" if self.continuous(symbol) else " (rows too far apart)")
         self.say(kind, right, shown, candidates[:3])
 
@@ -742,15 +803,19 @@ class _Judge:
             return
         if truth.holes or truth.doubtful or sheets.of("leaps") > 0:
             return
-        if missing(shown) and len(truth.limits()) > 4:
-            return
+        several = len(truth.row_stretches) > 1
+        if several:
+            self.say("rows only", self.verdict("rows.only") in words, words)
         if group.kind == "RRR":
+
             def fold(x):
                 return np.minimum(x, math.pi - x)
         else:
+
             def fold(x):
                 return math.pi / 2 - np.abs(x)
-        least, _, most, _ = truth.extremes(symbol, fold)
+
+        least, _, most, _ = truth.extremes(symbol, fold, several)
         degrees = self.plan.mechanism.angle_unit.in_degrees
         scale = math.degrees(1.0) if degrees else 1.0
         tolerance = (EXTREME * max(most - least, 1e-3) + 2e-6) * scale
@@ -759,19 +824,30 @@ class _Judge:
         self.say("transmission", close(shown, least * scale, tolerance), shown, least * scale, words)
         if isinstance(at, float) and isinstance(shown, float):
             there = truth.value_at(symbol, at, fold)
-            self.say("transmission at", there is not None and close(there * scale, shown, 10 * tolerance), at, shown, there)
+            self.say(
+                "transmission at", there is not None and close(there * scale, shown, 10 * tolerance), at, shown, there
+            )
         else:
             self.say("transmission at", False, at)
-        if degrees and abs(least * scale - 40) > 1e-3:
+        if degrees and abs(least * scale - 40) > 1e-3 and not several:
             word = self.verdict("poor" if least * scale < 40 else "fair")
             self.say("transmission words", word in words, words, word)
-        low, _, high, _ = truth.extremes(symbol, (lambda x: x) if group.kind == "RRR" else (lambda x: math.pi / 2 - np.abs(x)))
+        low, _, high, _ = truth.extremes(
+            symbol, (lambda x: x) if group.kind == "RRR" else (lambda x: math.pi / 2 - np.abs(x)), several
+        )
         said = numbers_in(words)
         digits = 0.051 if degrees else 0.0051
         if self.verdict("about") in words:
             digits += 0.02 * scale
-        self.say("transmission range", len(said) >= 2 and abs(said[0] - low * scale) <= digits and abs(said[1] - high * scale) <= digits,
-                 words, low * scale, high * scale)
+        self.say(
+            "transmission range",
+            len(said) >= 2
+            and abs(said[0] - low * scale) <= digits
+            and ((several and group.kind != "RRR") or abs(said[1] - high * scale) <= digits),
+            words,
+            low * scale,
+            high * scale,
+        )
 
     def summary(self, summary):
         truth, sheets = self.truth, self.sheets
@@ -786,8 +862,11 @@ class _Judge:
             return
         if truth.holes or truth.doubtful:
             return
-        if (missing(shown) and len(truth.limits()) > 4) or sheets.of("leaps") > 0:
+        if sheets.of("leaps") > 0:
             return
+        several = len(truth.row_stretches) > 1 and summary.take in ("min", "max", "range")
+        if several and summary.of != truth.mechanism.driver.symbol:
+            self.say("rows only", self.verdict("rows.only") in words, words)
         symbol = summary.of
         output = next((out for out in truth.mechanism.outputs if out.symbol == symbol), None)
         if symbol == truth.mechanism.driver.symbol:
@@ -802,7 +881,7 @@ class _Judge:
             return
         column = truth.at[symbol][:: truth.fine] * scale
         there = np.flatnonzero(truth.row_there)
-        extremes = truth.extremes(symbol)
+        extremes = truth.extremes(symbol, None, several)
         if extremes is None:  # an output that does not exist
             self.say(kind, missing(shown), shown)
             return
@@ -820,7 +899,9 @@ class _Judge:
         self.say(kind, close(shown, expected, tolerance), shown, expected, words)
         if summary.take in ("min", "max") and isinstance(at, float) and symbol != truth.mechanism.driver.symbol:
             there = truth.value_at(symbol, at)
-            self.say("summary at", there is not None and close(there * scale, expected, 10 * tolerance), at, there, expected)
+            self.say(
+                "summary at", there is not None and close(there * scale, expected, 10 * tolerance), at, there, expected
+            )
 
 
 def _constant(self, name):
@@ -838,7 +919,13 @@ def shown_inputs(sheets):
     found = {}
     for dim in sheets.mechanism.dimensions:
         if not dim.derived:
-            found[dim.symbol] = dim.shown if dim.shown is not None else math.degrees(dim.value) if dim.unit.in_degrees else float(dim.value)
+            found[dim.symbol] = (
+                dim.shown
+                if dim.shown is not None
+                else math.degrees(dim.value)
+                if dim.unit.in_degrees
+                else float(dim.value)
+            )
     return found
 
 
@@ -851,7 +938,11 @@ def change(sheets, random):
         dim = next(each for each in sheets.mechanism.dimensions if each.symbol == symbol)
         if random.random() < 0.4:
             continue
-        inputs[symbol] = float(value + math.degrees(random.normal(0, spread))) if dim.unit.in_degrees else float(value * math.exp(random.uniform(-spread, spread)))
+        inputs[symbol] = (
+            float(value + math.degrees(random.normal(0, spread)))
+            if dim.unit.in_degrees
+            else float(value * math.exp(random.uniform(-spread, spread)))
+        )
     if not driver.values and driver.link:
         degrees = 1.0 if driver.unit.in_degrees else math.radians(1.0)
         if isinstance(driver.start, float) and random.random() < 0.5:
@@ -901,7 +992,11 @@ def main():
     runs = []
     for path in sorted((ROOT / "templates").glob(f"{given.templates}.toml")):
         runs.append((path.stem, lambda path=path: Sheets(load(path))))
-    for seed in [int(part) for part in given.seeds.split(",")] if given.seeds else range(given.first, given.first + given.random):
+    for seed in (
+        [int(part) for part in given.seeds.split(",")]
+        if given.seeds
+        else range(given.first, given.first + given.random)
+    ):
         runs.append((f"random {seed}", lambda seed=seed: random_sheets(seed, 1 + seed % 3)))
     for name, make in runs:
         sheets = make()
@@ -911,7 +1006,10 @@ def main():
         judge(sheets, {}, claims, name)
         for _ in range(given.changes):
             judge(sheets, change(sheets, random), claims, name)
-        print(f"{name}: {len(claims.wrong)} of {sum(claims.judged.values())}, {time.perf_counter() - begun:.0f} s", file=sys.stderr)
+        print(
+            f"{name}: {len(claims.wrong)} of {sum(claims.judged.values())}, {time.perf_counter() - begun:.0f} s",
+            file=sys.stderr,
+        )
     report(claims, given.show)
 
 

@@ -152,8 +152,8 @@ def _lengths(laid):
 
 
 def test_a_position_that_does_not_exist_draws_nothing():
-    """With a longer crank the four-bar does not close everywhere: what is to close vanishes, crank and supports stay,
-    the caption says why."""
+    """With a longer crank the four-bar does not close everywhere: what is to close vanishes, the crank and the
+    supports stay, the caption says why."""
     laid = template("four-bar")
     values = laid.at(12, a2=90.0)
     chart = laid.drawing.chart

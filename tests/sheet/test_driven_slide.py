@@ -35,7 +35,8 @@ def text_of(name):
 
 @pytest.mark.parametrize("name", REACH)
 def test_range_of_the_slide(name):
-    """The sweep, cut off where the slide can go no further; and of a sweep that is carried on in the cells."""
+    """What the first sheet says: the sweep, cut off where the slide can go no further; and of a sweep carried on in
+    the cells."""
     laid = Laid(text_of(name))
     low, high = REACH[name]
     start, step = laid.spot("#start"), laid.spot("#step")

@@ -63,7 +63,8 @@ def at():
 
 
 def test_bound_to_cells(at):
-    """Dimensions by name, columns by the cell of the row, angles in radians unless asked for as shown."""
+    """Dimensions by name, columns by the cell of the row, angles in radians unless they are asked for as people read
+    them."""
     assert (
         text(at.bind(formula("length+beta+theta", length=Symbol("a1")), "Table", 8)) == "a_1+RADIANS(beta)+RADIANS(E9)"
     )

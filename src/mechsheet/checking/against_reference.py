@@ -18,6 +18,7 @@ from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
+from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
@@ -54,9 +55,11 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
         return tally.result(), [*inputs.remarks, NOWHERE]
     solution = reference.solve(mechanism, inputs.dimensions, start=start, values=inputs.driver)
     tally = Tally("reference")
-    ours = {symbol: _column(plan, values, symbol) for symbol in _judged(plan)}
+    known = _Known(plan, values)
+    ours = {symbol: known[symbol] for symbol in _judged(plan)}
     theirs = _theirs(solution, ours)
-    closed = _closed_rows(mechanism, solution, ours)
+    placed = {symbol: known[symbol] for symbol in theirs if symbol in plan.at.spots or symbol in plan.plain}
+    closed = _closed_rows(mechanism, solution, ours | placed)
     _judge_status(plan, tally, opened, solution.exists)
     for symbol, column in ours.items():
         _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol))
@@ -84,6 +87,23 @@ def _without(plan: Plan, values: Any, symbols: Collection[str]) -> Comparison:
     return tally.result()
 
 
+class _Known(dict[str, Array]):
+    """The values of symbols in internal units, those too that have no cell of their own; each when it is asked for."""
+
+    def __init__(self, plan: Plan, values: Any) -> None:
+        super().__init__()
+        self.plan = plan
+        self.values_of_cells = values
+
+    def __missing__(self, symbol: str) -> Array:
+        if symbol in self.plan.at.spots:
+            found = _column(self.plan, self.values_of_cells, symbol)
+        else:
+            found = np.broadcast_to(np.asarray(value(self.plan.plain[symbol], self), float), (self.plan.rows,))
+        self[symbol] = found
+        return found
+
+
 def _expect_nothing(plan: Plan, tally: Tally, symbol: str, ours: Array, rows: NDArray[np.bool_]) -> None:
     for row in np.flatnonzero(rows):
         where = f"{_address(plan, symbol, int(row))} ({symbol}, row {row})"
@@ -95,7 +115,7 @@ def _opened(plan: Plan, values: Any) -> dict[str, NDArray[np.bool_]]:
     nowhere = np.zeros(plan.rows, dtype=bool)
     found = {EVERY: nowhere}
     for group in plan.equations.groups:
-        apart = np.isnan(_column(plan, values, group.closes))
+        apart = np.isnan(_Known(plan, values)[group.closes])
         for symbol in (EVERY, group.closes, *readers(plan.equations, {group.closes})):
             found[symbol] = found.get(symbol, nowhere) | apart
     return found
@@ -129,7 +149,8 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array]) -> dict[str
 def _judged(plan: Plan) -> list[str]:
     fixed = [f"{point}.{axis}" for point in plan.mechanism.ground.points for axis in "xy"]
     columns = [equation.symbol for equation in plan.equations.columns if equation.role in RESULTS]
-    return list(dict.fromkeys([plan.mechanism.driver.symbol, *fixed, *columns]))
+    judged = list(dict.fromkeys([plan.mechanism.driver.symbol, *fixed, *columns]))
+    return [symbol for symbol in judged if symbol in plan.at.spots]
 
 
 def _column(plan: Plan, values: Any, symbol: str) -> Array:
@@ -137,7 +158,8 @@ def _column(plan: Plan, values: Any, symbol: str) -> Array:
     spot = plan.at.spots[symbol]
     if not spot.column:
         cell = values.get(spot.sheet, spot.row, spot.col)
-        return np.full(plan.rows, cell if isinstance(cell, float) else math.nan)
+        number = cell if isinstance(cell, float) else math.nan
+        return np.full(plan.rows, math.radians(number) if spot.degrees else number)
     cells = values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)
     found = np.array([cell if isinstance(cell, float) else math.nan for cell in cells], dtype=float)
     return np.radians(found) if spot.degrees else found
@@ -161,7 +183,6 @@ def _compare_column(
     closed: NDArray[np.bool_],
     opened: NDArray[np.bool_] | None,
 ) -> None:
-    spot = plan.at.spots[symbol]
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
     unit = plan.equations.of(symbol).unit.kind if symbol != plan.mechanism.driver.symbol else ""

@@ -13,7 +13,7 @@ from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
-from mechsheet.sheet.plan import DRIVER, TOLERANCE, VALUE
+from mechsheet.sheet.plan import TOLERANCE, VALUE
 from mechsheet.sheet.tables import table_sheets
 
 Key = tuple[str | int, ...]
@@ -79,7 +79,8 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
     mechanism = plan.mechanism
     for symbol, row in plan.blocks["dimensions"].rows.items():
         yield ("dimensions", symbol), (plan.main, row, VALUE)
-        yield ("tolerance", symbol), (plan.main, row, TOLERANCE)
+        if mechanism.layout == "sheets":
+            yield ("tolerance", symbol), (plan.main, row, TOLERANCE)
     if "assembly" in plan.blocks:
         for symbol, row in plan.blocks["assembly"].rows.items():
             yield ("mode", symbol), (plan.main, row, VALUE)
@@ -89,13 +90,18 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
                 yield ("driver", key), (plan.main, plan.blocks["sweep"].rows[key], VALUE)
     for index, value in enumerate(mechanism.driver.values):
         if isinstance(value, float):
-            yield ("driver", "values", index), (plan.table, plan.at.first + index, DRIVER)
+            yield (
+                ("driver", "values", index),
+                (plan.table, plan.at.first + index, plan.at.spots[mechanism.driver.symbol].col),
+            )
     yield from _table_places(expected)
 
 
 def _table_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]]]:
     """The heads of the two-way tables: the input cells of their sheets, from left to right."""
     requests = expected.plan.mechanism.tables
+    if expected.plan.mechanism.layout == "page":  # which has no tables
+        return
     for table, (sheet, request) in enumerate(zip(table_sheets(expected.plan), requests, strict=True)):
         cells = sorted(
             (cell.row, cell.col) for cell in sheet.cells if cell.content is not None and not cell.style.locked

@@ -9,7 +9,7 @@ from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError
-from mechsheet.exporting.workbooks import functions_workbook
+from mechsheet.exporting.workbooks import functions_workbook, in_sheets
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Call
 from mechsheet.sheet.layout import DESCRIPTION_SHEET
@@ -47,7 +47,8 @@ class Expected:
                 if not cell.style.locked and not isinstance(cell.content, str):
                     place = (sheet.title, cell.row, cell.col)
                     found[place] = by_cell.get(place, "").removeprefix("#")
-        for symbol, row in self.plan.blocks["dimensions"].rows.items():
+        tolerated = self.plan.blocks["dimensions"].rows if self.plan.mechanism.layout == "sheets" else {}
+        for symbol, row in tolerated.items():
             found[self.plan.main, row, TOLERANCE] = f"the tolerance of {symbol}"
         return found
 
@@ -60,6 +61,7 @@ def expected_for(text: str, file: str, functions: str = "") -> Expected:
     mechanism = loads(text, file=file)
     compiled = Compiled(mechanism)
     try:
+        compiled = in_sheets(compiled) if functions else compiled
         workbook = functions_workbook(compiled, functions) if functions else compiled.layout
     except MechanismError as error:
         raise located(error, mechanism.text, file) from error

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.checking.report import text_of
+from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
-from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import DESCRIPTION_MARK
-from mechsheet.sheet.plan import DRIVER, VALUE, Plan, plan_of
+from mechsheet.sheet.plan import VALUE, Plan
 
 Array = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ def description_in(book: Book) -> str | None:
 def plan_inside(text: str, shown: str) -> Plan:
     """Where everything stands in the workbook that carries the description `text` (`shown`: the file, for messages)."""
     mechanism = loads(text, file=f"{shown} (description inside)")
-    return plan_of(mechanism, solve(mechanism))
+    return Compiled(mechanism).plan
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +88,7 @@ def _driver_column(plan: Plan, values: Any, faults: list[Fault], shown: str) -> 
     """The driver's values from start and step, as cells have them (or from the listed cells)."""
     driver = plan.mechanism.driver
     if driver.values:
-        cells = values.column(plan.table, DRIVER, plan.at.first, plan.at.last)
+        cells = values.column(plan.table, plan.at.spots[driver.symbol].col, plan.at.first, plan.at.last)
     else:
         start, step = (values.get(plan.main, plan.at.spots[key].row, VALUE) for key in ("#start", "#step"))
         numbers = isinstance(start, float) and isinstance(step, float)

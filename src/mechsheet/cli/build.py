@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 )
 @click.option("--format", "formats", help="xlsx, ods, or both with a comma.  [default: xlsx]")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the workbook.")
+@click.option("--layout", type=click.Choice(["sheets", "page"]), help="Several sheets, or all on one.")
 @click.option(
     "--functions",
     metavar="basic,lambda",
@@ -51,6 +52,7 @@ def build(
     output: str,
     formats: str | None,
     language: str | None,
+    layout: str | None,
     functions: str,
     force: bool,
     settings: tuple[str, ...],
@@ -65,6 +67,7 @@ def build(
 
     A workbook in which somebody has saved changes is left as it is, unless with --force.
     """
+    from mechsheet.description.reader import with_layout
     from mechsheet.library.building import refuse_edited, targets, told, write_all
     from mechsheet.library.verdicts import verdict
 
@@ -73,7 +76,7 @@ def build(
             Fault("a workbook is written to a file, not printed", key="-o", hint="for example -o out.xlsx")
         )
     paths = _each_once(descriptions)
-    mechanisms = [described(path, settings, language) for path in paths]
+    mechanisms = [with_layout(described(path, settings, language), layout) for path in paths]
     wanted = [targets(mechanism, output, formats, functions) for mechanism in mechanisms]
     _refuse_shared(paths, wanted)
     if not force:

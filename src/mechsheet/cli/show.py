@@ -15,7 +15,9 @@ from .streams import print_file
 @SET
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
 @click.option("--cells", "what", flag_value="cells", help="Every cell of the workbook.")
-@click.option("--verdicts", "what", flag_value="verdicts", help="What the first sheet says of it, by the names of its cells.")
+@click.option(
+    "--verdicts", "what", flag_value="verdicts", help="What the first sheet says of it, by the names of its cells."
+)
 @JSON
 @click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")
 def show(description: Path, settings: tuple[str, ...], what: str | None, as_json: bool, as_csv: bool) -> None:

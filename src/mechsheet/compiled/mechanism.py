@@ -17,7 +17,8 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.plan import STATUS, Plan
+from mechsheet.sheet.page.layout import lay_out_page
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Workbook
 
 
@@ -63,7 +64,8 @@ class Compiled:
 
     @cached_property
     def _laid_out(self) -> tuple[Workbook, Plan]:
-        return lay_out(self.mechanism, self.equations)
+        page = self.mechanism.layout == "page"
+        return lay_out_page(self.mechanism, self.equations) if page else lay_out(self.mechanism, self.equations)
 
     @property
     def layout(self) -> Workbook:
@@ -108,8 +110,8 @@ class Compiled:
     @cached_property
     def exists(self) -> tuple[bool, ...]:
         """In which rows the table of positions shows a position."""
-        ok = self.plan.text("status.ok")
-        return tuple(value == ok for value in self.column(STATUS))
+        ok = self.plan.ok
+        return tuple(value == ok for value in self.column(self.plan.status_column))
 
 
 def compiled_of(mechanism: Mechanism) -> Compiled:

@@ -23,6 +23,7 @@ from mechsheet.description.schema import (
     Table,
     Text,
     Words,
+    YesNo,
 )
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
@@ -54,6 +55,8 @@ def _of(shape: Shape) -> Json:
             return {"type": "number"} | ({} if least is None else {"minimum": least})
         case Integer(least, most):
             return {"type": "integer", "minimum": least, "maximum": most}
+        case YesNo():
+            return {"type": "boolean"}
         case Quantity():
             return {"type": ["number", "string"]}
         case Text(choices=choices, longest=longest):

@@ -23,6 +23,7 @@ from mechsheet.model import Mechanism, Words
 from mechsheet.units import unit_of
 
 LANGUAGES = ("en", "tr")
+LAYOUTS = ("sheets", "page")
 _DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
 
 
@@ -67,6 +68,21 @@ def loads(
     return mechanism
 
 
+def with_layout(mechanism: Mechanism, layout: str | None) -> Mechanism:
+    """The mechanism with a layout of its workbook, "sheets" or "page", in place of its description's own (None: that).
+
+    It stands in its text, too. Raises DescriptionError for a layout that is not known.
+    """
+    if layout is None or layout == mechanism.layout:
+        return mechanism
+    if layout not in LAYOUTS:
+        raise DescriptionError(Fault(f"unknown layout {quoted(layout)}", hint='layouts: "sheets", "page"'))
+    source, _ = parse_as_meant(mechanism.text, "<text>")
+    found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text)
+    sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
+    return replace(found, file=mechanism.file, sketch=sketch)
+
+
 def _check_format(source: Source) -> None:
     """Another version is one fault: what else differs would only be noise."""
     version = source.data.get("format", FORMAT)
@@ -105,7 +121,9 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "charts": results.charts(_part(data, "charts", []), scope),
         "tables": results.tables(_part(data, "tables", []), driven.symbol if driven else None, scope),
         "language": _choice(workbook, "language", "en"),
-        "references": _choice(workbook, "references", "names"),
+        "layout": (layout := _choice(workbook, "layout", "sheets")),
+        "drawn": workbook.get("drawing", True) is not False,
+        "references": _choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     name = _name(head, report)
     if report.faults or driven is None:

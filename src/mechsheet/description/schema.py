@@ -37,6 +37,11 @@ class Integer:
 
 
 @dataclass(frozen=True, slots=True)
+class YesNo:
+    """true or false."""
+
+
+@dataclass(frozen=True, slots=True)
 class Quantity:
     """A number in the file's own units, or an expression in quotes."""
 
@@ -124,9 +129,8 @@ class Either:
     shapes: tuple[Shape, ...]
 
 
-Shape: TypeAlias = (
-    "Number | Integer | Quantity | Text | Words | Items | Named | Table | Kinds | Either"  # a string: it is recursive
-)
+# A string: it is recursive.
+Shape: TypeAlias = "Number | Integer | YesNo | Quantity | Text | Words | Items | Named | Table | Kinds | Either"
 
 PAIR = Items(Quantity(), 2, 2, "[x, y]")
 _LABEL = Key(Words(), "what it is called, in one language or both")
@@ -274,7 +278,11 @@ TABLE = Table(
 WORKBOOK = Table(
     {
         "language": Key(Text(("en", "tr")), "language of sheet names, headings and notes; default en"),
-        "references": Key(Text(("names", "anchors")), "how formulas name a dimension; default names"),
+        "layout": Key(Text(("sheets", "page")), "several sheets, or all on one; default sheets"),
+        "drawing": Key(YesNo(), "false leaves the drawing out of the layout page; default true"),
+        "references": Key(
+            Text(("names", "anchors")), "how formulas name a dimension; default names, in the layout page anchors"
+        ),
     }
 )
 

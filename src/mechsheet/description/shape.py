@@ -27,6 +27,7 @@ from mechsheet.description.schema import (
     Table,
     Text,
     Words,
+    YesNo,
 )
 from mechsheet.diagnostics import near_miss
 
@@ -68,6 +69,8 @@ def _same_type(value: Any, shape: Shape) -> bool:
             return number
         case Integer():
             return number and isinstance(value, int)
+        case YesNo():
+            return isinstance(value, bool)
         case Quantity():
             return number or isinstance(value, str)
         case Text():
@@ -89,6 +92,8 @@ def allowed(shape: Shape) -> str:
             return "a number"
         case Integer(least, most):
             return f"the whole number {least}" if least == most else f"a whole number from {least} to {most}"
+        case YesNo():
+            return "true or false"
         case Quantity():
             return "a number or an expression in quotes"
         case Text(choices):

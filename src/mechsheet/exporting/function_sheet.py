@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from mechsheet.exporting.functions import TABLE_KEY, Function, in_degrees, variable_key
 from mechsheet.exporting.routines import Source
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import shown_unit
@@ -156,7 +156,10 @@ def _table(
             gap = Binary("-", gap, Binary("*", turn, Call("ROUND", (Binary("/", gap, turn), Number(0.0)))))
         both = Call("ISNUMBER", (Binary("+", found, wanted),))
         alike = Binary("=", Call("ISNUMBER", (found,)), Call("ISNUMBER", (wanted,)))
-        checked = Call("IF", (both, Call("ABS", (gap,)), Call("IF", (alike, Number(0.0), Call("NA")))))
+        # a function has no value where any group comes apart; the table goes on with what does not depend on it
+        apart = Binary("<>", Call("INDEX", (plan.at.column("#status", ""), number)), Text(plan.text("status.ok")))
+        fine = Call("OR", (apart, alike))
+        checked = Call("IF", (both, Call("ABS", (gap,)), Call("IF", (fine, Number(0.0), Call("NA")))))
         at = behind + col - 2
         fills.append(Fill(FIRST, at, checked, styles.INNER, rows=count))
         area = RangeRef(CellRef(FIRST, at), CellRef(FIRST + count - 1, at))

@@ -90,12 +90,20 @@ def functions_workbook(compiled: Compiled, form: str) -> Workbook:
     form  "basic" or "lambda"
     Raises MechanismError when the mechanism cannot be solved.
     """
+    compiled = in_sheets(compiled)
     source = Source(compiled)
     taken = {folded(name.name) for name in compiled.layout.names}
     functions = functions_of(source, compiled.mechanism.language, taken)
     names = function_names(functions) if form == "basic" else {function.key: function.name for function in functions}
     work = _Work(compiled.plan, source, form, {function.key: function for function in functions}, names)
     return with_typed_constants(work.workbook(compiled.layout))
+
+
+def in_sheets(compiled: Compiled) -> Compiled:
+    """The same in the layout of several sheets: functions need the sheets of tables."""
+    if compiled.mechanism.layout == "sheets":
+        return compiled
+    return Compiled(replace(compiled.mechanism, layout="sheets"))
 
 
 class _Work:

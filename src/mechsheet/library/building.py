@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from mechsheet.description.reader import with_layout
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, near_miss, readable_name
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
@@ -53,6 +54,7 @@ def build(
     formats: str | Iterable[str] | None = None,
     functions: str | Iterable[str] = (),
     force: bool = False,
+    layout: str | None = None,
 ) -> list[Path]:
     """Write the mechanism's workbook, once for each format, and return the files written.
 
@@ -61,12 +63,14 @@ def build(
                that came from no file. The folder is made when it is not there yet (but not its parents)
     formats    "xlsx", "ods", or several; "xlsx" without it
     functions  extra files: "basic" (`NAME-basic.ods`, needs macros), "lambda" (`NAME-lambda.xlsx`, needs Excel 365)
+    layout     "sheets" or "page" (all on one sheet), in place of the description's own
     force      also over a file that is not a workbook as `build` wrote it: somebody's work may be in it
 
     A file is written beside its place and moved into it: a failure leaves the old one whole. Raises MechanismError when
     the mechanism cannot be solved, OutputError when a file cannot be written or holds somebody's changes,
     MechsheetError for formats that are not known or do not fit the file.
     """
+    mechanism = with_layout(mechanism, layout)
     wanted = targets(mechanism, output, formats, functions)
     if not force:
         refuse_edited(wanted)

@@ -102,12 +102,16 @@ class Linkage(Mechanism):
         return Motion(*motion_of(self._compiled))
 
     def build(
-        self, output: str | Path = ".", formats: str | Iterable[str] | None = None, force: bool = False
+        self,
+        output: str | Path = ".",
+        formats: str | Iterable[str] | None = None,
+        force: bool = False,
+        layout: str | None = None,
     ) -> list[Path]:
         """Write the workbooks; see `mechsheet.build`."""
         from mechsheet.library.building import build
 
-        return build(self, output, formats, force=force)
+        return build(self, output, formats, force=force, layout=layout)
 
     def drawing(self, at: float | None = None) -> Drawing:
         """The drawing at a driver value (in its unit; the first position without it), shown by a notebook."""

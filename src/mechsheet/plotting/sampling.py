@@ -66,6 +66,7 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
         mechanism,
         driver=replace(mechanism.driver, values=tuple(values)),
         language=language or mechanism.language,
+        layout="sheets",
         tables=(),
         summaries=(),
     )

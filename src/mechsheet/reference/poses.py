@@ -132,7 +132,7 @@ def solve(
             state[rows] = found.state
             undetermined[rows] = found.undetermined
             alive[rows] = found.exists
-            state[np.ix_(rows[~found.exists], list(built.blocks[i].columns))] = np.nan
+            state[np.ix_(rows[~found.exists], np.array(built.blocks[i].columns))] = np.nan
         if progress is not None:
             progress(i + 1, len(built.blocks))
     state, alive, undetermined, path = state[asked], alive[asked], undetermined[asked], path[asked]

@@ -65,8 +65,8 @@ class Addresses:
     def bind(self, node: Node, sheet: str, row: int | None = None) -> Node:
         """The tree with every symbol replaced by a reference, as a formula in `row` of `sheet` has it.
 
-        Quantities come in internal units (radians); as people read them come those whose names begin with "#", `SHOWN(x)` and
-        whole columns, `ALL(x)` (see `quoted`).
+        Quantities come in internal units (radians); as people read them come those whose names begin with "#",
+        `SHOWN(x)` and whole columns, `ALL(x)` (see `quoted`).
         """
 
         def change(part: Node) -> Node:

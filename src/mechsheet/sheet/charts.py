@@ -14,7 +14,7 @@ import numpy as np
 
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import ChartRequest
+from mechsheet.model import ChartRequest, Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.blocks import shown_unit
 from mechsheet.sheet.drawing import SIZE, Drawing, marker
@@ -67,7 +67,7 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     requests = []
     for symbols in (angles, displacements, outputs):
         requests += [ChartRequest(x=driver, y=group) for group in _shared(plan, symbols, sizes)]
-    paths = _remarkable_points(plan)
+    paths = remarkable_points(mechanism)
     if paths:
         requests.append(ChartRequest(paths=paths))
     return tuple(requests)
@@ -101,9 +101,8 @@ def _shared(plan: Plan, symbols: Sequence[str], sizes: Mapping[str, float]) -> l
     return [tuple(group) for group in groups]
 
 
-def tracing_points(plan: Plan) -> tuple[str, ...]:
+def tracing_points(mechanism: Mechanism) -> tuple[str, ...]:
     """Points of a single moving link (coupler points); without any, the moving joints."""
-    mechanism = plan.mechanism
     at: dict[str, int] = {}
     for link in mechanism.links:
         for point in link.points:
@@ -114,21 +113,20 @@ def tracing_points(plan: Plan) -> tuple[str, ...]:
     return free or tuple(point for point in at if point not in fixed)
 
 
-def _remarkable_points(plan: Plan) -> tuple[str, ...]:
+def remarkable_points(mechanism: Mechanism) -> tuple[str, ...]:
     """Traced points whose paths are neither circles about a fixed pin nor straight guides."""
-    mechanism = plan.mechanism
     fixed = set(mechanism.ground.points)
     plain_paths = {joint.point for joint in mechanism.joints if mechanism.ground.name == joint.on}
     for link in mechanism.links[1:]:
         if fixed & set(link.points):
             plain_paths |= set(link.points)
-    return tuple(point for point in tracing_points(plan) if point not in plain_paths)
+    return tuple(point for point in tracing_points(mechanism) if point not in plain_paths)
 
 
 def traced_points(plan: Plan, requests: Sequence[ChartRequest]) -> tuple[str, ...]:
     """Points whose paths are drawn behind the mechanism: those that have a chart, else those that deserve one."""
     asked = dict.fromkeys(point for request in requests for point in request.paths)
-    return tuple(asked) or tracing_points(plan)
+    return tuple(asked) or tracing_points(plan.mechanism)
 
 
 # --- curves ------------------------------------------------------------------------------------------------------
@@ -161,7 +159,7 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
             markers.append(marker(plain(symbol), x, y, color))
     units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
     symbols = ", ".join(plain(symbol) for symbol in request.y)
-    title = request.title.of(plan.language) if request.title else _title(plan, request)
+    title = request.title.of(plan.language) if request.title else chart_title(plan, request)
     return Chart(
         title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x),
         Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
@@ -169,7 +167,8 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
     )  # fmt: skip
 
 
-def _title(plan: Plan, request: ChartRequest) -> str:
+def chart_title(plan: Plan, request: ChartRequest) -> str:
+    """What stands over curves, where the description has no title."""
     driver = plain(request.x)
     equations = [plan.equations.of(symbol) for symbol in request.y]
     if len(equations) == 1 and equations[0].role == "output":

@@ -95,16 +95,14 @@ class Checks:
 
     def worst_at(self, kind: Kind) -> Node:
         """The driver's value where the first column of a kind with the worst value has it."""
-        found: Node = Call("NA")
-        for index, check in reversed([*enumerate(self.checks)]):
-            if check.kind == kind:
-                most, where = (
-                    CellRef(row, DATA + index, True, True, self.title) for row in (self.most_row, self.at_row)
-                )
-                found = formula(
-                    "IF(most=worst,place,other)", most=most, worst=self.worst(kind), place=where, other=found
-                )
-        return found
+        cols = [DATA + index for index, check in enumerate(self.checks) if check.kind == kind]
+        if not cols:
+            return Call("NA")
+        most, places = (
+            RangeRef(CellRef(row, cols[0], True, True, self.title), CellRef(row, cols[-1], True, True, self.title))
+            for row in (self.most_row, self.at_row)
+        )
+        return formula("INDEX(places,MATCH(worst,most,0))", places=places, worst=self.worst(kind), most=most)
 
 
 def checks_sheet(plan: Plan, checks: Checks) -> Sheet:
@@ -245,7 +243,7 @@ def typed_over(plan: Plan) -> Node:
         CellRef(plan.at.first, cols[0], True, True, plan.table), CellRef(plan.at.last, cols[1], True, True, plan.table)
     )
     # 0 in programs that do not ask a whole range
-    return formula("IFERROR(ROWS(area)*COLUMNS(area)-SUMPRODUCT(--ISFORMULA(area)),0)", area=area)
+    return formula("IFERROR(ROWS(area)*COLUMNS(area)-SUMPRODUCT(ISFORMULA(area)*1),0)", area=area)
 
 
 def _least_nearby(margin: str, tolerance: str, plan: Plan) -> Node:

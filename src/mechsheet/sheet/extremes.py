@@ -1,9 +1,9 @@
 """The sheet of extremes: the smallest and the largest value of a quantity over the motion, not only over the rows.
 
-From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row beside it,
-and one at the vertex of the parabola through the row and these two. Where the best row is the last before a limit, the second
-probe is made at the limit. What is given has been attained: the best of the row and the probes. Over a whole turn the rows at its ends
-are neighbours, which is decided by formulas: start and step may change.
+From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row
+beside it, and one at the vertex of the parabola through the row and these two. Where the best row is the last before a
+limit, the second probe is made at the limit. What is given has been attained: the best of the row and the probes. Over
+a whole turn the rows at its ends are neighbours, which is decided by formulas: start and step may change.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, LIMITS, STRETCHES, TO, Limits
+from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.positions import heading
 from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
@@ -64,6 +64,7 @@ class Extremes:
         spots, title = self.plan.at.spots, self.probes.title
         whole = self.probes.cell(self.whole_row, 1)
         spots["#whole"] = Spot(title, whole.row, whole.col)
+        spots["#fine"] = Spot(title, whole.row, whole.col + 1)
         for (symbol, way), block in self.blocks.items():
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
@@ -75,6 +76,10 @@ class Extremes:
             for key, work in ((f"#gap_least_{number}", 0), (f"#gap_row_{number}", 1)):
                 cell = self.probes.cell(block.row, SIDE + work)
                 spots[key] = Spot(title, cell.row, cell.col)
+
+    def fine(self, test: Node) -> None:
+        """Whether the inputs are such that anything can be said."""
+        self.probes.work(self.whole_row, 2, "test", test=test)
 
     def sheet(self) -> Sheet:
         """The finished sheet."""
@@ -130,7 +135,8 @@ class Extremes:
             self.probes.work(row, work, "length", length=distance(*end))
 
     def _whole(self) -> None:
-        """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out, else 0."""
+        """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out,
+        else 0."""
         plan, probes = self.plan, self.probes
         probes.put(self.whole_row, probes.side, plan.text("extremes.whole"), styles.LABEL)
         driver = plan.mechanism.driver
@@ -263,10 +269,12 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
         values = probes.cells_down(row, VALUE, count)
-        best = f"{way.upper()}(values)"
-        # with more limits than are found, nobody knows what lies between them and the rows
-        known = f"IF(_limits>most,NA(),{best})" if self.limits.count else best
-        value = probes.work(row + 2, SIDE, known, styles.RESULT, values=values, most=LIMITS)
+        f"{way.upper()}(values)"
+        # each stretch would need probes of its own
+        known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
+        value = probes.work(
+            row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
+        )
         places = probes.cells_down(row, AT, count)
         place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
         if count == 1:
@@ -291,7 +299,8 @@ class Extremes:
     # --- between the rows -------------------------------------------------------------------------------------
 
     def _gap(self, number: int, block: Block) -> None:
-        """The least margin of a group between rows that exist: two probes where the parabola through the rows dips lowest."""
+        """The least margin of a group between rows that exist: two probes where the parabola through the rows dips
+        lowest."""
         plan, probes, row = self.plan, self.probes, block.row
         symbol = plan.equations.margins[number]
         margins, least = Symbol(ALL + symbol), Symbol(f"{ALL}#least_{number}")
@@ -320,7 +329,8 @@ class Extremes:
 def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
     unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
-    return formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=unsettled, about=plan.text("verdict.about"))
+    return formula('IF(_stretches>1,rows,IF(IFERROR(OR(_unsettled,unsettled),FALSE),about,""))', unsettled=unsettled,
+                   about=plan.text("verdict.about"), rows=plan.text("verdict.rows.only"))  # fmt: skip
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:

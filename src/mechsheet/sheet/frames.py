@@ -147,9 +147,11 @@ class Page:
             for part in chunks_of(rows):
                 self.put(NAME, self.plan.text("drawing.stretch", axis=name, number=number))
                 low, high = (
-                    self.formula(col, formula('IFERROR(found,"")', found=Call(way, tuple(part))))
+                    self.formula(col, self.plan.at.bind(formula(
+                        'IF(_stretches<number,"",found)', number=number, found=Call(way, tuple(part))
+                    ), self.title))
                     for col, way in ((FIRST, "MIN"), (SECOND, "MAX"))
-                )
+                )  # fmt: skip
                 found.append((low, high))
                 self.row += 1
         if not found:

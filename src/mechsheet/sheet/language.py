@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from mechsheet.sheet.language_notes import NOTES
+from mechsheet.sheet.language_page import PAGE
 
 Language = Literal["en", "tr"]
 
@@ -44,7 +45,9 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.line.all": ("closes in all {rows} positions", "{rows} konumun hepsinde kapanıyor"),
     "verdict.line.closes": ("closes in", "kapandığı konum sayısı:"),
     "verdict.line.positions": ("positions", ""),
-    "verdict.line.nowhere": ("closes in no position: these links cannot be joined", "hiçbir konumda kapanmıyor: bu uzuvlar birleştirilemez"),
+    "verdict.line.nowhere": (
+        "closes in no position: these links cannot be joined", "hiçbir konumda kapanmıyor: bu uzuvlar birleştirilemez"
+    ),
     "verdict.line.inputs": (
         "look at the yellow cells: a length is not above 0 or does not fit, an assembly is neither 1 nor -1, or there is no "
         "such position",
@@ -66,16 +69,16 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.passes.all": ("no gap between neighbouring positions", "komşu konumlar arasında kopma yok"),
     "verdict.passes.not": ("may not close near {place}: smaller step", "{place} yakınında kopabilir: adımı küçültün"),
     "verdict.gap": ("gap", "açıklık"),
-    "verdict.gap.closed": ("largest gap of a joint: rounding only", "mafsallardaki en büyük açıklık: yalnız yuvarlama"),
+    "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
     "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
-    "verdict.gap.typed": ("a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"),
+    "verdict.gap.typed": (
+        "a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"
+    ),
     "verdict.leaps": ("leaps", "sıçrama"),
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),
-    "verdict.leaps.some": (
-        "times a link turns more than 90° in a step: smaller steps", "kez bir adımda 90°'den fazla dönme: adımı küçültün"
-    ),
+    "verdict.leaps.some": ("turns of over 90° in a step: smaller step", "bir adımda 90° üstü dönme: adımı küçültün"),
     "verdict.grashof": ("Grashof", "Grashof"),
-    "verdict.grashof.one": ("crank-rocker, {link} turns", "krank-sarkaç, {link} tam döner"),
+    "verdict.grashof.one": ("crank-rocker, {link} can turn fully", "krank-sarkaç, {link} tam dönebilir"),
     "verdict.grashof.both": ("double crank (drag link)", "çift krank"),
     "verdict.grashof.coupler": ("double rocker, Grashof", "çift sarkaç (Grashof)"),
     "verdict.grashof.none": ("triple rocker, not Grashof", "üçlü sarkaç (Grashof değil)"),
@@ -86,6 +89,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.turned": ("turns by this much in this range", "bu aralıkta bu kadar döner"),
     "verdict.swing.several": ("several stretches: see the limits", "birkaç parça: sınırlara bakın"),
     "verdict.unsure": ("unsure: links turn far, smaller step", "kesin değil: adımı küçültün"),
+    "verdict.rows.only": (" (rows only)", " (yalnız satırlar)"),
     "verdict.about": (" (about)", " (yaklaşık)"),
     "verdict.stroke": ("stroke", "kurs"),
     "verdict.ratio.symbol": ("ratio", "oran"),
@@ -95,7 +99,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.poor": ("poor below 40°", "40° altı kötü"),
     "extremes.title": ("Extremes between the rows", "Satırlar arasındaki uç değerler"),
     "extremes.about": (
-        "The table's formulas at further values of the driver: where limits, smallest and largest values lie between two rows.",
+        "The table's formulas at further values of the driver: "
+        "where limits, smallest and largest values lie between two rows.",
         "Tablonun formülleri, tahrikin başka değerlerinde: sınırlar, en küçük ve en büyük değerler iki satırın arasında.",
     ),
     "extremes.row": ("at row", "satır"),
@@ -168,6 +173,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.margin": ("margin, group {number}", "pay, {number}. grup"),
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
+    **PAGE,
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.near": ("the first row within half a turn of:", "ilk satır bundan en çok yarım tur uzaktadır:"),
     "table.hint": (

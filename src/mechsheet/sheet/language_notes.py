@@ -42,12 +42,12 @@ NOTES: dict[str, tuple[str, str]] = {
     "notes.use.checks": (
         "The sheet {checks} measures every row anew by geometry, and counts the cells of the table that hold no formula any "
         "more. The line under the title of {mechanism} is red when something is wrong, and says where.",
-        "{checks} sayfası her satırı geometrik olarak yeniden ölçer ve tabloda artık formül olmayan hücreleri sayar. Bir sorun "
-        "varsa {mechanism} sayfasında başlığın altındaki satır kırmızıdır ve yerini söyler.",
+        "{checks} sayfası her satırı geometrik olarak yeniden ölçer ve tabloda artık formül olmayan hücreleri sayar. "
+        "Bir sorun varsa {mechanism} sayfasında başlığın altındaki satır kırmızıdır ve yerini söyler.",
     ),
     "notes.use.extremes": (
-        "The sheet {extremes} computes further positions between the rows: there lie the limits and the smallest and largest "
-        "values that the first sheet names.",
+        "The sheet {extremes} computes further positions between the rows: there lie the limits and the "
+        "smallest and largest values that the first sheet names.",
         "{extremes} sayfası satırların arasındaki konumları hesaplar: ilk sayfadaki sınırlar, en küçük ve en büyük değerler "
         "oradadır.",
     ),
@@ -94,8 +94,8 @@ NOTES: dict[str, tuple[str, str]] = {
         "2·arctan2(√…; √…): where the links lie in a line, rounding may ask the arccosine for a cosine of "
         "1.0000000000000002, an error, and in a thin triangle it loses digits.",
         "Üçgenin açıları, burada yazıldığı gibi kosinüs teoremindendir. Hücrelerde bunun yarım açı biçimi, "
-        "2·arctan2(√…; √…), vardır: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir kosinüs verebilir, arkkosinüs orada "
-        "hatadır; ince bir üçgende de basamak yitirir.",
+        "2·arctan2(√…; √…), vardır: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir kosinüs "
+        "verebilir, arkkosinüs orada hatadır; ince bir üçgende de basamak yitirir.",
     ),
     "notes.assumptions.continuous": (
         "An angle goes on without jumps from row to row, through as many turns as the link makes.",

@@ -36,7 +36,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         drawing.sheet,
         checks_sheet(plan, checks),
         extremes.sheet(),
-        _description_sheet(plan),
+        description_sheet(plan),
     )
     title = mechanism.title.of(plan.language)
     properties = Properties(
@@ -49,7 +49,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     return with_typed_constants(Workbook(sheets, tuple(plan.names), properties)), plan
 
 
-def _description_sheet(plan: Plan) -> Sheet:
+def description_sheet(plan: Plan) -> Sheet:
     """The description itself, so that `check` can judge a file that someone has edited."""
     lines = [DESCRIPTION_MARK, *plan.mechanism.text.split("\n")]
     cells = tuple(Cell(row, 0, line) for row, line in enumerate(lines) if line)

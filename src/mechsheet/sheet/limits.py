@@ -1,8 +1,9 @@
 """Stretches of the sweep in which the mechanism closes, and their ends: the limit positions, between two rows.
 
-The margin of the group that comes apart is smooth in the driver on both sides of the limit. Three probes look for where it is
-0: the first by the chord through the two rows beside it, the others by the inverse parabola through three points known
-(Brent, Algorithms for Minimization without Derivatives, 1973). Values of the driver are counted in rows (`probes`).
+The margin of the group that comes apart is smooth in the driver on both sides of the limit. Three probes look for
+where it is 0: the first by the chord through the two rows beside it, the others by the inverse parabola through three
+points known (Brent, Algorithms for Minimization without Derivatives, 1973). Values of the driver are counted in rows
+(`probes`).
 """
 
 from __future__ import annotations
@@ -30,11 +31,15 @@ PROBES = 3
 INWARDS = 1e-10
 """How far inside the limit its value is given, in parts of a row: there the mechanism still closes."""
 
+ASIDE = 2e-3
+"""How far inside [rows] it is looked whether another group is open there."""
+
 APART = 1e-7
 """So far [rows] the next probe is from the last, at least: a slope can be seen."""
 
 SETTLED = 1e-5
-"""What the last probe lacks to the limit, in parts of the margin in the row beside it; more, and it is said to be about right."""
+"""What the last probe lacks to the limit, in parts of the margin in the row beside it; more, and it is said to be
+about right."""
 
 FIRST_ROW, LAST_ROW, FROM, TO, WORDS = range(5)
 """Cells of a stretch, beside each other: its rows (from 1), where it begins and ends between rows, and its rows in words."""
@@ -59,6 +64,7 @@ class Limits:
             self.plan.at.spots[f"#rest_{number}"] = Spot(probes.title, rest.row, rest.col)
         n = probes.cell(row, 1)
         self.plan.at.spots["#stretches"] = Spot(probes.title, n.row, n.col)
+        self.plan.at.spots["#unsettled"] = Spot(probes.title, n.row, n.col + 1)
         for number in range(1, STRETCHES + 1):
             for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO), ("stretch", WORDS)):
                 spot = self.of_stretch(number, work)
@@ -89,6 +95,10 @@ class Limits:
         stretches = probes.work(self.row, 1, "last", last=last)
         for work, key in enumerate(("first", "last", "from", "to")):
             probes.put(self.row + 1, probes.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
+        rests = [self.plan.at.cell(f"#rest_{number}", probes.title, None) for number in range(1, self.count + 1)]
+        probes.work(
+            self.row, 2, "rests>settled" if rests else "FALSE", rests=Call("MAX", tuple(rests)), settled=SETTLED
+        )
         for number in range(1, STRETCHES + 1):
             self._stretch(number, stretches)
         for number, block in enumerate(self.blocks, 1):
@@ -146,39 +156,50 @@ class Limits:
         probes.work(row, AT, "inside", inside=inside)
         symbols = plan.equations.margins
         probes.lay(block, list(symbols.values()) + [g.closes for g in plan.equations.groups[:-1]])
-        group = opened = probes.work(row, side + 3, "opened", opened=self._opened(outside))
+        opened = probes.work(row, side + 3, "opened", opened=self._opened(outside))
         here = self._margin_of_row(row, VALUE, opened, inside)
         beyond = self._margin_of_row(row + 1, side, opened, outside)
         probes.work(row + 1, AT, "inside+(outside-inside)*here/(here-beyond)",
                     inside=inside, outside=outside, here=here, beyond=beyond)  # fmt: skip
         several = len(symbols) > 1
         # another group may come apart before the one that is open in the missing row: the second probe shows it
-        group = self._open_at(row + 2, opened) if several else opened
+        group = opened
         if several:
-            group = probes.work(row + 1, side + 1, "first", first=group)
+            group = probes.work(row + 1, side + 1, "first", first=self._open_at(row + 2, opened))
         for index in range(1, PROBES + 1):
             cells = self._margins_at(row + index)
-            named = {f"group{number}x": cell for number, cell in zip(symbols, cells, strict=True)}
+            named: dict[str, Node] = {f"group{number}x": cell for number, cell in zip(symbols, cells, strict=True)}
             probes.work(row + index, VALUE, _chosen(symbols), **named, group=opened if index == 1 else group)
-        first, last = (probes.cell(row, AT), here), (outside, beyond)
+        known, end = (probes.cell(row, AT), here), (outside, beyond)
+        one: tuple[Node, Node]
         one, two, three = ((probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in (1, 2, 3))
-        probes.work(row + 2, AT, "IFERROR(zero,one)", zero=self._zero((first, last, one), inside, outside, APART), one=one[0])
+        # with several groups a little inside: where one is just open, nothing is known of those after it
+        # where the margin is least near the missing row, it goes there as a square does: u(m) is no parabola
+        second = "IFERROR(IF(f<beyond/2,chord,zero),one)" + ("+(inside-outside)*aside" if several else "")
+        probes.work(
+            row + 2, AT, second, zero=self._zero((known, end, one), inside, outside, APART), one=one[0], inside=inside,
+            chord=formula("one+(inside-one)*SQRT(-f/(here-f))", inside=inside, one=one[0], here=here, f=one[1]),
+            outside=outside, aside=ASIDE, f=one[1], beyond=beyond,
+        )  # fmt: skip
         if several:  # then all begins anew from the row that exists
             here = self._margin_of_row(row + 2, side, group, inside)
-            first = (first[0], here)
+            known = (known[0], here)
             same = formula("group=opened", group=group, opened=opened)
-            one = tuple(
-                probes.work(row + 2, side + work, "IF(same,probed,row_there)", same=same, probed=probed, row_there=row_there)
-                for work, probed, row_there in ((1, one[0], first[0]), (2, one[1], here))
-            )  # type: ignore[assignment]
+            place, margin = (
+                probes.work(
+                    row + 2, side + work, "IF(same,probed,row_there)", same=same, probed=probed, row_there=there
+                )
+                for work, probed, there in ((1, one[0], known[0]), (2, one[1], here))
+            )
+            one = (place, margin)
         chord = formula("inside+(two-inside)*here/(here-f)", inside=inside, two=two[0], here=here, f=two[1])
-        probes.work(row + 3, AT, "IFERROR(zero,IFERROR(chord,two))", zero=self._zero((first, one, two), inside, outside, APART),
-                    chord=chord, two=two[0])  # fmt: skip
+        zero = self._zero((known, one, two), inside, outside, APART)
+        probes.work(row + 3, AT, "IFERROR(zero,IFERROR(chord,two))", zero=zero, chord=chord, two=two[0])
         best = probes.work(row, side + 6, "IF(ISNUMBER(outside),IFERROR(zero,last),NA())", outside=outside, last=three[0],
                            zero=self._zero((one, two, three), inside, outside, 0.0))  # fmt: skip
         # a little inside, by a part of what the last step still changed
         found = probes.work(
-            row, side + 4, "best+(inside-outside)*(ABS(best-probed)*part+inwards)",
+            row, side + 4, "MEDIAN(inside,outside,best+(inside-outside)*(ABS(best-probed)*part+inwards))",
             best=best, inside=inside, outside=outside, probed=three[0], part=1e-4, inwards=INWARDS,
         )  # fmt: skip
         probes.work(row, side + 5, "_start+(found-1)*_step", styles.RESULT, found=found)
@@ -216,7 +237,8 @@ class Limits:
         return self.probes.work(row, work, _chosen(symbols), **values, group=group)
 
     def _zero(self, known: Sequence[tuple[Node, Node]], inside: Node, outside: Node, apart: float) -> Node:
-        """Where a parabola u(m) through three points is 0, on the side of the last point where the limit is, apart from it."""
+        """Where a parabola u(m) through three points is 0, on the side of the last point where the limit is, apart
+        from it."""
         (one, f_one), (two, f_two), (three, f_three) = known
         total: Node = al.ZERO
         for place, f, g, h in (

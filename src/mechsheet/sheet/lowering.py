@@ -3,9 +3,10 @@
     exists, beside an equation      the group's margin in a column of its own, read as IF(margin < -tol, NA(), the equation):
                                     never what a program makes of ACOS(2)
     Direction(y, x)                 ATAN2 and as many turns as bring it within half a turn of the row above
-    TriangleAngle(a, b, c)          2 ATAN2(...) of the half-angle form of the law of cosines: acos gives an error where
-                                    rounding makes a cosine of 1 + 1e-16, as at every third dead centre, and loses up to
-                                    half its digits in a thin triangle; this loses only what the sides have lost
+    TriangleAngle(a, b, c)          2 ATAN2(...) of the half-angle form of the law of cosines: acos gives an error
+    where rounding
+                                    makes a cosine of 1 + 1e-16, as at every third dead centre, and loses up to half
+                                    its digits in a thin triangle; this loses only what the sides have lost
 
     tan(alpha / 2) = sqrt((a^2 - (b - c)^2) / ((b + c)^2 - a^2))        alpha opposite a
 

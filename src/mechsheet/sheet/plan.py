@@ -5,6 +5,7 @@ Everything that is read by a formula gets its address here; the writers of the s
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
@@ -12,6 +13,7 @@ from typing import Literal
 import numpy as np
 
 from mechsheet.formula.names import folded, safe_name
+from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
@@ -117,6 +119,21 @@ class Plan:
     def text(self, key: str, **parts: object) -> str:
         """A word of the workbook in its language."""
         return words(self.language, key, **parts)
+
+    @property
+    def plain(self) -> Mapping[str, Node]:
+        """Quantities that have no cell of their own, by symbol."""
+        return {}
+
+    @property
+    def status_column(self) -> int:
+        """The column of the table that says what does not close."""
+        return self.at.spots["#status"].col
+
+    @property
+    def ok(self) -> str:
+        """What it says where everything closes."""
+        return self.text("status.ok")
 
     @property
     def main(self) -> str:

@@ -59,7 +59,9 @@ class Probes:
         """A constant."""
         self.cells.append(Cell(row, col, content, style))
 
-    def work(self, row: int, work: int, text: str, style: Style = styles.INNER, **holes: Node | float | str) -> CellRef:
+    def work(
+        self, row: int, work: int, text: str, style: Style = styles.INNER, /, **holes: Node | float | str
+    ) -> CellRef:
         """A formula beside the table's columns; its cell."""
         node = self.plan.at.bind(formula(text, **holes), self.title)
         self.fills.append(Fill(row, self.side + work, node, style))
@@ -79,7 +81,8 @@ class Probes:
         return frozenset(found)
 
     def lay(self, block: Block, wanted: Collection[str]) -> None:
-        """The anchor and the probes of a block, with the columns that quantities need. `AT` is filled by whoever knows it."""
+        """The anchor and the probes of a block, with the columns that quantities need. `AT` is filled by whoever knows
+        it."""
         plan, first = self.plan, block.row + 1
         anchor = self.cell(block.row, AT)
         at = CellRef(first, self.side + AT, col_abs=True)

@@ -2,8 +2,8 @@
 
 A name in the text is a hole when an argument of that name is given, else the symbol of a quantity (`theta14`, `C.x`), which
 `Addresses.bind` turns into a cell. A leading underscore names what is no quantity of the mechanism: `_start` is the cell
-`#start`. `ALL(x)` is the whole column of x, `SHOWN(x)` its cell as people read it (degrees, not radians). A symbol that
-would read as a cell's address (`s14`) comes through a hole of another name.
+`#start`. `ALL(x)` is the whole column of x, `SHOWN(x)` its cell as people read it (degrees, not radians). A symbol
+that would read as a cell's address (`s14`) comes through a hole of another name.
 """
 
 from __future__ import annotations

@@ -58,8 +58,8 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
     """The number, and the driver's value where it occurs."""
     driver = plan.mechanism.driver.symbol
     column, drivers = Symbol(ALL + summary.of), Symbol(ALL + driver)
-    extremes = {way: Symbol(f"#{way}_{summary.of}") for way in ("min", "max")}
-    at = {way: Symbol(f"#{way}_at_{summary.of}") for way in ("min", "max")}
+    extremes: dict[str, Node] = {way: Symbol(f"#{way}_{summary.of}") for way in ("min", "max")}
+    at: dict[str, Node] = {way: Symbol(f"#{way}_at_{summary.of}") for way in ("min", "max")}
     if summary.of == driver and summary.take in ("min", "max", "range"):
         extremes = {way: formula(f"{way.upper()}(drivers)", drivers=drivers) for way in ("min", "max")}
         at = extremes

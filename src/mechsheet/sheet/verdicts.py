@@ -1,7 +1,7 @@
 """What the first sheet says of the mechanism, live: one line under the title, and the block of lines that it is made of.
 
-Every line has a named cell. All is said of the motion between the first and the last value of the driver as they stand there,
-rows that exist only; whether these make a whole turn is asked of the cells.
+Every line has a named cell. All is said of the motion between the first and the last value of the driver as they stand
+there, rows that exist only; whether these make a whole turn is asked of the cells.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from mechsheet.sheet.blocks import Writer
 from mechsheet.sheet.checks import ROUNDING, Checks
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.extremes import Extremes, about
-from mechsheet.sheet.limits import LIMITS, SETTLED, STRETCHES
+from mechsheet.sheet.limits import LIMITS, STRETCHES
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
@@ -75,11 +75,12 @@ class _Block:
         """A formula of the first sheet."""
         return self.plan.at.bind(formula(text, **holes), self.plan.main)
 
-    def line(self, key: str, symbol: Content, unit: str, value: Node, digits: int, words: Node) -> CellRef:
-        """One line; the cell of its value."""
+    def line(self, key: str, symbol: Content, unit: str, value: Node, digits: int | Style, words: Node) -> CellRef:
+        """One line; the cell of its value, which has so many decimals or a style of its own."""
         row = self.rows[key]
         self.writer.line(row, symbol, unit, None)
-        self.writer.formula(row, VALUE, value, styles.decimals(styles.RESULT, digits))
+        style = styles.decimals(styles.RESULT, digits) if isinstance(digits, int) else digits
+        self.writer.formula(row, VALUE, value, style)
         self.writer.formula(row, MEANING, words, styles.VERDICT)
         return self.value(key)
 
@@ -141,7 +142,7 @@ class _Block:
             return
         later = RangeRef(CellRef(column.start.row + 1, spot.col, True, True, spot.sheet), column.end)
         earlier = RangeRef(column.start, CellRef(column.end.row - 1, spot.col, True, True, spot.sheet))
-        count = self.bound("SUMPRODUCT(--((later=ok)<>(earlier=ok)))", later=later, earlier=earlier,
+        count = self.bound("SUMPRODUCT(((later=ok)<>(earlier=ok))*1)", later=later, earlier=earlier,
                            ok=self.plan.text("status.ok"))  # fmt: skip
         cell = self.value("limits")
         parts: list[Node | str] = []
@@ -150,12 +151,8 @@ class _Block:
             named = joined("; " if number > 1 else "", self.driver_text(place))
             parts.append(formula('IF(count<number,"",named)', count=cell, number=number, named=named))
         more = formula('IF(count>most," …","")', count=cell, most=LIMITS)
-        unsettled = [
-            formula("rest>settled", rest=Symbol(f"#rest_{number}"), settled=SETTLED)
-            for number in range(1, self.extremes.limits.count + 1)
-        ]
-        if unsettled:
-            more = joined(more, formula('IF(any,about,"")', any=Call("OR", tuple(unsettled)), about=self.text("about")))
+        if self.extremes.limits.count:
+            more = joined(more, formula('IF(_unsettled,about,"")', about=self.text("about")))
         words = self.bound(
             'IF(count>0,found,IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
             passes=self.value("passes"), none=self.text("limits.none"), found=joined(*parts, more),
@@ -177,7 +174,8 @@ class _Block:
         else:
             ends = [self._driver_at(Symbol(f"#{key}_1")) for key in ("from", "to")]
         unit = self.driver.unit.text
-        everywhere = formula("AND(count=rows,_whole>0)", count=self.value("rows_closed"), rows=self.plan.rows)
+        everywhere = formula("AND(count=rows,_whole>0,passes=0)", count=self.value("rows_closed"), rows=self.plan.rows,
+                             passes=self.value("passes"))  # fmt: skip
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
         words = self.bound("IF(_stretches=0,nowhere,IF(_stretches>1,first,free))", nowhere=self.text("rows.none"),
@@ -220,15 +218,14 @@ class _Block:
                         typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
                         closed=self.text("gap.closed"), open=self.text("gap.open", sheet=self.checks.title))  # fmt: skip
-        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), 4, words)
-        self.writer.fills[-2] = _restyled(
-            self.writer.fills[-2], styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        )
+        style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
+        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
         # where rounding is largest says nothing, and another program rounds otherwise
         place = self.checks.worst_at("gap")
         self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
-        self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key),
-                    open=self.text("gap.open", sheet=self.checks.title), over=self.text("gap.typed", sheet=self.checks.title))  # fmt: skip
+        wrong = {"open": self.text("gap.open", sheet=self.checks.title)}
+        wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
+        self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key), **wrong)
         self.colour(key, "said=closed", styles.GOOD, said=self.words(key), closed=self.text("gap.closed"))
         cell = self.value("leaps")
         words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=self.value("rows_closed"), count=cell,
@@ -257,8 +254,8 @@ class _Block:
             both=named("both"), crank=named("one", loop.first), rockers=named("coupler"), follower=named("one", loop.last),
         )  # fmt: skip
         words = formula(
-            'IF(NOT(ISNUMBER(excess)),"",loop&": "&IF(2*MAX(lengths)-SUM(lengths)>rounding,open,'
-            "IF(ABS(excess)<=rounding,change,IF(excess>0,none,which))))",
+            'IFERROR(loop&": "&IF(2*MAX(lengths)-SUM(lengths)>rounding,open,'
+            "IF(ABS(excess)<=rounding,change,IF(excess>0,none,which))),\"\")",
             lengths=lengths, rounding=self._rounding(), excess=cell, which=which, loop=loop.name,
             open=named("open"), change=named("change"), none=named("none"),
         )  # fmt: skip
@@ -279,7 +276,9 @@ class _Block:
             "IF(closed,IF(back>0,rocker,crank),part)", closed=closed, back=back,
             crank=self.text("crank"), rocker=self.text("rocker"), part=self.text("turned"),
         )  # fmt: skip
-        value = formula("IF(AND(closed,back=0),turn,range)", closed=closed, back=back, turn=turn, range=self._range(symbol))
+        value = formula(
+            "IF(AND(closed,back=0),turn,range)", closed=closed, back=back, turn=turn, range=self._range(symbol)
+        )
         self._extent(f"swing_{symbol}", symbol, self.plan.mechanism.angle_unit.text, value, "angle", words)
 
     def _range(self, symbol: str) -> Node:
@@ -288,13 +287,15 @@ class _Block:
     def _extent(self, key: str, symbol: str, unit: str, value: Node, kind: str, words: Node) -> None:
         """A swing or stroke: of one stretch; #N/A of several, which the mechanism cannot pass between."""
         node = self.bound("IF(_stretches<>1,NA(),IFERROR(value,NA()))", value=value)
-        said = self.bound('IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
-                          about=self.about(symbol), several=self.text("swing.several"), unsure=self.text("unsure"))  # fmt: skip
+        said = self.bound(
+            'IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
+            about=self.about(symbol), several=self.text("swing.several"), unsure=self.text("unsure"),
+        )  # fmt: skip
         self.line(key, rich(symbol), unit, node, places(self.plan, kind), said)
 
     def about(self, symbol: str) -> Node:
         """What is added where the probes of an extreme have not settled, or the rows are too far apart."""
-        return formula('IF(_leaps>0,about,more)', about=self.text("about"), more=about(self.plan, symbol))
+        return formula("IF(_leaps>0,about,more)", about=self.text("about"), more=about(self.plan, symbol))
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
@@ -313,9 +314,11 @@ class _Block:
         node = self.bound("IF(wraps>0,IFERROR(value,NA()),NA())", value=value,
                           wraps=Symbol(f"#wraps_{symbol}"))  # fmt: skip
         cell = self.value(f"time_ratio_{symbol}")
-        words = self.bound('IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))', ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
-                           ways=self.text("ratio", symbol=plain(symbol)),
-                           none=self.text("ratio.none", symbol=plain(symbol)))  # fmt: skip
+        words = self.bound(
+            'IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
+            ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
+            ways=self.text("ratio", symbol=plain(symbol)), none=self.text("ratio.none", symbol=plain(symbol)),
+        )  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
 
     def transmission(self, group: Group) -> None:
@@ -324,8 +327,8 @@ class _Block:
         low, high = Symbol(f"#min_{group.transmission}"), Symbol(f"#max_{group.transmission}")
         at = [Symbol(f"#{way}_at_{group.transmission}") for way in ("min", "max")]
         if group.kind == "RRR":  # the angle between coupler and follower itself, 0 to 180 degrees
-            folded = (low, formula("PI()-high", high=high))
-            largest = high
+            folded: tuple[Node, Node] = (low, formula("PI()-high", high=high))
+            largest: Node = high
         else:  # the rod against the guide: the angle of transmission is what is missing to 90 degrees
             folded = (formula("PI()/2+low", low=low), formula("PI()/2-high", high=high))
             largest = formula("PI()/2-MAX(0,low,-high)", low=low, high=high)
@@ -334,12 +337,17 @@ class _Block:
         cell = self.value(key)
         smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
         poor = formula("value<limit", value=cell, limit=POOR if degrees else 0.698)
-        grade = formula("IF(poor,bad,good)", poor=poor, bad=self.text("poor"), good=self.text("fair"))
-        after = _after_number(unit)
+        grade = formula(
+            'IF(_stretches>1,"",IF(poor,bad,good))',
+            poor=poor,
+            bad=f": {self.text('poor')}",
+            good=f": {self.text('fair')}",
+        )
+        after, digits = _after_number(unit), 1 if degrees else 2
         words = self.bound(
             'IFERROR(range&grade&about,"")', grade=grade, about=self.about(group.transmission),
-            range=joined(formula("ROUND(low,1)", low=smallest), f"{after} … ",
-                         formula("ROUND(high,1)", high=_in(largest, degrees)), f"{after}: "),
+            range=joined(formula("ROUND(low,digits)", low=smallest, digits=digits), f"{after} … ",
+                         formula("ROUND(high,digits)", high=_in(largest, degrees), digits=digits), after),
         )  # fmt: skip
         node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), degrees))
         self.line(key, f"μ{group.number}", unit, node, places(self.plan, "angle"), words)
@@ -360,18 +368,18 @@ class _Block:
         parts: list[Node | str] = [formula("IF(count=rows,everywhere,some)", count=count, rows=rows,
                                            everywhere=self.text("line.all", rows=plan.rows), some=closed)]  # fmt: skip
         if plan.found.limits:
-            parts.append(
-                formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes"))
-            )
+            parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", self.words(f"grashof_{loop.group}")]
         for group in plan.found.transmission[:1]:
-            parts.append(formula('IF(ISNUMBER(value),what&words,"")', value=self.value(f"transmission_{group.number}"),
-                                 what=f"; {self.text('line.transmission')} ", words=self.words(f"transmission_{group.number}")))  # fmt: skip
+            key, what = f"transmission_{group.number}", f"; {self.text('line.transmission')} "
+            said = formula('IF(ISNUMBER(value),what&words,"")', value=self.value(key), what=what, words=self.words(key))
+            parts.append(said)
         gap = self.words("largest_gap")
+        self.extremes.fine(self._inputs_are_fine())
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
-            fine=self._inputs_are_fine(), count=count, nowhere=self.text("line.nowhere"), gap=gap,
+            fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
             closed=self.text("gap.closed"),
             good=joined(*parts), inputs=self.text("line.inputs"),
         )  # fmt: skip
@@ -392,17 +400,17 @@ class _Block:
         """Whether there is such a position, and all that is derived from lengths and modes is a number (the tolerance is
         none where a length or mode is wrong)."""
         rows = self.plan.blocks["derived"].rows.values()
-        derived = RangeRef(CellRef(min(rows), VALUE, True, True), CellRef(max(rows), VALUE, True, True))
-        return formula(
-            "AND(SUMPRODUCT(--(numbers=_position))=1,ISNUMBER(SUM(derived)))",
-            numbers=Symbol(f"{ALL}#number"), derived=derived,
-        )  # fmt: skip
-
-
-def _restyled(fill, style):  # type: ignore[no-untyped-def]
-    from dataclasses import replace
-
-    return replace(fill, style=style)
+        derived = RangeRef(
+            CellRef(min(rows), VALUE, True, True, self.plan.main), CellRef(max(rows), VALUE, True, True, self.plan.main)
+        )
+        test = "SUMPRODUCT((numbers=_position)*1)=1,ISNUMBER(SUM(derived))"
+        holes: dict[str, Node | float | str] = {}
+        typed = self.plan.blocks["dimensions"].rows.values()
+        if typed:  # a length that is emptied is no number
+            test += ",COUNT(typed)=many"
+            first, last = (CellRef(row, VALUE, True, True, self.plan.main) for row in (min(typed), max(typed)))
+            holes = {"typed": RangeRef(first, last), "many": float(len(typed))}
+        return formula(f"AND({test})", numbers=Symbol(f"{ALL}#number"), derived=derived, **holes)
 
 
 def _in(value: Node, degrees: bool) -> Node:

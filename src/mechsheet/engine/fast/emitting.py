@@ -350,7 +350,9 @@ class _Emitter:
     def _unwrapped(self, number: int, value: Value, args: list[str]) -> None:
         self.names[number] = target = self._target(number)
         self.namespace["unwrapped"] = unwrapped
-        self.line(f"copyto({target}, unwrapped({args[0]}, {args[1]}, item({value.data} + i)))")
+        # into a buffer first: what is the same in all rows is one number
+        self.line(f"copyto({target}, {args[0]})")
+        self.line(f"copyto({target}, unwrapped({target}, {args[1]}, item({value.data} + i)))")
 
     def _held(self, number: int, value: Value, args: list[str]) -> None:
         self.names[number] = target = self._target(number)

@@ -1,0 +1,1 @@
+"""The layout `page`: one sheet as one would write it on the blackboard, and nothing behind it."""

@@ -1,0 +1,68 @@
+"""Angles as people read them in formulas: sums of degrees are added as they are, `θ14 = φ − ψ` is `=F14-G14`."""
+
+from __future__ import annotations
+
+import math
+
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Unary
+
+HALF_TURN = 180.0
+
+
+def in_degrees(node: Node) -> Node:
+    """An angle given in radians, in degrees."""
+    match node:
+        case Call("RADIANS", (angle,)):
+            return angle
+        case Call("PI", ()):
+            return Number(HALF_TURN)
+        case Number(value):
+            return Number(float(f"{math.degrees(value):.15g}"))
+        case Unary(op, angle) if _reads_degrees(angle):
+            return Unary(op, in_degrees(angle))
+        case Call("IF", (test, Call("NA", ()), value)):
+            return Call("IF", (test, Call("NA"), in_degrees(value)))
+        case Call("IFERROR", (value, Call("NA", ()))):
+            return Call("IFERROR", (in_degrees(value), Call("NA")))
+        case Binary("+" | "-" as sign, left, right) if _reads_degrees(left) or _reads_degrees(right):
+            return Binary(sign, in_degrees(left), in_degrees(right))
+        case Binary("*", left, right) if _reads_degrees(right):
+            return Binary("*", left, in_degrees(right))
+        case Binary("*", left, right) if _reads_degrees(left):
+            return Binary("*", in_degrees(left), right)
+        case Binary("/", left, Number(count)) if _reads_degrees(left):
+            return _parted(in_degrees(left), count)
+    return Call("DEGREES", (node,))
+
+
+def _parted(angle: Node, count: float) -> Node:
+    """A part of an angle; of a number of degrees it is a number."""
+    match angle:
+        case Number(value):
+            return Number(value / count)
+        case Binary("*", Number(value), factor):
+            return Binary("*", Number(value / count), factor)
+        case Binary("*", factor, Number(value)):
+            return Binary("*", Number(value / count), factor)
+    return Binary("/", angle, Number(count))
+
+
+def _reads_degrees(node: Node) -> bool:
+    match node:
+        case Call("RADIANS", _) | Call("PI", ()):
+            return True
+        case Unary(_, angle):
+            return _reads_degrees(angle)
+        case Binary("+" | "-" | "*", left, right):
+            return _reads_degrees(left) or _reads_degrees(right)
+        case Binary("/", left, Number()):
+            return _reads_degrees(left)
+    return False
+
+
+def together(node: Node) -> Node:
+    """RADIANS(a) + RADIANS(b) as RADIANS(a + b)."""
+    match node:
+        case Binary("+" | "-" as sign, Call("RADIANS", (one,)), Call("RADIANS", (other,))):
+            return Call("RADIANS", (Binary(sign, one, other),))
+    return node

@@ -1,0 +1,208 @@
+"""A mechanism as one sheet, which can be copied into another workbook and leaves no link behind."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from mechsheet.kinematics.equations import Equations
+from mechsheet.model import ChartRequest, Mechanism
+from mechsheet.sheet import styles
+from mechsheet.sheet.blocks import shown_unit
+from mechsheet.sheet.charts import STEPS, chart_requests, chart_title
+from mechsheet.sheet.constants import with_typed_constants
+from mechsheet.sheet.drawing import marker
+from mechsheet.sheet.layout import description_sheet
+from mechsheet.sheet.page.drawing import PageDrawing
+from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page
+from mechsheet.sheet.page.table import Table, note_last
+from mechsheet.sheet.page.top import LAST, UNIT, VALUE, Top
+from mechsheet.sheet.plan import VERDICT_ROW
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.workbook import (
+    Anchor,
+    Area,
+    Axis,
+    Chart,
+    Column,
+    Control,
+    PrintSetup,
+    Properties,
+    Series,
+    SeriesRef,
+    Sheet,
+    Workbook,
+)
+
+TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)
+"""Least widths of the columns over which the top stands, in characters."""
+
+NARROW = 10.0
+"""Width of a column beside the table."""
+
+COLUMNS_OF_A_PAGE = 26
+"""Columns that are still readable on one sheet of A4, landscape."""
+
+GAP, CHART_WIDTH = 12, 420
+"""Pixels between charts, and of a chart of curves."""
+
+NOTE_LINE, NOTE_CHARACTERS = 15.0, 1.1
+"""Height of a line of the note [pixels], and characters of it in a character's width."""
+
+VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 34.0, 28.0, 24.0
+
+
+def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, PagePlan]:
+    """The workbook of one visible sheet (its formulas have no values yet) and the plan that it follows."""
+    plan = plan_page(mechanism, equations)
+    title = mechanism.title.of(plan.language)
+    properties = Properties(
+        title=title,
+        subject=mechanism.source.of(plan.language),
+        comments=plan.text("made"),
+        keywords="mechanism, linkage, mechsheet",
+        language=plan.language,
+    )
+    sheets = (_page(plan), description_sheet(plan))
+    return with_typed_constants(Workbook(sheets, tuple(plan.names), properties)), plan
+
+
+def _page(plan: PagePlan) -> Sheet:
+    top, table = Top(plan), Table(plan)
+    widths = _widths(table)
+    requests = [request for request in chart_requests(plan) if not request.paths and _has_columns(plan, request)]
+    right = _charts_right(widths, len(requests) + plan.drawn)
+    drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
+    charts = _placed(plan, widths, requests, drawing)
+    columns = [Column(col, col, width) for col, width in enumerate(widths)]
+    if right >= len(widths):
+        columns.append(Column(len(widths), right, NARROW))
+    note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
+    heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
+    heights |= {
+        0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row: NOTE_LINE * (note_lines + 1) - 8,
+        plan.symbol_row: HEAD_HEIGHT, plan.symbol_row + 1: table.formula_height,
+    }  # fmt: skip
+    last = max(plan.status_column, right - 1 if charts else 0)
+    return Sheet(
+        plan.main,
+        (*top.cells, *table.cells, *(drawing.cells if drawing else ())),
+        (*top.fills, *table.fills, *(drawing.fills if drawing else ())),
+        columns=(*columns, *(drawing.columns if drawing else ())),
+        row_heights=tuple(sorted(heights.items())),
+        merges=(*top.merges, *table.merges),
+        charts=charts,
+        controls=_controls(plan, widths),
+        validations=tuple(top.validations),
+        conditionals=(*top.conditionals, *table.conditionals()),
+        comments=tuple(table.comments),
+        selected=(FIRST_ROW, VALUE),
+        gridlines=False,
+        tab_color="1F4E79",
+        print_setup=PrintSetup(
+            footer=plan.footer,
+            repeat_rows=(plan.symbol_row, plan.symbol_row),
+            area=Area(0, 0, plan.at.last, last),
+            fit_width=1 + plan.status_column // COLUMNS_OF_A_PAGE,
+        ),
+    )
+
+
+def _note(table: Table) -> str:
+    return next(str(cell.content) for cell in table.cells if cell.row == table.plan.note_row)
+
+
+def _widths(table: Table) -> list[float]:
+    """Of the table's columns, wide enough for the top over the first of them."""
+    widths = list(table.widths) + list(TOP_WIDTHS[len(table.widths) :])
+    return [max(width, least) for width, least in zip(widths, TOP_WIDTHS, strict=False)] + widths[len(TOP_WIDTHS) :]
+
+
+def _pixels(width: float) -> int:
+    return int(7 * width + 5)
+
+
+def _charts_right(widths: list[float], count: int) -> int:
+    """The first column to the right of the charts, and of the table."""
+    pixels = sum(map(_pixels, widths[: LAST + 1])) + count * (CHART_WIDTH + GAP)
+    col, reached = 0, 0
+    while reached < pixels or col < len(widths):
+        reached += _pixels(widths[col] if col < len(widths) else NARROW)
+        col += 1
+    return col
+
+
+def _has_columns(plan: PagePlan, request: ChartRequest) -> bool:
+    return all(plan.at.spots[symbol].column for symbol in (request.x, *request.y))
+
+
+def _charted(requests: list[ChartRequest]) -> list[str]:
+    return list(dict.fromkeys(symbol for request in requests for symbol in (request.x, *request.y)))
+
+
+# --- charts ----------------------------------------------------------------------------------------------------------
+
+
+def _placed(
+    plan: PagePlan, widths: list[float], requests: list[ChartRequest], drawing: PageDrawing | None
+) -> tuple[Chart, ...]:
+    """The drawing beside the dimensions, the curves beside it."""
+    charts = [drawing.chart] if drawing else []
+    charts += [_curves(plan, request, drawing) for request in requests]
+    x, found = sum(map(_pixels, widths[: LAST + 1])) + GAP, []
+    for chart in charts:
+        col, dx = 0, x
+        while dx >= (wide := _pixels(widths[col] if col < len(widths) else NARROW)):
+            dx -= wide
+            col += 1
+        found.append(replace(chart, anchor=replace(chart.anchor, row=2, col=col, dx=dx, dy=4)))
+        x += chart.anchor.width + GAP
+    return tuple(found)
+
+
+def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) -> Chart:
+    curves, markers = [], []
+    for index, symbol in enumerate(request.y):
+        color = styles.SERIES[index % len(styles.SERIES)]
+        curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color))
+        if drawing:
+            cells = (drawing.shown[name] for name in (request.x, symbol))
+            at = [SeriesRef(plan.main, Area(cell.row, cell.col, cell.row, cell.col)) for cell in cells]
+            markers.append(marker(plain(symbol), at[0], at[1], color))
+    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
+    symbols = ", ".join(plain(symbol) for symbol in request.y)
+    title = request.title.of(plan.language) if request.title else chart_title(plan, request)
+    return Chart(
+        title, Anchor(0, 0, CHART_WIDTH, CHART_HEIGHT), (*curves, *markers), _axis(plan, request.x),
+        Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
+        legend="bottom" if len(curves) > 1 else "", alt_text=title,
+    )  # fmt: skip
+
+
+def _column(plan: PagePlan, symbol: str) -> SeriesRef:
+    spot = plan.at.spots[symbol]
+    return SeriesRef(plan.main, Area(plan.at.first, spot.col, plan.at.last, spot.col))
+
+
+def _axis(plan: PagePlan, symbol: str) -> Axis:
+    """Degrees in sensible steps; its ends are left to the program, since start, step and rows are not fixed."""
+    unit = shown_unit(plan, symbol)
+    title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
+    if symbol != plan.mechanism.driver.symbol or not plan.mechanism.driver.unit.in_degrees:
+        return Axis(title)
+    extent = math.degrees(max(plan.driver) - min(plan.driver))
+    return Axis(title, step=next((float(step) for step in STEPS if extent / step <= 8), None) if extent else None)
+
+
+def _controls(plan: PagePlan, widths: list[float]) -> tuple[Control, ...]:
+    """The scroll bar under the drawing."""
+    last = min(plan.rows - 1, 30_000)
+    if not plan.drawn or last < 1:
+        return ()
+    row = plan.blocks["position"].rows["position"]
+    below = Anchor(2 + CHART_HEIGHT // ROW_HEIGHT, LAST + 1, CHART_HEIGHT, 18, dx=GAP, dy=8)
+    page = max(1, last // 12)
+    return (
+        Control("scroll", "position scroll bar", below, row, VALUE, 0, last, 1, page),
+        Control("spin", "position spin button", Anchor(row, UNIT, 18, 20), row, VALUE, 0, last, 1, page, False),
+    )

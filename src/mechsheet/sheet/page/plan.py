@@ -1,0 +1,216 @@
+"""The plan of a page: what stands in which row of the top and in which column of the table, before any cell is written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from mechsheet.formula.names import folded, safe_name
+from mechsheet.formula.nodes import Node, Symbol, symbols
+from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
+from mechsheet.model import Mechanism
+from mechsheet.sheet.addresses import Addresses, Spot
+from mechsheet.sheet.charts import remarkable_points
+from mechsheet.sheet.classification import FourBar, classification
+from mechsheet.sheet.geometry import distance
+from mechsheet.sheet.language import words
+from mechsheet.sheet.page.lowering import PageAssignments, lowered
+from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
+from mechsheet.sheet.workbook import Name
+
+FIRST_ROW = 3
+"""The row of the first dimension: its value is $B$4, as in the text."""
+
+ROW_HEIGHT = 20
+"""Pixels."""
+
+CHART_HEIGHT = 320
+"""Pixels of the drawing, which is square, and of the charts beside it."""
+
+CHART_ROWS = CHART_HEIGHT // ROW_HEIGHT + 2
+"""Rows beside the top that the charts take, with the scroll bar below the drawing."""
+
+SPARE = 400
+"""So many rows below the table are looked at too: a person may fill it further down."""
+
+
+@dataclass
+class PagePlan(Plan):
+    """A plan of one sheet.
+
+    page      the equations of the page
+    drawn     False without the drawing
+    note_row  where it is said how exact the angles are
+    lengths   sides of four-bar loops that are no dimensions, by the keys of their cells
+    """
+
+    page: PageAssignments = field(kw_only=True)
+    drawn: bool = field(kw_only=True)
+    note_row: int = 0
+    lengths: dict[str, Node] = field(default_factory=dict)
+
+    @property
+    def symbol_row(self) -> int:
+        """The row of the symbols over the table."""
+        return self.at.first - 2
+
+    @property
+    def grouped(self) -> bool:
+        """Whether the groups have a row of headings."""
+        return len(self.equations.groups) > 1
+
+    @property
+    def last_looked_at(self) -> int:
+        """The last row that what is said of the table looks at."""
+        return self.at.last + SPARE
+
+    @property
+    def plain(self) -> Mapping[str, Node]:
+        """What has no cell of its own: points that are written where they are read."""
+        return self.page.plain
+
+    @property
+    def ok(self) -> str:
+        """The status says something only where a group does not close."""
+        return ""
+
+
+def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
+    """The plan of a mechanism's page."""
+    language, drawn = mechanism.language, mechanism.drawn
+    titles = dict.fromkeys(SHEETS, words(language, "sheet.mechanism"))
+    titles["description"] = words(language, "sheet.description")
+    values = driver_values(mechanism, dimension_values(mechanism))
+    traced = traced_points(mechanism) if drawn else ()
+    kept = {f"{point}.{axis}" for point in traced for axis in ("x", "y")}
+    kept |= {symbol for chart in mechanism.charts for symbol in (chart.x, *chart.y) if symbol}
+    kept |= {summary.of for summary in mechanism.summaries}
+    page = lowered(mechanism, equations, kept, drawn)
+    at = Addresses(mechanism.references, titles, 0, 0)
+    plan = PagePlan(
+        mechanism, page, language, at, len(values), [float(value) for value in values], classification(mechanism, page),
+        page=page, drawn=drawn,
+    )  # fmt: skip
+    _plan_top(plan)
+    _plan_table(plan)
+    return plan
+
+
+def traced_points(mechanism: Mechanism) -> tuple[str, ...]:
+    """Points whose paths are drawn: those that the description asks for, else those whose paths say something."""
+    asked = dict.fromkeys(point for chart in mechanism.charts for point in chart.paths)
+    return tuple(asked) or remarkable_points(mechanism)
+
+
+def sides_of(mechanism: Mechanism, loop: FourBar) -> list[tuple[str, Node]]:
+    """Ground, first link, coupler and last link of a four-bar loop as lengths, each with a key of its own."""
+    ends = ((loop.start, loop.end), (loop.start, loop.pin), (loop.pin, loop.inner), (loop.inner, loop.end))
+    links = (mechanism.ground, loop.first, loop.coupler, loop.last)
+    values = dimension_values(mechanism)
+    found = []
+    for link, (one, other) in zip(links, ends, strict=True):
+        tree = distance(link, one, other)
+        for name in (f"{one}{other}", f"{other}{one}"):
+            # the description may have it as a dimension, under the name that it has here
+            if name in values and abs(evaluate(tree, values) - values[name]) <= 1e-12 * abs(values[name]):
+                tree = Symbol(name)
+        found.append((f"#{one}{other}", tree))
+    return found
+
+
+# --- the top ---------------------------------------------------------------------------------------------------------
+
+
+def _plan_top(plan: PagePlan) -> None:
+    mechanism, found = plan.mechanism, plan.found
+    plan.next_row = FIRST_ROW
+    _block(plan, "dimensions", (dim.symbol for dim in mechanism.dimensions if not dim.derived))
+    if not mechanism.driver.values:
+        _block(plan, "sweep", ("start", "step"))
+    modes = [group.mode for group in plan.equations.groups if group.mode]
+    _block(plan, "assembly", modes)
+    if plan.drawn:
+        _block(plan, "position", ("position",))
+    order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
+    derived = sorted((dim for dim in mechanism.dimensions if dim.derived), key=lambda dim: order[dim.symbol])
+    constants = [each.symbol for each in plan.equations.constants]
+    for loop in found.four_bars:
+        plan.lengths |= {key: tree for key, tree in sides_of(mechanism, loop) if len(set(symbols(tree))) > 1}
+    _block(plan, "derived", [*(dim.symbol for dim in derived), *plan.lengths, *constants])
+    grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
+    transmission = [f"transmission_{group.number}" for group in found.transmission]
+    _block(plan, "verdicts", ["rows_closed", *grashof, *transmission])
+    _block(plan, "summary", (summary.symbol for summary in mechanism.summaries))
+    _block(plan, "variables", ())
+    _name_places(plan, modes)
+
+
+def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
+    names = list(entries)
+    first = plan.next_row
+    plan.blocks[key] = Block(key, first - 1, {entry: first + index for index, entry in enumerate(names)})
+    plan.next_row += len(names)
+
+
+def _name_places(plan: PagePlan, modes: list[str]) -> None:
+    """A place for everything on top; it has a name where formulas are to read names."""
+    mechanism, rows = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}
+    cells = {dim.symbol: dim.cell for dim in mechanism.dimensions} | {
+        each.symbol: each.cell for each in mechanism.summaries
+    }
+    taken = {folded(cell) for cell in cells.values() if cell}
+    for dim in mechanism.dimensions:
+        row = rows["derived" if dim.derived else "dimensions"][dim.symbol]
+        _place(plan, dim.symbol, row, dim.unit.in_degrees, cells[dim.symbol] or dim.symbol, taken)
+    for equation in plan.equations.constants:
+        degrees = mechanism.shown(equation.unit).in_degrees
+        _place(plan, equation.symbol, rows["derived"][equation.symbol], degrees, equation.symbol, taken)
+    for key in plan.lengths:
+        _place(plan, key, rows["derived"][key], False, f"length_{key.removeprefix('#')}", taken)
+    for mode in modes:
+        _place(plan, mode, rows["assembly"][mode], False, mode, taken)
+    for key, row in rows.get("sweep", {}).items():
+        _place(plan, f"#{key}", row, mechanism.driver.unit.in_degrees, plan.text(f"name.{key}"), taken)
+    for key, row in rows.get("position", {}).items():
+        _place(plan, f"#{key}", row, False, plan.text("name.position"), taken)
+    for key, row in rows["verdicts"].items():
+        _place(plan, f"#{key}", row, False, key, taken)
+    for symbol, row in rows["summary"].items():
+        _place(plan, f"#summary {symbol}", row, False, cells[symbol] or symbol, taken)
+    _place(plan, "#verdict", VERDICT_ROW, False, "verdict", taken, 0)
+
+
+def _place(
+    plan: PagePlan, symbol: str, row: int, degrees: bool, wish: str, taken: set[str], col: int = VALUE
+) -> None:  # fmt: skip
+    name = ""
+    if plan.at.references == "names":
+        name = wish if folded(wish) in taken else safe_name(wish, taken)
+        taken.add(folded(name))
+        plan.names.append(Name(name, plan.main, row, col))
+    plan.at.spots[symbol] = Spot(plan.main, row, col, degrees=degrees, name=name)
+
+
+# --- the table -------------------------------------------------------------------------------------------------------
+
+
+def _plan_table(plan: PagePlan) -> None:
+    plan.note_row = max(plan.next_row, FIRST_ROW - 1 + CHART_ROWS) + 1
+    plan.at.first = plan.note_row + 3 + plan.grouped
+    plan.at.last = plan.at.first + plan.rows - 1
+    driver = plan.mechanism.driver
+    outputs = {output.symbol for output in plan.mechanism.outputs}
+    columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
+    degrees = {driver.symbol: driver.unit.in_degrees}
+    for col, equation in enumerate(plan.equations.columns, 1):
+        inner = equation.role == "intermediate"
+        group = -1 if equation.symbol in outputs else equation.group
+        columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
+        degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees
+    columns.append(TableColumn(len(columns), "#status", "status", -2, False))
+    plan.columns += columns
+    for column in columns:
+        shown = degrees.get(column.symbol, False)
+        plan.at.spots[column.symbol] = Spot(plan.main, plan.at.first, column.col, column=True, degrees=shown)

@@ -1,0 +1,228 @@
+"""The table of a page: a heading, the formula as mathematics, one row for each driver value; made to be filled down."""
+
+from __future__ import annotations
+
+import math
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
+from mechsheet.sheet import styles
+from mechsheet.sheet.blocks import shown_unit
+from mechsheet.sheet.mathematics import written
+from mechsheet.sheet.page.degrees import in_degrees, together
+from mechsheet.sheet.page.plan import PagePlan
+from mechsheet.sheet.page.top import status_words
+from mechsheet.sheet.plan import TableColumn
+from mechsheet.sheet.positions import first_open, places
+from mechsheet.sheet.quoted import SHOWN, formula
+from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
+
+MOST_STEPPED = 400
+"""Rows in which the driver is the row above and a step; in more the rounding of so many sums would be seen."""
+
+NARROWEST, WIDEST = 10.0, 26.0
+"""Widths of columns in characters."""
+
+STATUS_WIDTH = 14.0
+NOTE_COLUMNS = 12
+CHARACTERS, LINE, MOST_LINES = 1.65, 12.0, 4
+"""Small characters in a character's width, the height of such a line [pixels], and the lines before a column widens."""
+
+
+class Table:
+    """Collects the cells of the table."""
+
+    def __init__(self, plan: PagePlan) -> None:
+        self.plan = plan
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.merges: list[Merge] = []
+        self.comments: list[Comment] = []
+        self.mathematics = {column.col: self._mathematics(column) for column in plan.columns}
+        self.widths = [self._width(column) for column in plan.columns]
+        self._note()
+        if plan.grouped:
+            self._groups()
+        for column in plan.columns:
+            self._column(column)
+
+    # --- over the table ---------------------------------------------------------------------------------------
+
+    def _note(self) -> None:
+        """How exact the angles are."""
+        plan = self.plan
+        parts = [part for each in plan.equations.columns for part in walk(each.expression)]
+        used = {part.name for part in parts if isinstance(part, Call)}
+        key = "page.note" if "ACOS" in used else "page.note.legs" if "ASIN" in used else "page.note.plain"
+        self.cells.append(Cell(plan.note_row, 0, plan.text(key), styles.NOTE))
+        self.merges.append(Merge(Area(plan.note_row, 0, plan.note_row, note_last(plan))))
+
+    def _groups(self) -> None:
+        """A heading over the columns of each group."""
+        plan, row, start = self.plan, self.plan.symbol_row - 1, 0
+        for col in range(1, len(plan.columns) + 1):
+            if col < len(plan.columns) and plan.columns[col].group == plan.columns[start].group:
+                continue
+            number = plan.columns[start].group
+            self.cells.append(Cell(row, start, self._group_title(number), styles.SECTION))
+            self.cells += [Cell(row, other, None, styles.SECTION) for other in range(start + 1, col)]
+            if col - start > 1:
+                self.merges.append(Merge(Area(row, start, row, col - 1)))
+            start = col
+
+    def _group_title(self, number: int) -> str:
+        plan = self.plan
+        if number <= 0:
+            return plan.text({0: "group.driver", -1: "group.outputs"}[number]) if number > -2 else ""
+        group = plan.equations.groups[number - 1]
+        return plan.text("page.group", number=number, links=status_words(plan, group))
+
+    def _mathematics(self, column: TableColumn) -> Rich | str:
+        """The formula as people write it."""
+        plan = self.plan
+        if column.kind == "driver" and not plan.mechanism.driver.values:
+            step = plan.text("name.step")
+            return plan.text("page.step", step=step) if self._stepped else f"{plan.text('name.start')} + n·{step}"
+        return "" if column.equation is None else written(column.equation.says, plan.language)
+
+    @property
+    def _stepped(self) -> bool:
+        return self.plan.rows <= MOST_STEPPED
+
+    def _width(self, column: TableColumn) -> float:
+        if column.kind == "status":
+            return STATUS_WIDTH
+        length = len(_text(self.mathematics[column.col]))
+        return max(NARROWEST, min(WIDEST, length / (CHARACTERS * (MOST_LINES - 1))))
+
+    @property
+    def formula_height(self) -> float:
+        """Height of the row of formulas [pixels]."""
+        lines = [
+            math.ceil(0.3 + len(_text(self.mathematics[col])) / (CHARACTERS * width))
+            for col, width in enumerate(self.widths)
+        ]
+        return LINE * max(2, *lines)
+
+    # --- columns ----------------------------------------------------------------------------------------------
+
+    def _column(self, column: TableColumn) -> None:
+        plan, first = self.plan, self.plan.at.first
+        unit = shown_unit(plan, column.symbol) if column.kind != "status" else ""
+        title = rich(column.symbol, f" [{unit}]" if unit else "") if column.kind != "status" else ""
+        self.cells.append(Cell(plan.symbol_row, column.col, title or None, styles.HEAD))
+        self.cells.append(
+            Cell(plan.symbol_row + 1, column.col, self.mathematics[column.col] or None, styles.FORMULA_TEXT)
+        )
+        match column.kind:
+            case "driver":
+                self._driver()
+            case "status":
+                self._fill(column.col, self._bound(status(plan), first), styles.STATUS)
+            case _:
+                self._equation(column)
+
+    def _fill(self, col: int, node: Node, style: Style, skip: int = 0) -> None:
+        if self.plan.rows > skip:
+            self.fills.append(Fill(self.plan.at.first + skip, col, node, style, rows=self.plan.rows - skip))
+
+    def _bound(self, node: Node, row: int) -> Node:
+        return transform(self.plan.at.bind(node, self.plan.main, row), together)
+
+    def _driver(self) -> None:
+        plan, driver, first = self.plan, self.plan.mechanism.driver, self.plan.at.first
+        degrees = driver.unit.in_degrees
+        style = styles.decimals(styles.COLUMN, places(plan, driver.unit.kind))
+        if driver.values:
+            for row, value in enumerate(driver.values, first):
+                if isinstance(value, float):
+                    self.cells.append(Cell(row, 0, driver.unit.written(value), styles.INPUT))
+                else:
+                    node = self._bound(value, row)
+                    self.fills.append(Fill(row, 0, in_degrees(node) if degrees else node, style))
+            return
+        start = self._bound(self._checked(Symbol("#start")), first)
+        self.fills.append(Fill(first, 0, start, style))
+        if self._stepped:
+            further = formula("above+_step", above=CellRef(first, 0))
+        else:
+            top = CellRef(first, 0, row_abs=True)
+            further = formula("top+(ROW()-ROW(top))*_step", top=top)
+        self._fill(0, self._bound(further, first + 1), style, skip=1)
+
+    def _checked(self, start: Node) -> Node:
+        """The first value, while every length and every mode is one: else no row pretends to exist."""
+        equations = self.plan.equations
+        lengths = [Symbol(name) for name in equations.positive if name in self.plan.at.spots]
+        lengths = [length for length in lengths if not self.plan.at.spots[length.name].column]
+        tests = [formula("least>0", least=al.smallest(lengths))] if lengths else []
+        tests += [formula("ABS(mode)=1", mode=Symbol(group.mode)) for group in equations.groups if group.mode]
+        if not tests:
+            return start
+        test = tests[0] if len(tests) == 1 else Call("AND", tuple(tests))
+        return formula("IF(test,start,NA())", test=test, start=start)
+
+    def _equation(self, column: TableColumn) -> None:
+        plan, equation, first = self.plan, column.equation, self.plan.at.first
+        if equation is None:
+            raise ValueError(f"a column without an equation: {column.symbol}")
+        self.comments.append(Comment(plan.symbol_row, column.col, equation.label.of(plan.language)))
+        inner = styles.INNER if column.inner else styles.COLUMN
+        style = styles.decimals(inner, places(plan, equation.unit.kind))
+        node = self._bound(equation.expression, first)
+        degrees = plan.at.spots[column.symbol].degrees
+        value = in_degrees(node) if degrees else node
+        if equation.first is None:
+            self._fill(column.col, value, style)
+            return
+        self.fills.append(Fill(first, column.col, value, style))
+        turn: Node = Number(360.0) if degrees else al.mul(al.TWO, al.PI)
+        near = formula(
+            "value+turn*IFERROR(ROUND((above-value)/turn,0),0)",
+            value=shifted(value, 1), turn=turn, above=CellRef(first, column.col),
+        )  # fmt: skip
+        self._fill(column.col, near, style, skip=1)
+
+    # --- colours ----------------------------------------------------------------------------------------------
+
+    def conditionals(self) -> list[Conditional]:
+        """The row that is drawn stands out; rows without a position are grey."""
+        plan, first = self.plan, self.plan.at.first
+        area = Area(first, 0, plan.last_looked_at, plan.status_column)
+        said = CellRef(first, plan.status_column, col_abs=True)
+        found = [Conditional(area, formula('said<>""', said=said), styles.MISSING)]
+        if plan.drawn:
+            top = CellRef(first, 0, True, True)
+            shown = plan.at.bind(formula("ROW()-ROW(top)=_position", top=top), plan.main)
+            found.insert(0, Conditional(area, shown, styles.CURRENT))
+        return found
+
+
+def note_last(plan: PagePlan) -> int:
+    """The last of the columns over which the note stands: no more than a screen shows."""
+    return min(plan.status_column, NOTE_COLUMNS - 1)
+
+
+def status(plan: PagePlan) -> Node:
+    """Nothing where every group closes, else the first that does not."""
+    groups = [group for group in plan.equations.groups if plan.page.closes[group.number]]
+    values = [Symbol(f"{SHOWN}{plan.page.closes[group.number]}") for group in groups]
+    closing = [formula("ISNUMBER(value)", value=value) for value in values]
+    if not closing:
+        return Text("")
+    if len(closing) == 1:
+        words = plan.text("page.open", links=status_words(plan, groups[0]))
+        return formula('IF(closes,"",words)', closes=closing[0], words=words)
+    numbers = [group.number for group in groups]
+    first: Node = first_open(closing)
+    if numbers != list(range(1, len(numbers) + 1)):
+        first = Call("CHOOSE", (first, *(Number(float(number)) for number in numbers)))
+    return formula(
+        'IF(counted=count,"",words&first)',
+        counted=Call("COUNT", tuple(values)), count=float(len(values)), words=plan.text("page.open.group"), first=first,
+    )  # fmt: skip
+
+
+def _text(content: Rich | str) -> str:
+    return content.plain if isinstance(content, Rich) else content

@@ -1,0 +1,319 @@
+"""The top of a page: title, the verdict line, dimensions, start and step, modes, and what can be said of the rows below."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
+from mechsheet.kinematics.equations import Group
+from mechsheet.model import Summary
+from mechsheet.sheet import styles
+from mechsheet.sheet.blocks import input_validation, shown_unit, value_style
+from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.page.degrees import in_degrees, together
+from mechsheet.sheet.page.plan import PagePlan, sides_of
+from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.words.equations import body_words, link_words
+
+SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
+"""Columns of the top; the meaning has three of the table's columns."""
+
+SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
+
+LEAST, MOST, MEAN = "MINIFS", "MAXIFS", "AVERAGEIF"
+
+NUMBERS = "<1E+300"
+"""What numbers are, and errors are not: rows without a position are left out."""
+
+
+def over_rows(function: str, column: Node) -> Node:
+    """The least, the largest or the mean of the numbers of a column."""
+    if function == MEAN:
+        return formula("AVERAGEIF(column,numbers)", column=column, numbers=NUMBERS)
+    return Call(function, (column, column, Text(NUMBERS)))
+
+
+class Top:
+    """Collects the cells of the top; the table, the drawing and the charts have their own."""
+
+    def __init__(self, plan: PagePlan) -> None:
+        self.plan = plan
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.merges: list[Merge] = []
+        self.validations: list[Validation] = []
+        self.conditionals: list[Conditional] = []
+        self._title()
+        self._dimensions()
+        self._sweep()
+        self._modes()
+        self._position()
+        self._derived()
+        self._verdicts()
+        self._summaries()
+
+    # --- small things -----------------------------------------------------------------------------------------
+
+    def put(self, row: int, col: int, content: Content, style: Style) -> None:
+        """A constant."""
+        self.cells.append(Cell(row, col, content, style))
+
+    def fill(self, row: int, col: int, node: Node, style: Style) -> None:
+        """A formula over symbols."""
+        self.fills.append(Fill(row, col, self.plan.at.bind(node, self.plan.main), style))
+
+    def line(self, row: int, symbol: Content, unit: str | None, meaning: str | Node) -> None:
+        """All of a line but its value (and its unit, when that is a formula: None)."""
+        self.put(row, SYMBOL, symbol, styles.SYMBOL)
+        if unit is not None:
+            self.put(row, UNIT, unit, styles.UNIT)
+        if isinstance(meaning, str):
+            self.put(row, MEANING, meaning, styles.LABEL)
+        else:
+            self.fill(row, MEANING, meaning, styles.LABEL)
+        for col in range(MEANING + 1, LAST + 1):
+            self.put(row, col, None, styles.LABEL)
+        self.merges.append(Merge(Area(row, MEANING, row, LAST)))
+
+    def column(self, symbol: str) -> RangeRef:
+        """The cells of a column, and those below that a person may fill."""
+        spot = self.plan.at.spots[symbol]
+        return RangeRef(
+            CellRef(spot.row, spot.col, True, True), CellRef(self.plan.last_looked_at, spot.col, True, True)
+        )
+
+    def over_rows(self, symbol: str, function: str) -> Node:
+        """Over a column, as people read it."""
+        return over_rows(function, self.column(symbol))
+
+    def cell(self, key: str) -> Node:
+        """A cell on top by its key."""
+        return self.plan.at.cell(key, self.plan.main, None)
+
+    # --- inputs -----------------------------------------------------------------------------------------------
+
+    def _title(self) -> None:
+        plan = self.plan
+        self.put(0, 0, plan.mechanism.title.of(plan.language), styles.TITLE)
+        self.put(LEGEND_ROW, SYMBOL, plan.text("legend.input"), styles.numbered(styles.INPUT, "@"))
+        self.put(LEGEND_ROW, VALUE, plan.text("legend.result"), styles.RESULT)
+        source = plan.mechanism.source.of(plan.language)
+        if source:
+            self.put(VERDICT_ROW, LAST + 1, plan.text("source", source=source), SOURCE)
+
+    def _dimensions(self) -> None:
+        plan = self.plan
+        for dim in plan.mechanism.dimensions:
+            if dim.derived:
+                continue
+            row = plan.blocks["dimensions"].rows[dim.symbol]
+            label = dim.label.of(plan.language) if dim.label else ""
+            if dim.tolerance:
+                label = f"{label} (±{dim.tolerance:g})".strip()
+            self.line(row, rich(dim.symbol), dim.unit.text, label)
+            if isinstance(dim.value, float):
+                shown = dim.shown if dim.shown is not None else dim.unit.written(dim.value)
+                self.put(row, VALUE, shown, styles.INPUT)
+            self.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
+
+    def _sweep(self) -> None:
+        plan, driver = self.plan, self.plan.mechanism.driver
+        if "sweep" not in plan.blocks:
+            return
+        rows, degrees = plan.blocks["sweep"].rows, driver.unit.in_degrees
+        meanings = {"start": plan.text("page.start", driver=plain(driver.symbol)), "step": plan.text("page.step.words")}
+        for key, quantity in (("start", driver.start), ("step", driver.step)):
+            self.line(rows[key], plan.text(f"name.{key}"), driver.unit.text, meanings[key])
+            if isinstance(quantity, float):
+                self.put(rows[key], VALUE, driver.unit.written(quantity), styles.INPUT)
+            else:
+                self._result(rows[key], quantity, degrees, styles.RESULT)
+
+    def _modes(self) -> None:
+        plan = self.plan
+        for group in plan.equations.groups:
+            if group.mode:
+                row = plan.blocks["assembly"].rows[group.mode]
+                plus, minus = (words.of(plan.language) for words in group.assemblies)
+                self.line(row, rich(group.mode), "", formula("IF(mode>0,plus,minus)", mode=self.cell(group.mode),
+                                                             plus=plus, minus=minus))  # fmt: skip
+                self.put(row, VALUE, float(group.mode_value), styles.INPUT)
+                title, message = plan.text("hint.mode.title"), plan.text("hint.mode")
+                self.validations.append(
+                    Validation(
+                        Area(row, VALUE, row, VALUE), "list", choices=("1", "-1"), input_title=title,
+                        input_message=message, error_title=title, error_message=message,
+                    )
+                )  # fmt: skip
+
+    def _position(self) -> None:
+        plan = self.plan
+        for row in plan.blocks["position"].rows.values() if plan.drawn else ():
+            self.line(row, plan.text("name.position"), "", plan.text("page.position"))
+            self.put(row, VALUE, float(plan.first_existing), styles.INPUT)
+            title, message = plan.text("hint.position.title"), plan.text("hint.position", last=plan.rows - 1)
+            self.validations.append(
+                Validation(
+                    Area(row, VALUE, row, VALUE), "whole", "between", Number(0.0), Number(plan.rows - 1.0),
+                    input_title=title, input_message=message, error_title=title, error_message=message, stop=False,
+                )
+            )  # fmt: skip
+
+    # --- results ----------------------------------------------------------------------------------------------
+
+    def _result(self, row: int, expression: Node, degrees: bool, style: Style) -> None:
+        bound = transform(self.plan.at.bind(expression, self.plan.main), together)
+        self.fills.append(Fill(row, VALUE, in_degrees(bound) if degrees else bound, style))
+
+    def _derived(self) -> None:
+        plan = self.plan
+        rows = plan.blocks["derived"].rows
+        for dim in plan.mechanism.dimensions:
+            if not isinstance(dim.value, float):
+                label = dim.label.of(plan.language) if dim.label else dim.written
+                self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, label)
+                self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
+        for key, tree in plan.lengths.items():
+            words = plan.text("page.length", name=key.removeprefix("#"))
+            self.line(rows[key], key.removeprefix("#"), plan.mechanism.length_unit, words)
+            self._result(rows[key], tree, False, value_style(plan, "length"))
+        for equation in plan.equations.constants:
+            row = rows[equation.symbol]
+            self.line(
+                row, rich(equation.symbol), plan.mechanism.shown(equation.unit).text, equation.label.of(plan.language)
+            )
+            small = equation.symbol == plan.equations.tolerance
+            style = styles.numbered(styles.RESULT, "0.0E+00") if small else value_style(plan, equation.unit.kind)
+            self._result(row, equation.expression, plan.at.spots[equation.symbol].degrees, style)
+
+    def _verdicts(self) -> None:
+        plan = self.plan
+        rows = plan.blocks["verdicts"].rows
+        filled, said = (self.column(symbol) for symbol in (plan.mechanism.driver.symbol, "#status"))
+        row = rows["rows_closed"]
+        self.line(row, "n", None, plan.text("page.rows"))
+        count = formula('COUNT(filled)-COUNTIF(said,"?*")', filled=filled, said=said)
+        self.fill(row, VALUE, count, styles.decimals(styles.RESULT, 0))
+        self.fill(row, UNIT, joined(plan.text("page.of"), Call("COUNT", (filled,))), styles.UNIT)
+        for loop in plan.found.four_bars:
+            self._grashof(rows[f"grashof_{loop.group}"], loop)
+        for group in plan.found.transmission:
+            self._transmission(rows[f"transmission_{group.number}"], group)
+        self._line_under_the_title(filled)
+
+    def _grashof(self, row: int, loop: FourBar) -> None:
+        """The type of a four-bar by its shortest and longest link; words, and the excess that decides."""
+        plan = self.plan
+        lengths = tuple(self._length(key, tree) for key, tree in sides_of(plan.mechanism, loop))
+        ground, first, coupler, _ = lengths
+        shortest, longest, total = (Call(name, lengths) for name in ("MIN", "MAX", "SUM"))
+        excess = CellRef(row, VALUE, True, True)
+
+        def said(word: str, turning: str = "") -> str:
+            return plan.text(f"verdict.grashof.{word}", loop="", link=turning)
+
+        turning = [link_words(link).of(plan.language) for link in (loop.first, loop.last)]
+        others = [Call("MIN", (*lengths[:index], *lengths[index + 1 :])) for index in range(3)]
+        which = formula(
+            "IF(ground<=a,both,IF(first<=b,crank,IF(coupler<=c,rockers,follower)))",
+            ground=ground, first=first, coupler=coupler, a=others[0], b=others[1], c=others[2], both=said("both"),
+            crank=said("one", turning[0]), rockers=said("coupler"), follower=said("one", turning[1]),
+        )  # fmt: skip
+        words = formula(
+            "loop&IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which)))",
+            loop=f"{loop.name}: ", excess=excess, shortest=shortest, coupler=coupler, which=which,
+            open=said("open"), change=said("change"), none=said("none"),
+        )  # fmt: skip
+        self.line(row, plan.text("verdict.grashof"), plan.mechanism.length_unit, words)
+        value = formula("2*(shortest+longest)-total", shortest=shortest, longest=longest, total=total)
+        self.fill(row, VALUE, value, value_style(plan, "length"))
+
+    def _length(self, key: str, length: Node) -> Node:
+        """A length without the bars that its sign does not need; one that is no dimension has a cell."""
+        match length:
+            case Call("ABS", (Symbol(name),)) if name in self.plan.equations.positive:
+                return length.args[0]
+        return Symbol(key) if key in self.plan.at.spots else length
+
+    def _transmission(self, row: int, group: Group) -> None:
+        """The least acute angle of transmission over the rows of the table, and no others."""
+        plan = self.plan
+        low, high = (self.over_rows(group.transmission, function) for function in (LEAST, MOST))
+        half = 180.0 if plan.at.spots[group.transmission].degrees else al.PI
+        if group.kind == "RRR":
+            least = formula("MIN(low,half-high)", low=low, high=high, half=half)
+        else:  # the rod against the guide: the angle of transmission is what is missing to a right one
+            least = formula("half/2-MAX(high,-low)", low=low, high=high, half=half)
+        self.line(row, f"μ{group.number}", plan.mechanism.angle_unit.text, plan.text("page.transmission"))
+        value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
+        self.fill(row, VALUE, value, value_style(plan, "angle"))
+
+    def _line_under_the_title(self, filled: Node) -> None:
+        """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
+        plan, text = self.plan, self.plan.text
+        count, rows = self.cell("#rows_closed"), Call("COUNT", (filled,))
+        some = joined(text("page.verdict.some"), count, text("page.verdict.of"))
+        counted = formula("IF(n=rows,every,some)", n=count, rows=rows, every=text("page.verdict.all"), some=some)
+        parts: list[Node | str] = [counted, rows, text("page.verdict.positions")]
+        for loop in plan.found.four_bars[:1]:
+            parts += ["; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)]
+        for group in plan.found.transmission[:1]:
+            value = self.cell(f"#transmission_{group.number}")
+            unit = plan.mechanism.angle_unit.text
+            parts += [text("page.verdict.transmission"), formula("ROUND(value,1)", value=value),
+                      f"{'' if unit == '°' else ' '}{unit}{text('page.verdict.rows')}"]  # fmt: skip
+        first = CellRef(plan.at.first, 0, True, True)
+        words = formula(
+            "IF(ISNUMBER(first),IF(n=0,nowhere,good),inputs)", first=first, n=count, good=joined(*parts),
+            nowhere=text("page.verdict.nowhere"), inputs=text("page.verdict.inputs"),
+        )  # fmt: skip
+        self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
+        area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
+        self.merges.append(Merge(area))
+        for test, style in (
+            ("OR(NOT(ISNUMBER(first)),n=0)", styles.BAD),
+            ("n<rows", styles.WARN),
+            ("n=rows", styles.GOOD),
+        ):
+            condition = plan.at.bind(formula(test, first=first, n=count, rows=rows), plan.main)
+            self.conditionals.append(Conditional(area, condition, style))
+
+    def _summaries(self) -> None:
+        plan = self.plan
+        for summary in plan.mechanism.summaries:
+            row = plan.blocks["summary"].rows[summary.symbol]
+            label = (
+                summary.label.of(plan.language)
+                if summary.label
+                else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
+            )
+            meaning = plan.text("page.take.rows", label=label)
+            self.line(row, rich(summary.symbol), shown_unit(plan, summary.of), meaning)
+            driver = plan.mechanism.driver
+            kind = (driver.unit if summary.of == driver.symbol else plan.equations.of(summary.of).unit).kind
+            value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=self._taken(summary))
+            self.fill(row, VALUE, value, value_style(plan, kind))
+
+    def _taken(self, summary: Summary) -> Node:
+        """Over the rows in which the quantity has a value."""
+        if not self.plan.at.spots[summary.of].column:
+            return formula("0*value", value=self.cell(summary.of)) if summary.take == "range" else self.cell(summary.of)
+        column = self.column(summary.of)
+        match summary.take:
+            case "min" | "max" | "mean":
+                return self.over_rows(summary.of, {"min": LEAST, "max": MOST, "mean": MEAN}[summary.take])
+            case "range":
+                return Binary("-", self.over_rows(summary.of, MOST), self.over_rows(summary.of, LEAST))
+            case "first":
+                return formula("INDEX(column,SUMPRODUCT(MATCH(TRUE,ISNUMBER(column),0)))", column=column)
+            case "last":
+                return formula("LOOKUP(9E+307,column)", column=column)
+
+
+def status_words(plan: PagePlan, group: Group) -> str:
+    """The links of a group."""
+    return ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)

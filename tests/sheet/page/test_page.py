@@ -1,0 +1,354 @@
+"""The layout of one sheet: the values of several sheets, formulas as on the blackboard, nothing that it needs elsewhere."""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mechsheet
+from chosen import part
+from mechsheet.checking import check
+from mechsheet.checking.cells import compare_cells
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import book_of
+from mechsheet.description import loads
+from mechsheet.engine import evaluate
+from mechsheet.formats import read
+from mechsheet.formula.nodes import CellRef, NameRef, RangeRef, shifted, walk
+from mechsheet.formula.printer import print_formula
+from mechsheet.sheet.workbook import Fill
+from office_macros import Job, with_macros
+from published.printed_numbers import dimensions, table
+from random_mechanisms import Grower
+
+ROOT = Path(__file__).parents[3]
+TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
+DISTANT = 1e-9
+"""Of the size, or rad: what the rounding of cosines leaves where no triangle is within 0.03 degrees of a dead centre."""
+
+KITE = (
+    'format = 1\n[mechanism]\nname = "kite"\n[dimensions]\na1 = 60\na2 = 60\na3 = 70\na4 = 70\n'
+    '[links.ground]\npoints = { A0 = [0, 0], B0 = ["a1", 0] }\n[links.crank]\npoints = { A0 = [0, 0], A = ["a2", 0] }\n'
+    '[links.coupler]\npoints = { A = [0, 0], B = ["a3", 0] }\n[links.rocker]\npoints = { B0 = [0, 0], B = ["a4", 0] }\n'
+    '[driver]\nlink = "crank"\nstart = -360\nstop = 360\nstep = 15\n'
+)
+
+
+def text_of(name):
+    return (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")
+
+
+class Page:
+    """A description in this layout, and the values of its cells."""
+
+    def __init__(self, text, language=None, names=False, **overrides):
+        mechanism = loads(text, language=language, overrides={key: str(value) for key, value in overrides.items()})
+        self.mechanism = replace(mechanism, layout="page", references="names" if names else "anchors")
+        self.compiled = Compiled(self.mechanism)
+        self.workbook, self.plan = self.compiled.layout, self.compiled.plan
+        self.sheet = self.workbook.sheets[0]
+        self.values = evaluate(book_of(self.workbook))
+
+    def column(self, symbol):
+        """The cells of a column as numbers in internal units, NaN where there is none."""
+        spot = self.plan.at.spots[symbol]
+        cells = self.values.column(spot.sheet, spot.col, self.plan.at.first, self.plan.at.last)
+        found = np.array([cell if isinstance(cell, float) else math.nan for cell in cells])
+        return np.radians(found) if spot.degrees else found
+
+    def cell(self, key):
+        spot = self.plan.at.spots[key]
+        return self.values.get(spot.sheet, spot.row, spot.col)
+
+    def change(self, **symbols):
+        """Type numbers (as shown) into input cells."""
+        spots = {self.plan.at.spots[symbol]: value for symbol, value in symbols.items()}
+        changes = {(spot.sheet, spot.row, spot.col): float(value) for spot, value in spots.items()}
+        self.values = evaluate(book_of(self.workbook), changes)
+        return self
+
+    def said(self):
+        return [
+            self.values.get(self.plan.main, row, self.plan.status_column)
+            for row in range(self.plan.at.first, self.plan.at.last + 1)
+        ]
+
+    def formulas(self):
+        return [fill.formula for fill in self.sheet.fills]
+
+
+def worst(page):
+    """The largest difference of any column from the equations' own values; rows that do not exist must be the same ones."""
+    found = 0.0
+    nominal = page.plan.nominal
+    for column in page.plan.columns:
+        if column.kind == "equation" and column.symbol in nominal:
+            ours, theirs = page.column(column.symbol), nominal[column.symbol]
+            assert (np.isnan(ours) == np.isnan(theirs)).all(), column.symbol
+            scale = page.plan.size if column.equation.unit.kind == "length" else 1.0
+            found = max(found, float(np.nanmax(np.abs(ours - theirs), initial=0.0)) / scale)
+    return found
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_values_are_those_of_the_equations(name):
+    page = Page(text_of(name))
+    assert worst(page) < DISTANT
+    assert page.said() == [
+        "" if closed else word for closed, word in zip(page.compiled.closed, page.said(), strict=True)
+    ]
+    assert page.cell("#rows_closed") == np.count_nonzero(page.compiled.closed)
+
+
+@pytest.mark.parametrize("seed", part(range(30), of=3))
+def test_values_of_random_mechanisms(seed):
+    page = Page(Grower(seed, 1 + seed % 4).text())
+    assert worst(page) < DISTANT
+    assert [word == "" for word in page.said()] == page.compiled.closed.tolist()
+
+
+@pytest.mark.parametrize(("column", "s1"), [(1, 20), (3, 100), (6, 250)])
+def test_pump_prints_the_texts_table(column, s1):
+    published = table("adjustable-pump")
+    assert np.max(np.abs(Page(text_of("adjustable-pump"), s1=s1).column("s15") - published[:, column])) < 6e-5
+
+
+def test_fivelink_prints_the_texts_table():
+    published = table("fivelink")
+    page = Page(text_of("fivelink"))
+    page.change(**{"#start": -math.degrees(dimensions("fivelink")["alpha1"])})
+    for symbol, column in (("theta13", 2), ("theta15", 4)):
+        assert np.max(np.abs(np.remainder(page.column(symbol), math.tau) - published[:, column])) < 3e-7
+
+
+def test_four_bar_is_the_texts_table():
+    """Its own formulas, column by column: s cos(phi), s sin(phi), s, phi, psi, mu, theta14, theta13."""
+    page = Page(text_of("four-bar"))
+    a1, a2, a3, a4 = 70.0, 35.0, 62.3, 56.0
+    theta = np.radians(np.arange(25) * 15.0)
+    x, y = a2 * np.cos(theta) - a1, a2 * np.sin(theta)
+    s, phi = np.hypot(x, y), np.unwrap(np.arctan2(y, x))
+    psi = np.arccos((a4**2 + s**2 - a3**2) / (2 * a4 * s))
+    mu = np.arccos((a3**2 + a4**2 - s**2) / (2 * a3 * a4))
+    expected = {
+        "s_x": x,
+        "s_y": y,
+        "s": s,
+        "phi": phi,
+        "psi": psi,
+        "mu_1": mu,
+        "theta14": phi - psi,
+        "theta13": phi - psi - mu,
+    }
+    assert [column.symbol for column in page.plan.columns][1:9] == list(expected)
+    for symbol, column in expected.items():
+        assert np.max(np.abs(page.column(symbol) - column)) < 1e-11, symbol
+
+
+def test_formulas_are_those_of_the_blackboard():
+    page = Page(text_of("four-bar"))
+    first = page.plan.at.first
+    found = {fill.col: print_formula(fill.formula) for fill in page.sheet.fills if fill.row == first}
+    row = first + 1
+    assert found[1] == f"$B$5*COS(RADIANS(A{row}))-$B$4"
+    assert found[5] == f"IFERROR(DEGREES(ACOS(ROUND(($B$7^2+D{row}^2-$B$6^2)/(2*$B$7*D{row}),12))),NA())"
+    assert found[7] == f"E{row}-$B$12*F{row}"
+
+
+def test_budgets():
+    page = Page(text_of("four-bar"))
+    assert sum(fill.rows * fill.cols for fill in page.sheet.fills) <= 420
+    assert 8 <= len(page.plan.columns) <= 15
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_formulas_are_short(name, language):
+    page = Page(text_of(name), language)
+    for fill in page.sheet.fills:
+        length = len(print_formula(fill.formula))
+        assert length <= (160 if fill.row >= page.plan.at.first and fill.col < len(page.plan.columns) else 400), fill
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_no_formula_reads_another_sheet_or_a_name(name):
+    """So the sheet can be copied into any workbook and leaves no link behind."""
+    page = Page(text_of(name))
+    assert page.workbook.names == ()
+    assert [sheet.hidden for sheet in page.workbook.sheets] == [False, True]
+    trees = [*page.formulas(), *(rule.condition for rule in page.sheet.conditionals)]
+    for part_ in (part_ for tree in trees for part_ in walk(tree)):
+        assert not isinstance(part_, NameRef)
+        if isinstance(part_, CellRef):
+            assert part_.sheet is None
+        if isinstance(part_, RangeRef):
+            assert part_.start.sheet is None
+
+
+def test_names_on_request():
+    page = Page(text_of("four-bar"), names=True)
+    assert {"a_1", "a_2", "mode_1", "start", "step"} <= {name.name for name in page.workbook.names}
+    assert worst(page) < DISTANT
+    assert any(isinstance(part_, NameRef) for tree in page.formulas() for part_ in walk(tree))
+
+
+@pytest.mark.parametrize(
+    "name", ["four-bar", "slider-crank", "inverted-slider-crank", "adjustable-pump", "klann", "drag-link"]
+)
+def test_a_row_filled_down_by_hand_computes(name):
+    """The last row copied down: angles go on, and what is said of the rows counts it."""
+    text = text_of(name)
+    page, longer = Page(text), Page(text)
+    last, more = page.plan.at.last, 3
+    copies = [
+        Fill(last + 1, fill.col, shifted(fill.formula, last + 1 - fill.row), rows=more)
+        for fill in page.sheet.fills
+        if fill.row + fill.rows - 1 == last and fill.col < len(page.plan.columns)
+    ]
+    sheet = replace(page.sheet, fills=(*page.sheet.fills, *copies))
+    page.values = evaluate(book_of(replace(page.workbook, sheets=(sheet, *page.workbook.sheets[1:]))))
+    driver = longer.mechanism.driver
+    step = longer.plan.driver[1] - longer.plan.driver[0]
+    values = (*longer.plan.driver, *(longer.plan.driver[-1] + (n + 1) * step for n in range(more)))
+    expected = Compiled(replace(longer.mechanism, driver=replace(driver, values=tuple(values)))).values
+    for column in page.plan.columns:
+        if column.kind == "equation" and column.symbol in expected:
+            spot = page.plan.at.spots[column.symbol]
+            cells = np.array(page.values.column(spot.sheet, spot.col, last + 1, last + more), float)
+            found = np.radians(cells) if spot.degrees else cells
+            apart = found - expected[column.symbol][-more:]
+            if spot.degrees:  # how many turns stand in an angle is chosen over all rows: it goes on from the row above
+                assert np.max(np.abs(np.diff(np.append(page.column(column.symbol)[-1:], found)))) < 1, column.symbol
+                apart = np.remainder(apart + math.pi, math.tau) - math.pi
+            assert np.max(np.abs(apart)) < 1e-8 * page.plan.size, column.symbol
+    assert page.cell("#rows_closed") == page.plan.rows + more
+
+
+def test_continuous_angles_do_not_jump():
+    page = Page(text_of("drag-link"))
+    for symbol in ("theta13", "theta14"):
+        assert np.max(np.abs(np.diff(page.column(symbol)))) < math.radians(60)
+
+
+def test_pins_that_coincide_leave_no_position():
+    """A kite folded onto itself: at -360, 0 and 360 degrees a link can turn about both pins."""
+    page = Page(KITE)
+    theta = page.plan.nominal["theta14"]
+    apart = (
+        np.remainder(page.column("theta14") - theta + math.pi, math.tau) - math.pi
+    )  # it begins anew after such a row
+    assert np.nanmax(np.abs(apart)) < DISTANT
+    assert np.flatnonzero([word != "" for word in page.said()]).tolist() == [0, 24, 48]
+    assert page.said()[24] == "does not close: coupler, rocker"
+
+
+def test_dead_centre_is_a_position():
+    """Links in a line: the cosine is 1 + 1e-16 and no error."""
+    text = text_of("chebyshev")
+    page = Page(text)
+    assert page.compiled.closed[[0, -1]].all()
+    assert page.said()[0] == page.said()[-1] == ""
+
+
+def test_a_row_that_does_not_exist_says_so_and_nothing_else_does():
+    page = Page(text_of("four-bar"), a2=75)
+    closed = page.compiled.closed
+    assert 0 < np.count_nonzero(closed) < len(closed)
+    assert worst(page) < DISTANT
+    assert np.isfinite(page.column("s")).all()
+    assert page.cell("#verdict").startswith(f"closes in {np.count_nonzero(closed)} of 25 positions; A0ABB0: ")
+
+
+@pytest.mark.parametrize("typed", [{"a3": 0}, {"a4": -5}, {"mode_1": 2}])
+def test_an_input_that_is_none_shows_no_position(typed):
+    page = Page(text_of("four-bar")).change(**typed)
+    assert np.isnan(page.column("theta14")).all()
+    assert page.cell("#verdict").startswith("look at the yellow cells")
+
+
+def test_verdict_says_rows_only():
+    said = Page(text_of("four-bar")).cell("#verdict")
+    assert (
+        said
+        == "closes in all 25 positions; A0ABB0: crank-rocker, crank turns; transmission angle at least 33.9° in these rows"
+    )
+    assert (
+        Page(text_of("four-bar"), "tr")
+        .cell("#verdict")
+        .startswith("bütün konumlarda kapanıyor: 25; A0ABB0: krank-sarkaç")
+    )
+
+
+def test_many_rows_do_not_add_up_rounding():
+    page = Page(text_of("four-bar").replace("step = 15", "step = 0.1"))
+    assert page.plan.rows == 3601
+    driver = [page.values.get(page.plan.main, row, 0) for row in range(page.plan.at.first, page.plan.at.last + 1)]
+    assert driver == [0.1 * row for row in range(3601)]
+    assert worst(page) < DISTANT
+
+
+def test_without_the_drawing():
+    page = Page(text_of("four-bar").replace("[workbook]", "[workbook]\ndrawing = false"))
+    assert "drawing" not in [chart.name for chart in page.sheet.charts]
+    assert max(fill.col for fill in page.sheet.fills) < len(page.plan.columns)
+    assert not any(column.hidden for column in page.sheet.columns)
+    assert worst(page) < DISTANT
+
+
+@pytest.mark.parametrize("name", ["four-bar", "fivelink", "scissor-lift", "elliptic-trammel"])
+def test_drawing_stays_in_its_window(name):
+    """At every row that exists, all of it; and the corners are where the points are."""
+    page = Page(text_of(name))
+    drawing = next(chart for chart in page.sheet.charts if chart.name == "drawing")
+    for position in (0, page.plan.rows // 3, page.plan.rows - 1):
+        page.change(**{"#position": position})
+        for series in drawing.series:
+            for place in (series.x, series.y):
+                area = place.area
+                cells = page.values.column(place.sheet, area.first_col, area.first_row, area.last_row)
+                assert all(isinstance(cell, float) and abs(cell) <= 1.001 for cell in cells), (series.name, cells)
+
+
+def test_helpers_are_folded_away():
+    page = Page(text_of("four-bar"))
+    hidden = [column for column in page.sheet.columns if column.hidden]
+    assert len(hidden) == 1
+    assert hidden[0].level == 1
+    assert hidden[0].first > page.plan.status_column
+
+
+# --- files and other programs --------------------------------------------------------------------------------------------
+
+
+def test_check_agrees_with_a_file_of_one_sheet(tmp_path):
+    paths = mechsheet.build(mechsheet.load(ROOT / "templates/four-bar.toml"), tmp_path, ("xlsx", "ods"), layout="page")
+    for path in paths:
+        assert check(path).agrees
+
+
+@pytest.mark.slow
+@pytest.mark.libreoffice
+def test_libreoffice_computes_and_copies_the_sheet(tmp_path):
+    """Recalculated as it is; copied into another document; with a hundred rows and more, which it takes in groups."""
+    four_bar = mechsheet.load(ROOT / "templates/four-bar.toml")
+    rows = loads(text_of("four-bar").replace("step = 15", "step = 1"))
+    paths = [
+        *mechsheet.build(four_bar, tmp_path / "small.xlsx", layout="page"),
+        *mechsheet.build(rows, tmp_path / "rows.ods", layout="page"),
+    ]
+    jobs = [Job(paths[0]), Job(paths[1]), Job(paths[0], copied=True)]
+    for job, answer in zip(jobs, with_macros(jobs), strict=True):
+        book = read(job.document)
+        own = replace(book, sheets=book.sheets[:1]) if job.copied else book
+        compared = compare_cells("libreoffice", own, evaluate(own), answer.get)
+        assert compared.agrees, (job, compared)
+        assert compared.cells > 400
+
+
+@pytest.mark.gnumeric
+@pytest.mark.parametrize("name", ["four-bar", "slider-crank"])
+def test_gnumeric_agrees(name, tmp_path):
+    (path,) = mechsheet.build(mechsheet.load(ROOT / f"templates/{name}.toml"), tmp_path / "page.xlsx", layout="page")
+    assert check(path, ["gnumeric"]).agrees

@@ -1,0 +1,207 @@
+"""What the first sheet says is true after any change of a yellow cell: named cases, and a sample of what `claims` runs."""
+
+import pytest
+from claims import ROOT, Claims, Sheets, change, judge, random_sheets
+from numpy.random import default_rng
+
+from mechsheet.description import load, loads
+from mechsheet.sheet.language import WORDS
+from mechsheet.sheet.plan import VERDICT_ROW
+
+FOUR_BAR = """
+format = 1
+[mechanism]
+name = "four-bar"
+{units}
+[dimensions]
+a1 = 60
+a2 = 20
+a3 = 50
+a4 = 31
+[links.ground]
+points = {{ A0 = [0, 0], B0 = ["a1", 0] }}
+[links.crank]
+points = {{ A0 = [0, 0], A = ["a2", 0] }}
+[links.coupler]
+points = {{ A = [0, 0], B = ["a3", 0] }}
+[links.rocker]
+points = {{ B0 = [0, 0], B = ["a4", 0] }}
+[driver]
+link = "crank"
+start = 0
+stop = {stop}
+step = {step}
+[assembly]
+B = [60, 30]
+[summary]
+least = {{ of = "theta14", take = "min" }}
+swing = {{ of = "theta14", take = "range" }}
+[workbook]
+language = "{language}"
+"""
+
+SLIDER_CRANK = """
+format = 1
+[mechanism]
+name = "slider-crank"
+[dimensions]
+e = 20
+r = 50
+l = 250
+[links.ground]
+points = { A0 = [0, 0] }
+[links.crank]
+points = { A0 = [0, 0], A = ["r", 0] }
+[links.coupler]
+points = { A = [0, 0], B = ["l", 0] }
+[links.piston]
+points = { B = [0, 0] }
+[[joints]]
+type = "prismatic"
+link = "piston"
+on = "ground"
+point = "B"
+through = [0, "e"]
+symbol = "s14"
+[driver]
+link = "crank"
+start = 0
+stop = 360
+step = 15
+[assembly]
+B = [300, 20]
+[summary]
+stroke = { of = "s14", take = "range" }
+"""
+
+
+def lengths(a1, a2, a3, a4, **more):
+    return {"a1": float(a1), "a2": float(a2), "a3": float(a3), "a4": float(a4), **more}
+
+
+NAMED = {
+    "change point": lengths(60, 20, 50, 30),
+    "beside a change point": lengths(60, 20, 49.999, 30),
+    "nowhere": lengths(100, 30, 20, 20),
+    "a gap between rows": lengths(70, 35, 50, 54.9, **{"#start": 7.5, "#step": 15.0}),
+    "kite": lengths(60, 20, 20, 60),
+    "the other kite": lengths(20, 60, 60, 20),
+    "parallelogram": lengths(60, 20, 60, 20),
+    "time ratio": lengths(75.471, 46.816, 52.5, 79.549, **{"#start": -58.73, "#step": -15.0}),
+    "double rocker whose stretch goes through 0": lengths(60, 50, 45, 48),
+    "double rocker whose stretch goes through 180": lengths(50, 45, 40, 20),
+    "drag link": lengths(20, 50, 45, 40),
+    "a half turn": lengths(70, 35, 62, 56, **{"#step": 7.5}),
+    "two turns backwards": lengths(70, 35, 62, 56, **{"#step": -30.0}),
+    "the last row left out": lengths(70, 35, 62, 56, **{"#step": 14.4}),
+    "small": lengths(7e-3, 3.5e-3, 6.2e-3, 5.6e-3),
+    "large": lengths(7e4, 3.5e4, 6.2e4, 5.6e4),
+    "emptied length": {"a3": None},
+    "negative length": {"a2": -20.0},
+    "length 0": {"a4": 0.0},
+    "no such assembly": {"mode_1": 0.0},
+    "position beyond the table": {"#position": 25.0},
+    "position below 0": {"#position": -1.0},
+    "position between rows": {"#position": 2.5},
+}
+SLIDERS = {
+    "narrowed": {"r": 43.553, "l": 139.091, "e": 18.049, "#step": 2.0, "#start": 25.0},
+    "narrowed from 0": {"r": 43.553, "l": 139.091, "e": 18.049, "#step": 2.0},
+    "rod as long as the crank": {"r": 100.0, "l": 100.0, "e": 0.0},
+    "rod too short": {"r": 100.0, "l": 90.0, "e": 0.0},
+}
+TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
+
+
+def right(sheets, inputs, name):
+    claims = Claims()
+    judge(sheets, inputs, claims, name)
+    assert sum(claims.judged.values())
+    assert not claims.wrong, "\n".join(map(str, claims.wrong))
+
+
+@pytest.fixture(scope="module", params=["en", "tr"])
+def four_bar(request):
+    return Sheets(loads(FOUR_BAR.format(language=request.param, units="", stop=360, step=15)))
+
+
+@pytest.fixture(scope="module")
+def slider_crank():
+    return Sheets(loads(SLIDER_CRANK))
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_four_bars(four_bar, name):
+    inputs = dict(NAMED[name])
+    mode = next(group.mode for group in four_bar.equations.groups)
+    if "mode_1" in inputs:
+        inputs[mode] = inputs.pop("mode_1")
+    right(four_bar, inputs, name)
+
+
+@pytest.mark.parametrize("name", SLIDERS)
+def test_slider_cranks(slider_crank, name):
+    right(slider_crank, SLIDERS[name], name)
+
+
+def test_slider_crank_narrowed_to_48_degrees_has_no_stroke_of_a_whole_turn(slider_crank):
+    slider_crank.type(SLIDERS["narrowed from 0"])
+    assert slider_crank.of("stroke_s14") < 34
+
+
+def test_time_ratio_from_a_negative_start_downwards(four_bar):
+    four_bar.type(NAMED["time ratio"])
+    assert four_bar.of("time_ratio_theta14") == pytest.approx(2.687, abs=2e-3)
+
+
+def test_a_gap_between_rows_is_amber(four_bar):
+    four_bar.type(NAMED["a gap between rows"])
+    assert four_bar.of("rows_closed") == 25
+    assert four_bar.of("passes") > 0
+    assert four_bar.colour(VERDICT_ROW, 0) == "amber"
+    assert 172.5 <= four_bar.of("passes", 3) <= 187.5
+
+
+def test_a_mechanism_in_radians_and_without_units():
+    sheets = Sheets(loads(FOUR_BAR.format(language="en", units='angle_unit = "rad"', stop='"2*pi"', step='"pi/12"')))
+    right(sheets, {}, "radians")
+    right(sheets, NAMED["double rocker whose stretch goes through 0"], "radians")
+
+
+LEFT = 3
+"""So many claims of one mechanism, of about 90 in three settings, may be wrong: extremes beside a limit that lies within a step
+of another, and quantities that become infinite there. The goal is 0; of 13,000 claims 17 were wrong when this was written."""
+
+
+def nearly_right(sheets, settings, name):
+    claims = Claims()
+    for inputs in settings:
+        judge(sheets, inputs, claims, name)
+    assert sum(claims.judged.values())
+    assert len(claims.wrong) <= LEFT, "\n".join(map(str, claims.wrong))
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_templates(name):
+    sheets = Sheets(load(ROOT / f"templates/{name}.toml"))
+    right(sheets, {}, name)
+    random = default_rng(len(name))
+    nearly_right(sheets, [change(sheets, random) for _ in range(2)], name)
+
+
+@pytest.mark.parametrize("seed", range(100, 130))
+def test_random_mechanisms(seed):
+    sheets = random_sheets(seed, 1 + seed % 3)
+    if sheets is None:
+        pytest.skip("no mechanism")
+    random = default_rng(seed)
+    nearly_right(sheets, [{}, change(sheets, random), change(sheets, random)], f"random {seed}")
+
+
+def test_words_fit_their_cells():
+    """Column E is 40 characters wide; letters of proportional type take less than the digits that the width counts."""
+    free = ("verdict.line", "verdict.gap.open", "verdict.gap.typed")
+    for key, both in WORDS.items():
+        if key.startswith("verdict.") and not key.startswith(free):
+            for text in both:
+                assert len(text) <= 46, (key, text)

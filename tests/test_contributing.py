@@ -1,0 +1,70 @@
+"""The table of docs/contributing.md: the files are there, and what a change is said to touch is all that it touches."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+SOURCE = ROOT / "src" / "mechsheet"
+
+MOST = 6
+"""Existing modules that one kind of change may touch."""
+
+
+def table():
+    text = (ROOT / "docs" / "contributing.md").read_text(encoding="utf-8")
+    lines = text.partition("**Which files a change touches**")[2].splitlines()
+    rows = [line.strip("| ").split(" | ") for line in lines if line.startswith("| ")][1:]
+    return {change: re.findall(r"`([^`]+)`", files) for change, files in rows}
+
+
+ROWS = table()
+
+
+def modules_with(pattern):
+    """Modules of the program whose text holds a pattern, below src/mechsheet."""
+    found = set()
+    for path in SOURCE.rglob("*.py"):
+        if re.search(pattern, path.read_text(encoding="utf-8")):
+            found.add(path.relative_to(SOURCE).as_posix())
+    return found
+
+
+def covered(module, files):
+    return any(module == name or (name.endswith("/") and module.startswith(name)) for name in files)
+
+
+@pytest.mark.parametrize("change", ROWS)
+def test_files_are_there_and_few(change):
+    there = [name for name in ROWS[change] if "NEW" not in name]
+    assert all((SOURCE / name).exists() for name in there), there
+    assert len(there) <= MOST
+
+
+def test_a_dyad_is_named_in_no_other_module():
+    files = ROWS["a kind of dyad"]
+    assert all(covered(module, files) for module in modules_with(r'"RPR"')), modules_with(r'"RPR"')
+
+
+def test_a_worksheet_function_is_named_in_its_table_and_its_kernel():
+    files = ROWS["a worksheet function"]
+    for name in ("PERCENTRANK", "BESSELI", "NETWORKDAYS"):
+        found = modules_with(rf'"{name}"')
+        assert found
+        assert all(covered(module, files) for module in found), found
+        assert re.search(rf"^{name}\b", (SOURCE / "formula/functions.txt").read_text(encoding="utf-8"), re.MULTILINE)
+
+
+def test_turkish_words_stand_in_one_place():
+    """Beside `words/`: alphabets (what counts as a letter), and the exports' own programs and files."""
+    letters = (
+        "description/scope.py",
+        "engine/resolve.py",
+        "formula/names.py",
+        "formats/ods/values.py",
+        "cli/streams.py",
+    )
+    found = modules_with(r"[ğışİŞĞ]")
+    others = {m for m in found if not m.startswith(("words/", "exporting/")) and m not in letters}
+    assert others == set()
