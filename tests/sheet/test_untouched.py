@@ -37,6 +37,9 @@ LEAPS = ("dead-centre",)
 
 CLOSED = ("largest gap of a joint: rounding only", "mafsallardaki en büyük açıklık: yalnız yuvarlama")
 
+UNDETERMINED = ("kite",)
+"""A row between others in which links can turn freely is no stretch with a limit on either side: nothing is found there."""
+
 TEXTS = {name: text for name, text in descriptions().items() if name not in NOT_BUILT}
 
 
@@ -47,8 +50,9 @@ def test_nothing_is_red(name):
     assert laid.spot("#rows_closed") > 0
     assert laid.words("largest_gap") in CLOSED
     assert laid.spot("#typed") == 0
-    assert laid.verdict.startswith(("closes in", laid.plan.text("verdict.line.rows").split("{")[0] or "closes in"))
-    words = [laid.words(line) for line in laid.plan.blocks["verdicts"].rows]
+    assert laid.verdict.startswith(("closes in ", "kapandığı konum sayısı", f"{laid.plan.rows} konumun hepsinde"))
+    lines = [line for line in laid.plan.blocks["verdicts"].rows if line != "limits" or name not in UNDETERMINED]
+    words = [laid.words(line) for line in lines]
     assert not [word for word in words if isinstance(word, ErrorValue)]
 
 
