@@ -169,8 +169,9 @@ def test_a_mechanism_in_radians_and_without_units():
 
 
 LEFT = 3
-"""So many claims of one mechanism, of about 90 in three settings, may be wrong: extremes beside a limit that lies within a step
-of another, and quantities that become infinite there. The goal is 0; of 13,000 claims 17 were wrong when this was written."""
+"""So many claims of one mechanism, of about 90 in three settings, may be wrong: extremes beside a limit that lies
+within a step of another, and quantities that become infinite there. The goal is 0; of 13,000 claims 17 were wrong when
+this was written."""
 
 
 def nearly_right(sheets, settings, name):
