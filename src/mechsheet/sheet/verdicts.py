@@ -154,7 +154,7 @@ class _Block:
         if self.extremes.limits.count:
             more = joined(more, formula('IF(_unsettled,about,"")', about=self.text("about")))
         words = self.bound(
-            'IF(count>0,found,IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
+            'IF(count>0,IFERROR(found,""),IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
             passes=self.value("passes"), none=self.text("limits.none"), found=joined(*parts, more),
         )  # fmt: skip
         self.line("limits", self.text("limits"), "", count, 0, words)
