@@ -58,7 +58,7 @@ def test_files_with_a_pole(language, tmp_path):
     text = f'{HEAD}\n[outputs]\nq = {{ formula = "1/sin(theta12)" }}\n[summary]\nmost = {{ of = "q", take = "max" }}\n'
     for path in mechsheet.build(mechsheet.loads(text, language=language), tmp_path, ("xlsx", "ods")):
         assert mechsheet.check(path).agrees
-        assert mechsheet.recalc(path)["verdict"].startswith(("closes in all", "25 konumun hepsinde kapanıyor"))
+        assert mechsheet.recalc(path).named()["verdict"].startswith(("closes in all", "25 konumun hepsinde kapanıyor"))
 
 
 @pytest.mark.parametrize(

@@ -77,6 +77,7 @@ def test_the_copies_hold_the_inputs(four_bar, monkeypatch):
     assert len(set(held)) == 2
 
 
+@pytest.mark.xfail(reason="IronCalc 0.9 finds no number in INDEX(...):INDEX(...) where rows are missing", strict=False)
 def test_another_evaluator(four_bar):
     pytest.importorskip("ironcalc")
     found = perturb(four_bar, 3, programs=["ironcalc"])

@@ -16,7 +16,7 @@ from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Symbol, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.lowering import half_angle, lowered
+from mechsheet.sheet.lowering import angle_by_margin, lowered, triangle_margin
 from mechsheet.sheet.positions import in_degrees
 
 NA = ErrorValue("#N/A")
@@ -24,18 +24,20 @@ FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
 
 
 def angle(opposite, beside, other):
-    """What a cell with the half-angle form gives for three sides."""
+    """What cells with the margin and the angle by it give for three sides."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
     for col, side in enumerate((opposite, beside, other)):
         sheet.constant(0, col, float(side))
-    sheet.block(1, 0, 1, 1, half_angle(*(CellRef(0, col) for col in range(3))))
-    return evaluate(builder.build()).get("S", 1, 0)
+    a, b, c = (CellRef(0, col) for col in range(3))
+    sheet.block(1, 0, 1, 1, triangle_margin(b, c, a))
+    sheet.block(2, 0, 1, 1, angle_by_margin(a, b, c, CellRef(1, 0)))
+    return evaluate(builder.build()).get("S", 2, 0)
 
 
 @settings(max_examples=examples(60), derandomize=True, deadline=None, database=None)
 @given(st.floats(0.1, 100), st.floats(0.1, 100), st.floats(0.02, 0.98))
-def test_half_angle_is_the_law_of_cosines(beside, other, part):
+def test_the_angle_is_that_of_the_law_of_cosines(beside, other, part):
     opposite = abs(beside - other) + part * (beside + other - abs(beside - other))
     with mpmath.workdps(40):
         a, b, c = (mpmath.mpf(side) for side in (opposite, beside, other))

@@ -90,11 +90,11 @@ NOTES: dict[str, tuple[str, str]] = {
         "x yazılır.",
     ),
     "notes.assumptions.cosines": (
-        "Angles of a triangle come from the law of cosines, as written here. The cells hold its half-angle form, "
-        "2·arctan2(√…; √…): where the links lie in a line, rounding may ask the arccosine for a cosine of "
+        "Angles of a triangle come from the law of cosines, as written here. In the cells it is an arctan2, whose "
+        "second leg is found from the group's margin k: where the links lie in a line, rounding may ask the arccosine for a cosine of "
         "1.0000000000000002, an error, and in a thin triangle it loses digits.",
-        "Üçgenin açıları, burada yazıldığı gibi kosinüs teoremindendir. Hücrelerde bunun yarım açı biçimi, "
-        "2·arctan2(√…; √…), vardır: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir kosinüs "
+        "Üçgenin açıları, burada yazıldığı gibi kosinüs teoremindendir. Hücrelerde arctan2 vardır, "
+        "ikinci kenarı grubun k payından bulunur: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir kosinüs "
         "verebilir, arkkosinüs orada hatadır; ince bir üçgende de basamak yitirir.",
     ),
     "notes.assumptions.continuous": (
