@@ -14,12 +14,12 @@ from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.positions import heading
 
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
-POSITIONS = {"names": 120, "anchors": 170}
+POSITIONS = {"names": 120, "anchors": 190}
 """Characters of the longest formula of a cell of the table."""
 
 ELSEWHERE = 460
-LARGE_BESIDE_FEW_ROWS = {"fivelink", "adjustable-pump"}
-"""Of 19 rows: what does not grow with the rows (drawing, extremes) is more than half."""
+LARGE_BESIDE_FEW_ROWS = {"fivelink", "adjustable-pump", "cylinder-boom"}
+"""Of 19 and 31 rows: what does not grow with the rows (drawing, extremes) is more than half."""
 
 
 @cache
