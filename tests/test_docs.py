@@ -11,7 +11,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from mechsheet.sheet.stands import POOR
 
 import mechsheet
 from mechsheet.cli import main as commands
@@ -20,6 +19,7 @@ from mechsheet.description.schema import DESCRIPTION, Either, Items, Kinds, Name
 from mechsheet.description.templates import template_names
 from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.kinematics.solve import solve
+from mechsheet.sheet.first.verdicts import POOR
 
 ROOT = Path(__file__).parent.parent
 DOCS = ROOT / "docs"

@@ -33,7 +33,7 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.tables import CHART_COLUMNS, FIRST
+from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST
 from office_macros import Job as Office
 from office_macros import with_macros
 from random_mechanisms import Grower

@@ -35,7 +35,7 @@ from mechsheet.kinematics.places import number  # noqa: E402
 from mechsheet.kinematics.solve import dimension_values, largest_length, solve  # noqa: E402
 from mechsheet.kinematics.sweep import sweep  # noqa: E402
 from mechsheet.sheet import styles  # noqa: E402
-from mechsheet.sheet.geometry import distance  # noqa: E402
+from mechsheet.sheet.checks.geometry import distance  # noqa: E402
 from mechsheet.sheet.layout import lay_out  # noqa: E402
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW  # noqa: E402
 from mechsheet.sheet.workbook import Fill, Sheet  # noqa: E402

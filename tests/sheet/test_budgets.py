@@ -11,7 +11,7 @@ from mechsheet.formula.nodes import Call, Node, children
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.positions import heading
+from mechsheet.sheet.table.positions import heading
 
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 POSITIONS = {"names": 120, "anchors": 190}

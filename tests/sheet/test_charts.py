@@ -7,9 +7,9 @@ import pytest
 
 from mechsheet.description import loads
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests
+from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests
+from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.mechanism import CHARTS
 
 ROOT = Path(__file__).parents[2]
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))

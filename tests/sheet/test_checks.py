@@ -10,7 +10,7 @@ from mechsheet.compiled.evaluation import book_of
 from mechsheet.engine import evaluate
 from mechsheet.formula.nodes import Binary, Call, Number, transform
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.checks import Checks
+from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.plan import plan_of
 from mechsheet.sheet.workbook import Cell
 

@@ -5,8 +5,8 @@ from claims import ROOT, Claims, Sheets, change, judge, random_sheets
 from numpy.random import default_rng
 
 from mechsheet.description import load, loads
-from mechsheet.sheet.language import WORDS
 from mechsheet.sheet.plan import VERDICT_ROW
+from mechsheet.words.workbook import WORDS
 
 FOUR_BAR = """
 format = 1

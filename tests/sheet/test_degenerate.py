@@ -19,7 +19,7 @@ from mechsheet.formula.nodes import MAX_ROWS
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import leaps as reference_leaps
 from mechsheet.reference import solve as refer
-from mechsheet.sheet.checks import Checks
+from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.plan import plan_of
 from random_mechanisms import Grower
 

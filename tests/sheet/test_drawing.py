@@ -16,9 +16,9 @@ from mechsheet.engine.layout import Area
 from mechsheet.engine.results import Values
 from mechsheet.formula.nodes import CellRef, ErrorValue
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.charts import chart_requests, traced_points
-from mechsheet.sheet.drawing import drawing_of
-from mechsheet.sheet.frames import SAMPLES
+from mechsheet.sheet.drawing.charts import chart_requests, traced_points
+from mechsheet.sheet.drawing.drawing import drawing_of
+from mechsheet.sheet.drawing.frames import SAMPLES
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import STATUS
 

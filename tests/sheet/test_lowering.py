@@ -16,8 +16,8 @@ from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Symbol, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.lowering import angle_by_margin, lowered, triangle_margin
-from mechsheet.sheet.positions import in_degrees
+from mechsheet.sheet.table.lowering import angle_by_margin, lowered, triangle_margin
+from mechsheet.sheet.table.positions import in_degrees
 
 NA = ErrorValue("#N/A")
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]

@@ -14,7 +14,7 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.sheet.plan import TOLERANCE, VALUE
-from mechsheet.sheet.tables import table_sheets
+from mechsheet.sheet.table.two_way import table_sheets
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),

@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Mechanism
-from mechsheet.sheet.lowering import Assignments
+from mechsheet.sheet.table.lowering import Assignments
 
 
 def missing_dimensions(mechanism: Mechanism, inputs: Mapping[str, float]) -> dict[str, str]:

@@ -11,10 +11,10 @@ from mechsheet.exporting.routines import Source
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.model import Words
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import shown_unit
+from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.positions import places
 from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Fill, Merge, PrintSetup, Sheet
 
 LIST_TITLE = Words("Functions", "Fonksiyonlar")

@@ -11,10 +11,10 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from mechsheet.formula.printer import number_text, print_formula
 from mechsheet.kinematics.closures import Vector
-from mechsheet.sheet.language import Language
-from mechsheet.sheet.positions import places
 from mechsheet.sheet.symbols import GREEK, parts
+from mechsheet.sheet.table.positions import places
 from mechsheet.units import NUMBER, Unit
+from mechsheet.words.workbook import Language
 
 RAW = "#"
 """A symbol that begins so is LaTeX already."""

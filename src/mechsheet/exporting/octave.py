@@ -17,11 +17,11 @@ from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint
-from mechsheet.sheet.charts import chart_requests, traced_points
-from mechsheet.sheet.outlines import block_has_line, corners, direction_of, line_end, through_of
+from mechsheet.sheet.drawing.charts import chart_requests, traced_points
+from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
+from mechsheet.sheet.drawing.points import moving_points, pins_of
+from mechsheet.sheet.drawing.shapes import link_color
 from mechsheet.sheet.plan import plan_of
-from mechsheet.sheet.points import moving_points, pins_of
-from mechsheet.sheet.shapes import link_color
 
 _TAKEN = """
     break case catch continue do else elseif end endfunction endif endwhile for function global if methods otherwise

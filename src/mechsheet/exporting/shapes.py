@@ -17,7 +17,7 @@ from mechsheet.exporting.job import Job
 from mechsheet.plotting.figures import BESIDE, PIXELS, SIDES
 from mechsheet.plotting.sampling import LEAST, sample
 from mechsheet.plotting.scenes import Piece, Stage
-from mechsheet.sheet.drawing import SIZE
+from mechsheet.sheet.drawing.drawing import SIZE
 from mechsheet.sheet.workbook import Series
 
 Points = NDArray[np.float64]

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from mechsheet.exporting import solution_words as words
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.mathtext import RATIO, Pen, packed, point_math, seen, symbol_math
 from mechsheet.exporting.position import Position
@@ -21,6 +20,7 @@ from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.model import Words
 from mechsheet.units import LENGTH, RAD, Unit
+from mechsheet.words import solution as words
 
 LINE = 66
 """Characters of LaTeX that numbers and their result may share a line with."""

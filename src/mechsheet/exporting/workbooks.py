@@ -22,7 +22,7 @@ from mechsheet.model import TableRequest, Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.tables import CHART_COLUMNS, FIRST, HEAD_ROW
+from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 from mechsheet.units import Unit
 

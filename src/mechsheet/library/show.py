@@ -17,7 +17,7 @@ from mechsheet.kinematics.mobility import mobility
 from mechsheet.library.building import told
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import Mechanism
-from mechsheet.sheet.lowering import Assignment, Assignments, lowered
+from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
 
 

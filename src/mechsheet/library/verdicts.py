@@ -11,7 +11,7 @@ from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
-from mechsheet.sheet.blocks import shown_unit
+from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING
 
 _LANDS = 1e-6

@@ -9,10 +9,10 @@ from html import escape
 from importlib.resources import files
 from string import Template
 
-from mechsheet.plotting import words
 from mechsheet.plotting.figures import Figure, Move, figure
 from mechsheet.plotting.scenes import Piece, Scene, Stage, comes_round
 from mechsheet.sheet.workbook import Cell, Chart, Fill, SeriesRef, Workbook
+from mechsheet.words import pictures as words
 
 
 def page(stage: Stage) -> bytes:

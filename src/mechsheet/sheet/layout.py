@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
-from mechsheet.sheet.charts import chart_requests, charts_of, traced_points, with_room
-from mechsheet.sheet.checks import Checks, checks_sheet
+from mechsheet.sheet.checks.checks import Checks, checks_sheet
+from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing import drawing_of
-from mechsheet.sheet.extremes import Extremes
-from mechsheet.sheet.mechanism import controls, mechanism_sheet
-from mechsheet.sheet.notes import notes_sheet
+from mechsheet.sheet.drawing.charts import chart_requests, charts_of, traced_points, with_room
+from mechsheet.sheet.drawing.drawing import drawing_of
+from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
+from mechsheet.sheet.notes.notes import notes_sheet
 from mechsheet.sheet.plan import Plan, plan_of
-from mechsheet.sheet.positions import positions_sheet
-from mechsheet.sheet.tables import table_sheets
+from mechsheet.sheet.table.positions import positions_sheet
+from mechsheet.sheet.table.two_way import table_sheets
 from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
 
 DESCRIPTION_MARK = "mechsheet description, format 1"

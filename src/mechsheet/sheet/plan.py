@@ -20,10 +20,10 @@ from mechsheet.kinematics.solve import dimension_order, dimension_values, driver
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
-from mechsheet.sheet.classification import Classification, classification
-from mechsheet.sheet.language import Language, words
-from mechsheet.sheet.lowering import Assignment, Assignments, lowered
+from mechsheet.sheet.first.classification import Classification, classification
+from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Name
+from mechsheet.words.workbook import Language, words
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
 """Columns of the blocks on the first sheet."""

@@ -16,16 +16,16 @@ from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbo
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Joint, Link
 from mechsheet.sheet import styles
-from mechsheet.sheet.drawing import DRAWING_INNER, PATH_COLORS
-from mechsheet.sheet.frames import HIDDEN_AXIS, INK, QUIET
-from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.outlines import corners, direction_of, line_end, through_of
+from mechsheet.sheet.checks.geometry import distance
+from mechsheet.sheet.drawing.drawing import DRAWING_INNER, PATH_COLORS
+from mechsheet.sheet.drawing.frames import HIDDEN_AXIS, INK, QUIET
+from mechsheet.sheet.drawing.outlines import corners, direction_of, line_end, through_of
+from mechsheet.sheet.drawing.points import moving_points, pins_of
+from mechsheet.sheet.drawing.shapes import link_color
 from mechsheet.sheet.page.degrees import together
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
 from mechsheet.sheet.page.top import LEAST, MOST, over_rows
-from mechsheet.sheet.points import moving_points, pins_of
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shapes import link_color
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
 

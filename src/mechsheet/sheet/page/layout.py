@@ -8,10 +8,10 @@ from dataclasses import replace
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Mechanism
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import shown_unit
-from mechsheet.sheet.charts import STEPS, chart_requests, chart_title
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing import marker
+from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title
+from mechsheet.sheet.drawing.drawing import marker
+from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.layout import description_sheet
 from mechsheet.sheet.page.drawing import PageDrawing
 from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page

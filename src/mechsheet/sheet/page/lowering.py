@@ -26,9 +26,9 @@ from mechsheet.kinematics.numeric import value as numeric
 from mechsheet.kinematics.solve import dimension_values, driver_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism, Words
-from mechsheet.sheet.lowering import Assignment, Assignments, guarded
-from mechsheet.sheet.mathematics import law_of_cosines
+from mechsheet.sheet.notes.mathematics import law_of_cosines
 from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
 from mechsheet.units import LENGTH
 
 DIGITS = 12

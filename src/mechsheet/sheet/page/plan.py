@@ -12,13 +12,13 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
-from mechsheet.sheet.charts import remarkable_points
-from mechsheet.sheet.classification import FourBar, classification
-from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.language import words
+from mechsheet.sheet.checks.geometry import distance
+from mechsheet.sheet.drawing.charts import remarkable_points
+from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
 from mechsheet.sheet.workbook import Name
+from mechsheet.words.workbook import words
 
 FIRST_ROW = 3
 """The row of the first dimension: its value is $B$4, as in the text."""

@@ -7,15 +7,15 @@ import math
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import shown_unit
-from mechsheet.sheet.mathematics import written
+from mechsheet.sheet.first.blocks import shown_unit
+from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.page.degrees import in_degrees, together
 from mechsheet.sheet.page.plan import PagePlan
 from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
-from mechsheet.sheet.positions import first_open, places
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.table.positions import first_open, places
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
 
 MOST_STEPPED = 400

@@ -9,8 +9,8 @@ from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRe
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import input_validation, shown_unit, value_style
-from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
+from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.page.degrees import in_degrees, together
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW

@@ -5,9 +5,9 @@ from __future__ import annotations
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import Writer, shown_unit, value_style
-from mechsheet.sheet.extremes import Way, about
-from mechsheet.sheet.limits import STRETCHES
+from mechsheet.sheet.checks.extremes import Way, about
+from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.first.blocks import Writer, shown_unit, value_style
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import DRIVER, Plan
-from mechsheet.sheet.positions import cell_formula
 from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.table.positions import cell_formula
 from mechsheet.sheet.workbook import Cell, Content, Fill, Style
 
 AT, VALUE, SIDE = range(3)

@@ -15,10 +15,10 @@ from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Call, CellRef, Node, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.positions import first_open
-from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.table.positions import first_open
 from mechsheet.sheet.workbook import Name
 
 STRETCHES = 3

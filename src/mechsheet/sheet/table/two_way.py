@@ -16,13 +16,13 @@ from mechsheet.formula.printer import quote_sheet
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken, taken_near
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import input_validation, shown_unit
-from mechsheet.sheet.charts import driver_axis
-from mechsheet.sheet.expansion import Expansion, definitions, expand, needed, varying
+from mechsheet.sheet.drawing.charts import driver_axis
+from mechsheet.sheet.first.blocks import input_validation, shown_unit
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.expansion import Expansion, definitions, expand, needed, varying
+from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,

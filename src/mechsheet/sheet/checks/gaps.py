@@ -14,7 +14,7 @@ from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.formula.spellings import longest_spelling
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Joint, Link
-from mechsheet.sheet.geometry import base_point, distance, measured_pairs, place
+from mechsheet.sheet.checks.geometry import base_point, distance, measured_pairs, place
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 

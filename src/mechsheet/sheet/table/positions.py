@@ -20,7 +20,7 @@ from mechsheet.formula.nodes import (
     transform,
 )
 from mechsheet.sheet import styles
-from mechsheet.sheet.mathematics import written
+from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich

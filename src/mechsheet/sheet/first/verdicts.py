@@ -11,15 +11,15 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Link
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import Writer
-from mechsheet.sheet.checks import ROUNDING, Checks
-from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.extremes import Extremes, about
-from mechsheet.sheet.limits import LIMITS, STRETCHES
+from mechsheet.sheet.checks.checks import ROUNDING, Checks
+from mechsheet.sheet.checks.extremes import Extremes, about
+from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
+from mechsheet.sheet.first.blocks import Writer
+from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
-from mechsheet.sheet.positions import places
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.words.equations import link_words
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
-from mechsheet.sheet.language_notes import NOTES
-from mechsheet.sheet.language_page import PAGE
+from mechsheet.words.notes import NOTES
+from mechsheet.words.page import PAGE
 
 Language = Literal["en", "tr"]
 

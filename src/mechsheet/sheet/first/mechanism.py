@@ -6,10 +6,11 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import Writer, input_validation, shown_unit, value_style
-from mechsheet.sheet.checks import Checks
-from mechsheet.sheet.extremes import Extremes
-from mechsheet.sheet.lowering import Assignment
+from mechsheet.sheet.checks.checks import Checks
+from mechsheet.sheet.checks.extremes import Extremes
+from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.summaries import write_summaries
+from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.plan import (
     DRIVER,
     LEGEND_ROW,
@@ -22,9 +23,8 @@ from mechsheet.sheet.plan import (
     Plan,
 )
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.summaries import write_summaries
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.verdicts import write_verdicts
+from mechsheet.sheet.table.lowering import Assignment
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,

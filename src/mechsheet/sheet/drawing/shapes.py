@@ -14,9 +14,9 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number
 from mechsheet.model import Joint, Link
 from mechsheet.sheet import styles
-from mechsheet.sheet.frames import CHART_X, CHART_Y, FIRST, INK, NAME, NUMBER_STYLE, SECOND, SIXTH, Frame, Page
-from mechsheet.sheet.outlines import block_has_line, line_end
-from mechsheet.sheet.points import PointCells
+from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, FIRST, INK, NAME, NUMBER_STYLE, SECOND, SIXTH, Frame, Page
+from mechsheet.sheet.drawing.outlines import block_has_line, line_end
+from mechsheet.sheet.drawing.points import PointCells
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Fill, Series
 

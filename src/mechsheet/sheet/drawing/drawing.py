@@ -18,7 +18,7 @@ from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.frames import (
+from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
     FIRST,
@@ -31,12 +31,22 @@ from mechsheet.sheet.frames import (
     Page,
     write_frame,
 )
-from mechsheet.sheet.name_places import place_names
-from mechsheet.sheet.outlines import block_has_line, corners, direction_of, through_of
+from mechsheet.sheet.drawing.name_places import place_names
+from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, through_of
+from mechsheet.sheet.drawing.points import PointCells, label, marks, moving_points, names_of, pins_of, write_points
+from mechsheet.sheet.drawing.shapes import (
+    Guide,
+    block,
+    guide_base,
+    link_color,
+    outline,
+    rail,
+    slot,
+    support,
+    write_guide,
+)
 from mechsheet.sheet.plan import VALUE, Plan
-from mechsheet.sheet.points import PointCells, label, marks, moving_points, names_of, pins_of, write_points
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shapes import Guide, block, guide_base, link_color, outline, rail, slot, support, write_guide
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
 

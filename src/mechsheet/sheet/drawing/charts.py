@@ -16,9 +16,9 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ChartRequest, Mechanism
 from mechsheet.sheet import styles
-from mechsheet.sheet.blocks import shown_unit
-from mechsheet.sheet.drawing import SIZE, Drawing, marker
-from mechsheet.sheet.mechanism import CHARTS, ROW_HEIGHT
+from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
+from mechsheet.sheet.first.blocks import shown_unit
+from mechsheet.sheet.first.mechanism import CHARTS, ROW_HEIGHT
 from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Series, SeriesRef, Sheet

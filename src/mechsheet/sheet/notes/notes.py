@@ -8,11 +8,11 @@ from mechsheet.formula.nodes import Node
 from mechsheet.formula.references import cell_name, column_letters
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
-from mechsheet.sheet.lowering import Assignment
-from mechsheet.sheet.mathematics import Part, symbol_parts, written
+from mechsheet.sheet.notes.mathematics import Part, symbol_parts, written
 from mechsheet.sheet.plan import DRIVER, STATUS, Plan
-from mechsheet.sheet.positions import group_title
 from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.table.lowering import Assignment
+from mechsheet.sheet.table.positions import group_title
 from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
 from mechsheet.units import DEG, NUMBER
 from mechsheet.words.equations import body_words, link_words

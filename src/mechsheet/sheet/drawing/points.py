@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from mechsheet.formula.nodes import CellRef
 from mechsheet.model import Mechanism
 from mechsheet.sheet import styles
-from mechsheet.sheet.frames import (
+from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
     EIGHTH,

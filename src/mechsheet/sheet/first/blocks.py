@@ -5,8 +5,8 @@ from __future__ import annotations
 from mechsheet.formula.nodes import Node, Number, Unary
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
-from mechsheet.sheet.positions import places
 from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Style, Validation
 
 

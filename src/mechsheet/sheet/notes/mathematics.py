@@ -20,10 +20,10 @@ from mechsheet.formula.nodes import (
     Unary,
 )
 from mechsheet.formula.printer import number_text
-from mechsheet.sheet.language import Language, words
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import parts
 from mechsheet.sheet.workbook import Rich
+from mechsheet.words.workbook import Language, words
 
 Part = tuple[str, str]
 """A piece of text and how it is set: "", "italic", "sub" or "super"."""

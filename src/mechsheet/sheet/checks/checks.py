@@ -12,10 +12,10 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.gaps import chunks_of, gap_columns
+from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
 from mechsheet.sheet.plan import DRIVER, STATUS, Plan
-from mechsheet.sheet.positions import heading, status_words
 from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.table.positions import heading, status_words
 from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Content, Fill, Merge, PrintSetup, Sheet, Style
 
 ROUNDING = 1e3

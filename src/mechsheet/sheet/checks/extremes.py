@@ -15,13 +15,13 @@ from typing import Literal
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
+from mechsheet.sheet.checks.geometry import distance
+from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
+from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
-from mechsheet.sheet.positions import heading
-from mechsheet.sheet.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 
 PROBES = 3

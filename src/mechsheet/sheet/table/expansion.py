@@ -18,7 +18,7 @@ from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import extra_characters, longest_spelling
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Mechanism
-from mechsheet.sheet.lowering import Assignments
+from mechsheet.sheet.table.lowering import Assignments
 
 LIMIT = 7_500
 """Characters of one formula in the language where it has most. Excel takes 8,192 of the text as its user reads it."""

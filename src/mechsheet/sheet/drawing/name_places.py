@@ -17,10 +17,10 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef
 from mechsheet.model import Mechanism
 from mechsheet.sheet import styles
-from mechsheet.sheet.frames import EIGHTH, FIRST, NAME, NINTH, NUMBER_STYLE, SEVENTH, Page
-from mechsheet.sheet.outlines import block_point
-from mechsheet.sheet.points import PointCells, labelled_points
-from mechsheet.sheet.shapes import Guide
+from mechsheet.sheet.drawing.frames import EIGHTH, FIRST, NAME, NINTH, NUMBER_STYLE, SEVENTH, Page
+from mechsheet.sheet.drawing.outlines import block_point
+from mechsheet.sheet.drawing.points import PointCells, labelled_points
+from mechsheet.sheet.drawing.shapes import Guide
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Fill
 

@@ -10,7 +10,7 @@ from itertools import combinations
 
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Joint, Link, Mechanism
-from mechsheet.sheet.lowering import Assignments
+from mechsheet.sheet.table.lowering import Assignments
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,8 +19,8 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.gaps import chunks_of
-from mechsheet.sheet.limits import STRETCHES
+from mechsheet.sheet.checks.gaps import chunks_of
+from mechsheet.sheet.checks.limits import STRETCHES
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style

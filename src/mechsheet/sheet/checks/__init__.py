@@ -1,0 +1,1 @@
+"""What proves the table: gaps measured by geometry, and probe rows between the rows."""

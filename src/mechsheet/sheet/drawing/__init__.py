@@ -1,0 +1,1 @@
+"""The drawing and the charts, and the sheet of numbers behind them."""

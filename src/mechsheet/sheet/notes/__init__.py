@@ -1,0 +1,1 @@
+"""The sheet of notes, and equations as people write them."""

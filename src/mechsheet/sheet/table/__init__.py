@@ -1,0 +1,1 @@
+"""The tables: a column a quantity filled down the driver, and two-way tables."""
