@@ -26,7 +26,17 @@ ALLOWED = {
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
     "compiled": {"model", "formula", "kinematics", "sheet", "engine"},
     # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
-    "plotting": {"model", "formula", "kinematics", "sheet", "compiled", "engine", "formats.archive", "arguments"},
+    "plotting": {
+        "model",
+        "words",
+        "formula",
+        "kinematics",
+        "sheet",
+        "compiled",
+        "engine",
+        "formats.archive",
+        "arguments",
+    },
     # exporting prints the equations, draws what plotting draws, and tabulates their values
     "exporting": {
         "model",

@@ -51,6 +51,7 @@ PHRASES = {
     "length_in_link": ("{start}–{end} on {link}", "{link}: {start}–{end}"),
     "distance": ("distance {start}–{end}", "{start}–{end} uzaklığı"),
     "part_of_way": ("{start}→{end}, {axis} part", "{start}→{end}, {axis} bileşeni"),
+    "part_of": ("{what}, {axis} part", "{what}, {axis} bileşeni"),
     "displacement": ("displacement of {point} on {link}", "{point} noktasının ötelenmesi ({link} üzerinde)"),
     "to_guide": ("{point} to the guide, {axis} part", "{point}'den kızağa, {axis} bileşeni"),
     "along_guide": ("{point} to the guide's origin, along it", "{point}'den kızak başlangıcına, kızak boyunca"),

@@ -25,11 +25,12 @@ from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.numeric import value as numeric
 from mechsheet.kinematics.solve import dimension_values, driver_values, largest_length
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Mechanism
 from mechsheet.sheet.notes.mathematics import law_of_cosines
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
 from mechsheet.units import LENGTH
+from mechsheet.words.equations import phrase
 
 DIGITS = 12
 """Digits of a cosine or sine that count."""
@@ -217,7 +218,7 @@ class _Lowering:
                     continue
                 if all(name in self.known for name in symbols(tree)):
                     name = self.names.reserve(f"{'s' if group.kind == 'RRR' else 'r'}_{axis}", group.number)
-                    label = Words(f"{other.label.en}, {axis} part", f"{other.label.tr}, {axis} bileşeni")
+                    label = phrase("part_of", what=other.label, axis=axis)
                     self._add(Equation(name, tree, "intermediate", LENGTH, label, group.number), tree, tree)
                     self.legs[tree] = Symbol(name)
 
