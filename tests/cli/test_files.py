@@ -264,7 +264,7 @@ def test_new_lists_titles():
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
-        ((), "closes in all 25 positions; A0ABB0: crank-rocker, crank turns; transmission angle"),
+        ((), "closes in all 25 positions; A0ABB0: crank-rocker, crank can turn fully; transmission angle"),
         (("a2=50",), "closes in 22 / 25 positions; A0ABB0: triple rocker"),
         (("step", "35"), "the step misses the stop (360°): the last row is 350°"),
     ],
