@@ -236,6 +236,7 @@ def measure(study: Study) -> list[tuple[float, float, float, float]]:
                 if not isinstance(found, float):
                     worst[0] = math.inf
                     continue
+                found = math.radians(found) if spot.degrees else found
                 angle = symbol.startswith(("theta", "mu"))
                 scale = 1.0 if angle else study.size
                 for index, number in ((0, found), (2, textbook[symbol])):

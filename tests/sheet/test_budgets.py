@@ -14,7 +14,7 @@ from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.table.positions import heading
 
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
-POSITIONS = {"names": 120, "anchors": 190}
+POSITIONS = {"names": 120, "anchors": 195}
 """Characters of the longest formula of a cell of the table."""
 
 ELSEWHERE = 460

@@ -14,7 +14,7 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.plan import plan_of
 from mechsheet.sheet.workbook import Cell
 
-CLOSED = {"en": "largest gap of a joint: rounding only", "tr": "mafsallardaki en büyük açıklık: yalnız yuvarlama"}
+CLOSED = {"en": "largest gap of a joint: rounding only", "tr": "en büyük mafsal açıklığı: yalnız yuvarlama"}
 OPEN = "a joint is open: see the sheet Checks"
 
 

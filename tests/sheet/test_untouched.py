@@ -35,7 +35,7 @@ NOT_BUILT = ("everything", "trammel")
 LEAPS = ("dead-centre",)
 """Its driver's values are listed, a billionth of a degree and 45 degrees apart."""
 
-CLOSED = ("largest gap of a joint: rounding only", "mafsallardaki en büyük açıklık: yalnız yuvarlama")
+CLOSED = ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama")
 
 UNDETERMINED = ("kite",)
 """A row between others in which links can turn freely is no stretch with a limit on either side: nothing is found there."""
