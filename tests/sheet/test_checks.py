@@ -152,5 +152,5 @@ def test_leap_where_a_slot_passes_its_pivot():
     (flags,) = columns(laid, "leap")
     (row,) = [row for row, flag in enumerate(flags) if flag == 1]
     assert 2 + 5 * (row - 1) < 180 < 2 + 5 * row
-    assert laid.words("leaps") == "times a link turns more than 90° in a step: smaller steps"
+    assert laid.words("leaps") == laid.plan.text("verdict.leaps.some")
     assert Laid(LEVER.replace("a1 = 50", "a1 = 60")).spot("#leaps") == 0
