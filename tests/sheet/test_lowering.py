@@ -16,7 +16,7 @@ from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Symbol, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.table.lowering import angle_by_margin, lowered, triangle_margin
+from mechsheet.sheet.table.lowering import angle_by_sides, lowered, sine_side
 from mechsheet.sheet.table.positions import in_degrees
 
 NA = ErrorValue("#N/A")
@@ -24,15 +24,14 @@ FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
 
 
 def angle(opposite, beside, other):
-    """What cells with the margin and the angle by it give for three sides."""
+    """What a cell gives for three sides."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
     for col, side in enumerate((opposite, beside, other)):
         sheet.constant(0, col, float(side))
     a, b, c = (CellRef(0, col) for col in range(3))
-    sheet.block(1, 0, 1, 1, triangle_margin(b, c, a))
-    sheet.block(2, 0, 1, 1, angle_by_margin(a, b, c, CellRef(1, 0)))
-    return evaluate(builder.build()).get("S", 2, 0)
+    sheet.block(1, 0, 1, 1, angle_by_sides(a, b, c, sine_side(b, c, a)))
+    return evaluate(builder.build()).get("S", 1, 0)
 
 
 @settings(max_examples=examples(60), derandomize=True, deadline=None, database=None)

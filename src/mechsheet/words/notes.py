@@ -91,10 +91,10 @@ NOTES: dict[str, tuple[str, str]] = {
     ),
     "notes.assumptions.cosines": (
         "Angles of a triangle come from the law of cosines, as written here. In the cells it is an arctan2, whose "
-        "second leg is found from the group's margin k: where the links lie in a line, rounding may ask the arccosine for a "
+        "second leg is four times the area: where the links lie in a line, rounding may ask the arccosine for a "
         "cosine of 1.0000000000000002, an error, and in a thin triangle it loses digits.",
         "Üçgenin açıları, burada yazıldığı gibi kosinüs teoremindendir. Hücrelerde arctan2 vardır, "
-        "ikinci kenarı grubun k payından bulunur: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir "
+        "ikinci kenarı alanın dört katıdır: uzuvlar bir doğru üzerindeyken yuvarlama 1,0000000000000002 gibi bir "
         "kosinüs verebilir, arkkosinüs orada hatadır; ince bir üçgende de basamak yitirir.",
     ),
     "notes.assumptions.continuous": (

@@ -3,9 +3,8 @@
     exists, beside an equation      the group's margin in a column of its own, read as IF(margin < -tol, NA(), the equation):
                                     never what a program makes of ACOS(2)
     Direction(y, x)                 ATAN2 and as many turns as bring it within half a turn of the row above
-    TriangleAngle(a, b, c)          the law of cosines by ATAN2: its cosine side and, from the group's margin,
-                                    its sine side. ACOS is an error where rounding makes a cosine of 1 + 1e-16, and
-                                    loses digits in a thin triangle
+    TriangleAngle(a, b, c)          the law of cosines by ATAN2 of b^2 + c^2 - a^2 and four times the area: ACOS is an error
+                                    where rounding makes a cosine of 1 + 1e-16, and loses digits in a thin triangle
 
 Source: W. Kahan, "Miscalculating area and angles of a needle-like triangle".
 """
@@ -159,17 +158,15 @@ class _Lowering:
         return formula("IF(wrong, NA(), least)", wrong=test, least=expression)
 
     def _triangle_angle(self, equation: Equation, opposite: Node, beside: Node, other: Node) -> None:
-        """From the margin of its group: all its angles are read from one column, so that they fit together to the last
-        digit. A link's own triangle has its area written out."""
+        """By ATAN2. All angles of a group have the same sine side, so that they fit together to the last digit; a link's
+        own triangle has its area written out."""
         if equation.role == "constant" or not any(each.reach for each in equation.exists):
             area = al.triangle_area(beside, other, opposite)
-            angle = al.triangle_angle(opposite, beside, other, area)
-            self._add(equation, guarded(equation.exists, angle))
+            self._add(equation, guarded(equation.exists, al.triangle_angle(opposite, beside, other, area)))
             return
-        sides = next((group.sides for group in self.equations.groups if group.number == equation.group), ())
-        fails = self._fails(equation, triangle_margin(*sides))
-        angle = angle_by_margin(opposite, beside, other, Symbol(self.margins[equation.group]))
-        self._add(equation, formula("IF(fails, NA(), value)", fails=fails, value=angle))
+        sides = next(group.sides for group in self.equations.groups if group.number == equation.group)
+        angle = angle_by_sides(opposite, beside, other, sine_side(*sides))
+        self._add(equation, formula("IF(fails, NA(), value)", fails=self._fails(equation), value=angle))
 
     def _where_it_exists(self, equation: Equation, expression: Node) -> Node:
         """The expression, or #N/A where one of its conditions fails."""
@@ -179,9 +176,8 @@ class _Lowering:
             return guarded(equation.exists, expression)
         return formula("IF(fails, NA(), value)", fails=self._fails(equation), value=al.rooted(expression))
 
-    def _fails(self, equation: Equation, way: Node | None = None) -> Node:
-        """Whether a group comes apart, by the column of its margin; `way`: how the margin is computed, if not as it
-        stands."""
+    def _fails(self, equation: Equation) -> Node:
+        """Whether a group comes apart, by the column of its margin."""
         if equation.exists not in self.tests:
             reaches = next(each for each in equation.exists if each.reach)
             others = [each for each in equation.exists if each is not reaches]
@@ -189,9 +185,9 @@ class _Lowering:
             label = phrase("margin")
             name = self.names.reserve("k", number)
             margin = replace(
-                equation, symbol=name, expression=way or reaches.margin, role="intermediate", unit=LENGTH, label=label
+                equation, symbol=name, expression=reaches.margin, role="intermediate", unit=LENGTH, label=label
             )
-            column = self._add(margin, guarded(others, margin.expression))
+            column = self._add(margin, guarded(others, reaches.margin))
             self.margins.setdefault(number, name)
             self.tests[equation.exists] = Binary("<", column, reaches.least)
         return self.tests[equation.exists]
@@ -203,21 +199,14 @@ class _Lowering:
         self._add(equation, al.add(raw, al.mul(TURN, turns)), first=raw)
 
 
-def triangle_margin(a: Node, b: Node, c: Node) -> Node:
-    """How far three lengths are from forming no triangle: 16 area^2 / (8 a b c), below 0 where they do not.
-
-    Near either limit it is a + b - c, or c - |a - b|, to the first order; between them it is smooth in c.
-    """
-    return formula("((a_+b_)^2-c_^2)*(c_^2-(a_-b_)^2)/(8*a_*b_*c_)", a_=a, b_=b, c_=c)
+def sine_side(a: Node, b: Node, c: Node) -> Node:
+    """Four times the area of a triangle; less than 0 below the root is rounding at a dead centre."""
+    return formula("SQRT(MAX(0,((a_+b_)^2-c_^2)*(c_^2-(a_-b_)^2)))", a_=a, b_=b, c_=c)
 
 
-def angle_by_margin(opposite: Node, beside: Node, other: Node, margin: Node) -> Node:
-    """The angle of a triangle from its margin; less than 0 is rounding at a dead centre, where it is 0 or half a turn."""
-    cosine_side = al.sub(al.add(al.square(beside), al.square(other)), al.square(opposite))
-    sine_side = formula(
-        "SQRT(8*opposite*beside*other*MAX(0,margin))", opposite=opposite, beside=beside, other=other, margin=margin
-    )
-    return al.atan2(cosine_side, sine_side)
+def angle_by_sides(opposite: Node, beside: Node, other: Node, sine: Node) -> Node:
+    """The angle of a triangle: ATAN2 of its cosine side b^2 + c^2 - a^2 and its sine side, 4 areas."""
+    return al.atan2(al.sub(al.add(al.square(beside), al.square(other)), al.square(opposite)), sine)
 
 
 def guarded(conditions: Iterable[Condition], value: Node) -> Node:
