@@ -67,10 +67,13 @@ def test_no_heading_stands_over_two_columns(name):
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_formulas_are_short(name, references):
     workbook, plan = laid(name, references)
+    outputs = {plan.at.spots[output.symbol].col for output in plan.mechanism.outputs}  # as long as the description's
     for sheet in workbook.sheets:
         if sheet.title.startswith(plan.text("sheet.table")):
             continue
         for fill in sheet.fills:
+            if sheet.title == plan.table and fill.col in outputs:
+                continue
             text = print_formula(fill.formula, "excel")
             most = POSITIONS[references] if sheet.title == plan.table else ELSEWHERE
             assert len(text) <= most, (sheet.title, fill.row, fill.col, len(text), text)
