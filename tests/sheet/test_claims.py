@@ -174,12 +174,16 @@ within a step of another, and quantities that become infinite there. The goal is
 this was written."""
 
 
-def nearly_right(sheets, settings, name):
+LEFT_OF_RANDOM = 10
+"""The same for random linkages: limits where two of three groups come apart within a step, and what follows from them."""
+
+
+def nearly_right(sheets, settings, name, left=LEFT):
     claims = Claims()
     for inputs in settings:
         judge(sheets, inputs, claims, name)
     assert sum(claims.judged.values())
-    assert len(claims.wrong) <= LEFT, "\n".join(map(str, claims.wrong))
+    assert len(claims.wrong) <= left, "\n".join(map(str, claims.wrong))
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
@@ -196,7 +200,7 @@ def test_random_mechanisms(seed):
     if sheets is None:
         pytest.skip("no mechanism")
     random = default_rng(seed)
-    nearly_right(sheets, [{}, change(sheets, random), change(sheets, random)], f"random {seed}")
+    nearly_right(sheets, [{}, change(sheets, random), change(sheets, random)], f"random {seed}", LEFT_OF_RANDOM)
 
 
 def test_words_fit_their_cells():
