@@ -34,6 +34,8 @@ def _rounded(x: ArrayLike, digits: float) -> Array:
 def _continuous(angles: ArrayLike) -> Array:
     """The angles with whole turns added: none is more than half a turn from the one before; anew after NaN."""
     angles = np.array(angles, float)
+    if angles.ndim == 0:  # the same in every row
+        return angles
     edges = np.flatnonzero(np.diff(np.isfinite(angles), prepend=False, append=False))
     for first, end in edges.reshape(-1, 2):
         angles[first:end] = np.unwrap(angles[first:end])

@@ -71,7 +71,9 @@ def _lengths(link: Link) -> list[Node]:
     pairs = [*measured_pairs(link)]
     points = list(link.points)
     known = {frozenset(pair) for pair in pairs}
-    pairs += [(points[1], point) for point in points[2:] if frozenset((points[1], point)) not in known]
+    further = [(points[1], point) for point in points[2:] if frozenset((points[1], point)) not in known]
+    # of points laid off from others that are laid off themselves the distance is no formula to be read
+    pairs += [pair for pair in further if longest_spelling(distance(link, *pair)) <= LONGEST // 2]
     return [
         formula(
             "ABS(SQRT((x_end-x_start)^2+(y_end-y_start)^2)-length)",
