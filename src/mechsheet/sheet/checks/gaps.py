@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol
+from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import longest_spelling
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Joint, Link
@@ -73,7 +74,7 @@ def _lengths(link: Link) -> list[Node]:
     known = {frozenset(pair) for pair in pairs}
     further = [(points[1], point) for point in points[2:] if frozenset((points[1], point)) not in known]
     # of points laid off from others that are laid off themselves the distance is no formula to be read
-    pairs += [pair for pair in further if longest_spelling(distance(link, *pair)) <= LONGEST // 2]
+    pairs += [pair for pair in further if len(print_formula(distance(link, *pair), "text")) <= LONGEST // 2]
     return [
         formula(
             "ABS(SQRT((x_end-x_start)^2+(y_end-y_start)^2)-length)",
