@@ -19,6 +19,11 @@ Kind: TypeAlias = Literal["length", "angle", "number", "force", "moment", "label
 """A "label" is whatever a description writes behind an output's numbers: the program knows nothing of it."""
 
 
+def turn(in_degrees: bool) -> float:
+    """A whole turn, as degrees or radians."""
+    return 360.0 if in_degrees else math.tau
+
+
 @dataclass(frozen=True, slots=True)
 class Unit:
     """A unit.

@@ -14,6 +14,7 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar, shifted
 from mechsheet.formula.references import cell_address
 from mechsheet.sheet.plan import Plan
+from mechsheet.units import turn
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +36,7 @@ def angles_in(plan: Plan) -> Angles:
         if column.equation is None:
             continue
         if column.equation.unit.kind == "angle":
-            periods[plan.table, column.col] = 360.0 if plan.at.spots[column.symbol].degrees else math.tau
+            periods[plan.table, column.col] = turn(plan.at.spots[column.symbol].degrees)
     lengths = [
         abs(dim.value)
         for dim in plan.mechanism.dimensions

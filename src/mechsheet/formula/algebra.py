@@ -224,9 +224,19 @@ def triangle_area(a: Node, b: Node, c: Node) -> Node:
     return div(Call("SQRT", (product,)), Number(4.0))
 
 
+def cosine_side(opposite: Node, beside: Node, other: Node) -> Node:
+    """beside^2 + other^2 - opposite^2: the cosine of a triangle's angle, times 2 beside other."""
+    return sub(add(square(beside), square(other)), square(opposite))
+
+
+def triangle_cosine(opposite: Node, beside: Node, other: Node) -> Node:
+    """The cosine of the angle between two sides of a triangle, as every textbook has it."""
+    return Binary("/", cosine_side(opposite, beside, other), Binary("*", Binary("*", TWO, beside), other))
+
+
 def triangle_angle(opposite: Node, beside: Node, other: Node, area: Node) -> Node:
     """The angle of a triangle from its area: acos would lose half its digits at a dead centre, this loses none."""
-    return atan2(sub(add(square(beside), square(other)), square(opposite)), mul(Number(4.0), area))
+    return atan2(cosine_side(opposite, beside, other), mul(Number(4.0), area))
 
 
 @dataclass(frozen=True, slots=True)

@@ -49,7 +49,6 @@ LINE = Style(
     valign="center", wrap=True, indent=1,
 )  # fmt: skip
 LEGEND = Style("mechsheet legend", color=QUIET, size=8, align="left", indent=1)
-VERDICT_MIDDLE = Style("mechsheet verdict centred", color=INK, border="thin", border_color=RULE, align="center")
 ERROR = Style("mechsheet error", color=INK, align="right", number_format="0.0E+00")
 GOOD = Style("mechsheet good", color="1B5E20", fill=GOOD_FILL, bold=True)
 WARN = Style("mechsheet warning", color="7A4F00", fill=WARN_FILL, bold=True)

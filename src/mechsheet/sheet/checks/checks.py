@@ -5,6 +5,7 @@ The table's rows are those of the table of positions. Over each column stand its
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -75,14 +76,6 @@ class Checks:
         for index, check in enumerate(self.checks):
             if check.kind == "margin":
                 spots[f"#least_{check.group}"] = Spot(self.title, self.first, DATA + index, column=True)
-
-    @property
-    def reasons(self) -> RangeRef:
-        """The cells that say why a row has no position, in order of the groups; the last says that it has one."""
-        last = REASONS_ROW + len(self.plan.equations.groups)
-        return RangeRef(
-            CellRef(REASONS_ROW, VALUE, True, True, self.title), CellRef(last, VALUE, True, True, self.title)
-        )
 
     def worst(self, kind: Kind) -> Node:
         """The largest value of all columns of a kind (of leaps: their number), as another sheet reads it."""
@@ -269,7 +262,7 @@ def _leaps(plan: Plan, sheet: str) -> list[Node]:
         formula("ABS(here-before)", here=plan.at.cell(name, sheet, first), before=plan.at.cell(name, sheet, first - 1))
         for name in symbols
     ]
-    most = LEAP if plan.mechanism.angle_unit.in_degrees else 1.5708
+    most = LEAP if plan.mechanism.angle_unit.in_degrees else round(math.radians(LEAP), 4)
     return [
         formula("IFERROR(IF(largest>most,1,0),0)", largest=Call("MAX", tuple(chunk)), most=most)
         for chunk in chunks_of(turned)

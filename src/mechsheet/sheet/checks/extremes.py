@@ -20,9 +20,11 @@ from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, 
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
+from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
+from mechsheet.units import turn as whole_turn
 
 PROBES = 3
 BESIDE = 0.1
@@ -77,10 +79,6 @@ class Extremes:
                 cell = self.probes.cell(block.row, SIDE + work)
                 spots[key] = Spot(title, cell.row, cell.col)
 
-    def fine(self, test: Node) -> None:
-        """Whether the inputs are such that anything can be said."""
-        self.probes.work(self.whole_row, 2, "test", test=test)
-
     def sheet(self) -> Sheet:
         """The finished sheet."""
         plan, probes = self.plan, self.probes
@@ -92,6 +90,7 @@ class Extremes:
         for work, key in ((AT, "row"), (VALUE, "value")):
             probes.put(HEAD_ROW, probes.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
         self._whole()
+        self.probes.work(self.whole_row, 2, "fine", fine=self._inputs_are_fine())
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)
@@ -124,15 +123,8 @@ class Extremes:
         """The four lengths of a loop."""
         row = self.loops[loop.group]
         self.probes.put(row, self.probes.side, loop.name, styles.LABEL)
-        ground = self.plan.mechanism.ground
-        ends = (
-            (ground, loop.start, loop.end),
-            (loop.first, loop.start, loop.pin),
-            (loop.coupler, loop.pin, loop.inner),
-            (loop.last, loop.end, loop.inner),
-        )
-        for work, end in enumerate(ends, 1):
-            self.probes.work(row, work, "length", length=distance(*end))
+        for work, side in enumerate(loop.sides(self.plan.mechanism.ground), 1):
+            self.probes.work(row, work, "length", length=distance(*side))
 
     def _whole(self) -> None:
         """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out,
@@ -143,7 +135,7 @@ class Extremes:
         if not driver.link or driver.values or plan.rows < 4:
             probes.work(self.whole_row, 1, "0")
             return
-        turn = 360.0 if driver.unit.in_degrees else 6.283185307179586
+        turn = whole_turn(driver.unit.in_degrees)
         probes.work(
             self.whole_row, 1,
             "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
@@ -151,6 +143,25 @@ class Extremes:
             covered=formula("ABS(_step)*(rows-1)/turn", rows=plan.rows, turn=turn),
             more=formula("ABS(_step)*rows/turn", rows=plan.rows, turn=turn),
         )  # fmt: skip
+
+    def _inputs_are_fine(self) -> Node:
+        """Whether there is such a position, and all that is derived from lengths and modes is a number (the tolerance is
+        none where a length or mode is wrong)."""
+        rows = self.plan.blocks["derived"].rows.values()
+        derived = RangeRef(
+            CellRef(min(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
+            CellRef(max(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
+        )
+        test = "SUMPRODUCT((numbers=_position)*1)=1,ISNUMBER(SUM(derived))"
+        holes: dict[str, Node | float | str] = {}
+        typed = self.plan.blocks["dimensions"].rows.values()
+        if typed:  # a length that is emptied is no number
+            test += ",COUNT(typed)=many"
+            first, last = (
+                CellRef(row, FIRST_SHEET_VALUE, True, True, self.plan.main) for row in (min(typed), max(typed))
+            )
+            holes = {"typed": RangeRef(first, last), "many": float(len(typed))}
+        return formula(f"AND({test})", numbers=Symbol(f"{ALL}#number"), derived=derived, **holes)
 
     # --- one extreme ------------------------------------------------------------------------------------------
 
@@ -250,7 +261,7 @@ class Extremes:
         equation = self.plan.equations.of(symbol)
         if equation.unit.kind != "angle":
             return 0.0
-        return 180.0 if self.plan.at.spots[symbol].degrees else 3.141592653589793
+        return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
 
     def _last_probe(self, block: Block) -> None:
         """At the vertex of the parabola through the row and the probes."""
@@ -269,7 +280,6 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + 1
         values = probes.cells_down(row, VALUE, count)
-        f"{way.upper()}(values)"
         # each stretch would need probes of its own
         known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
         value = probes.work(

@@ -34,6 +34,15 @@ class FourBar:
         """The loop by its pins: A0ABB0."""
         return f"{self.start}{self.pin}{self.inner}{self.end}"
 
+    def sides(self, ground: Link) -> tuple[tuple[Link, str, str], ...]:
+        """Ground, first link, coupler and last link, each with the two pins that it joins."""
+        return (
+            (ground, self.start, self.end),
+            (self.first, self.start, self.pin),
+            (self.coupler, self.pin, self.inner),
+            (self.last, self.end, self.inner),
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Classification:

@@ -6,6 +6,8 @@ there, rows that exist only; whether these make a whole turn is asked of the cel
 
 from __future__ import annotations
 
+import math
+
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
@@ -21,6 +23,7 @@ from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
+from mechsheet.units import turn as whole_turn
 from mechsheet.words.equations import link_words
 
 POOR = 40.0
@@ -115,8 +118,7 @@ class _Block:
         """In how many rows it closes, and in which stretches."""
         plan = self.plan
         key, rows = "rows_closed", float(plan.rows)
-        count = self.bound("COUNTIF(ALL(_status),ok)".replace("ALL(_status)", "said"),
-                           said=Symbol(f"{ALL}#status"), ok=plan.text("status.ok"))  # fmt: skip
+        count = self.bound("COUNTIF(said,ok)", said=Symbol(f"{ALL}#status"), ok=plan.text("status.ok"))
         stretches = [Symbol(f"#stretch_{number}") for number in range(1, STRETCHES + 1)]
         more = formula('IF(_stretches>most," …","")', most=STRETCHES)
         some = joined(self.text("rows.some"), " ", *stretches, self.unit, more)
@@ -192,11 +194,7 @@ class _Block:
         where: Node = Text("")
         for number in reversed(self.extremes.gaps):
             dips = formula("IFERROR(least<-tolerance,FALSE)", least=Symbol(f"#gap_least_{number}"), tolerance=tolerance)
-            found = (
-                al.add(formula("IF(dips,1,0)", dips=dips), found)
-                if found != al.ZERO
-                else formula("IF(dips,1,0)", dips=dips)
-            )
+            found = al.add(formula("IF(dips,1,0)", dips=dips), found)
             place = self._driver_at(Symbol(f"#gap_row_{number}"))
             where = formula("IF(dips,place,other)", dips=dips, place=place, other=where)
         cell = self.value("passes")
@@ -269,7 +267,7 @@ class _Block:
     def swing(self, link: Link) -> None:
         """By how much a link turns, and whether it is a crank or a rocker."""
         symbol = link.angle_symbol
-        turn = 360.0 if self.plan.at.spots[symbol].degrees else 6.283185307179586
+        turn = whole_turn(self.plan.at.spots[symbol].degrees)
         closed = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.plan.rows)
         back = Symbol(f"#wraps_{symbol}")  # the ends of the whole turn are neighbours
         words = formula(
@@ -306,7 +304,7 @@ class _Block:
 
     def ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster, for a driver that turns evenly."""
-        turn = 360.0 if self.driver.unit.in_degrees else 6.283185307179586
+        turn = whole_turn(self.driver.unit.in_degrees)
         way = formula(
             "MOD(high-low,turn)", high=Symbol(f"#max_at_{symbol}"), low=Symbol(f"#min_at_{symbol}"), turn=turn
         )
@@ -336,7 +334,7 @@ class _Block:
         unit = self.plan.mechanism.angle_unit.text
         cell = self.value(key)
         smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
-        poor = formula("value<limit", value=cell, limit=POOR if degrees else 0.698)
+        poor = formula("value<limit", value=cell, limit=POOR if degrees else round(math.radians(POOR), 3))
         grade = formula(
             'IF(_stretches>1,"",IF(poor,bad,good))',
             poor=poor,
@@ -376,7 +374,6 @@ class _Block:
             said = formula('IF(ISNUMBER(value),what&words,"")', value=self.value(key), what=what, words=self.words(key))
             parts.append(said)
         gap = self.words("largest_gap")
-        self.extremes.fine(self._inputs_are_fine())
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
             fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
@@ -395,22 +392,6 @@ class _Block:
         self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
-
-    def _inputs_are_fine(self) -> Node:
-        """Whether there is such a position, and all that is derived from lengths and modes is a number (the tolerance is
-        none where a length or mode is wrong)."""
-        rows = self.plan.blocks["derived"].rows.values()
-        derived = RangeRef(
-            CellRef(min(rows), VALUE, True, True, self.plan.main), CellRef(max(rows), VALUE, True, True, self.plan.main)
-        )
-        test = "SUMPRODUCT((numbers=_position)*1)=1,ISNUMBER(SUM(derived))"
-        holes: dict[str, Node | float | str] = {}
-        typed = self.plan.blocks["dimensions"].rows.values()
-        if typed:  # a length that is emptied is no number
-            test += ",COUNT(typed)=many"
-            first, last = (CellRef(row, VALUE, True, True, self.plan.main) for row in (min(typed), max(typed)))
-            holes = {"typed": RangeRef(first, last), "many": float(len(typed))}
-        return formula(f"AND({test})", numbers=Symbol(f"{ALL}#number"), derived=derived, **holes)
 
 
 def _in(value: Node, degrees: bool) -> Node:

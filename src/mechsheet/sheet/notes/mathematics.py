@@ -81,7 +81,7 @@ class _Pen:
             case Direction(y, x):
                 return self.write(formula("ATAN(rise/run)", rise=y, run=x))
             case TriangleAngle(opposite, beside, other):
-                return self.write(law_of_cosines(opposite, beside, other))
+                return self.write(Call("ACOS", (al.triangle_cosine(opposite, beside, other),)))
             case Text(value):
                 return [(f"“{value}”", "")], _ATOM
             case Boolean(value):
@@ -161,12 +161,6 @@ class _Pen:
         if self.language == "tr":
             return [*condition, (" ise ", ""), *then]
         return [*then, (" if ", ""), *condition]
-
-
-def law_of_cosines(opposite: Node, beside: Node, other: Node) -> Node:
-    """The angle between two sides of a triangle as every textbook has it."""
-    squares = al.sub(al.add(al.square(beside), al.square(other)), al.square(opposite))
-    return formula("ACOS(squares/(2*one*another))", squares=squares, one=beside, another=other)
 
 
 def symbol_parts(symbol: str) -> list[Part]:

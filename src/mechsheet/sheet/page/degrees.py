@@ -58,11 +58,3 @@ def _reads_degrees(node: Node) -> bool:
         case Binary("/", left, Number()):
             return _reads_degrees(left)
     return False
-
-
-def together(node: Node) -> Node:
-    """RADIANS(a) + RADIANS(b) as RADIANS(a + b)."""
-    match node:
-        case Binary("+" | "-" as sign, Call("RADIANS", (one,)), Call("RADIANS", (other,))):
-            return Call("RADIANS", (Binary(sign, one, other),))
-    return node

@@ -22,11 +22,11 @@ from mechsheet.sheet.drawing.frames import HIDDEN_AXIS, INK, QUIET
 from mechsheet.sheet.drawing.outlines import corners, direction_of, line_end, through_of
 from mechsheet.sheet.drawing.points import moving_points, pins_of
 from mechsheet.sheet.drawing.shapes import link_color
-from mechsheet.sheet.page.degrees import together
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
 from mechsheet.sheet.page.top import LEAST, MOST, over_rows
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.positions import degrees_together
 from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
 
 NAME, X, Y, MIDDLE = range(4)
@@ -91,7 +91,7 @@ class PageDrawing:
 
     def _formula(self, col: int, node: Node) -> CellRef:
         style = WORDS if col == NAME else STYLE
-        self.fills.append(Fill(self.row, self.start + col, transform(node, together), style))
+        self.fills.append(Fill(self.row, self.start + col, transform(node, degrees_together), style))
         return CellRef(self.row, self.start + col, True, True)
 
     def _ref(self, first: int, col: int, last: int | None = None) -> SeriesRef:

@@ -26,7 +26,6 @@ from mechsheet.kinematics.numeric import value as numeric
 from mechsheet.kinematics.solve import dimension_values, driver_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
-from mechsheet.sheet.notes.mathematics import law_of_cosines
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
 from mechsheet.units import LENGTH
@@ -109,8 +108,8 @@ class _Lowering:
                 raw = al.atan2(x, y)
                 self._add(equation, raw, expression, continuous=not self._stays(raw))
             case TriangleAngle(opposite, beside, other):
-                cosine = law_of_cosines(opposite, beside, other)
-                self._add(equation, self._where_it_exists(equation, _inverse("ACOS", _argument(cosine))), expression)
+                angle = _inverse("ACOS", al.triangle_cosine(opposite, beside, other))
+                self._add(equation, self._where_it_exists(equation, angle), expression)
             case _ if self._is_plain(equation, expression):
                 self.plain[equation.symbol] = expression
             case _:
@@ -253,13 +252,6 @@ class _Lowering:
             elif name in self.plain:
                 waiting += symbols(self.plain[name])
         return read
-
-
-def _argument(cosine: Node) -> Node:
-    """What stands in the arccos of the law of cosines."""
-    if isinstance(cosine, Call) and cosine.name == "ACOS":
-        return cosine.args[0]
-    raise ValueError(f"no arccos: {cosine}")
 
 
 def _inverse(function: str, argument: Node) -> Node:

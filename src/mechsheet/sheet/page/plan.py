@@ -106,11 +106,9 @@ def traced_points(mechanism: Mechanism) -> tuple[str, ...]:
 
 def sides_of(mechanism: Mechanism, loop: FourBar) -> list[tuple[str, Node]]:
     """Ground, first link, coupler and last link of a four-bar loop as lengths, each with a key of its own."""
-    ends = ((loop.start, loop.end), (loop.start, loop.pin), (loop.pin, loop.inner), (loop.inner, loop.end))
-    links = (mechanism.ground, loop.first, loop.coupler, loop.last)
     values = dimension_values(mechanism)
     found = []
-    for link, (one, other) in zip(links, ends, strict=True):
+    for link, one, other in loop.sides(mechanism.ground):
         tree = distance(link, one, other)
         for name in (f"{one}{other}", f"{other}{one}"):
             # the description may have it as a dimension, under the name that it has here

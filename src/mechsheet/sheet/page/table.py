@@ -9,13 +9,13 @@ from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, s
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.notes.mathematics import written
-from mechsheet.sheet.page.degrees import in_degrees, together
+from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan
 from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import first_open, places
+from mechsheet.sheet.table.positions import degrees_together, first_open, group_headings, places
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
 
 MOST_STEPPED = 400
@@ -43,7 +43,9 @@ class Table:
         self.widths = [self._width(column) for column in plan.columns]
         self._note()
         if plan.grouped:
-            self._groups()
+            cells, merges = group_headings(plan.columns, plan.symbol_row - 1, self._group_title)
+            self.cells += cells
+            self.merges += merges
         for column in plan.columns:
             self._column(column)
 
@@ -57,19 +59,6 @@ class Table:
         key = "page.note" if "ACOS" in used else "page.note.legs" if "ASIN" in used else "page.note.plain"
         self.cells.append(Cell(plan.note_row, 0, plan.text(key), styles.NOTE))
         self.merges.append(Merge(Area(plan.note_row, 0, plan.note_row, note_last(plan))))
-
-    def _groups(self) -> None:
-        """A heading over the columns of each group."""
-        plan, row, start = self.plan, self.plan.symbol_row - 1, 0
-        for col in range(1, len(plan.columns) + 1):
-            if col < len(plan.columns) and plan.columns[col].group == plan.columns[start].group:
-                continue
-            number = plan.columns[start].group
-            self.cells.append(Cell(row, start, self._group_title(number), styles.SECTION))
-            self.cells += [Cell(row, other, None, styles.SECTION) for other in range(start + 1, col)]
-            if col - start > 1:
-                self.merges.append(Merge(Area(row, start, row, col - 1)))
-            start = col
 
     def _group_title(self, number: int) -> str:
         plan = self.plan
@@ -128,7 +117,7 @@ class Table:
             self.fills.append(Fill(self.plan.at.first + skip, col, node, style, rows=self.plan.rows - skip))
 
     def _bound(self, node: Node, row: int) -> Node:
-        return transform(self.plan.at.bind(node, self.plan.main, row), together)
+        return transform(self.plan.at.bind(node, self.plan.main, row), degrees_together)
 
     def _driver(self) -> None:
         plan, driver, first = self.plan, self.plan.mechanism.driver, self.plan.at.first

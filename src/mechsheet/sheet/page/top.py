@@ -11,11 +11,12 @@ from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.page.degrees import in_degrees, together
+from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.positions import degrees_together
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.words.equations import body_words, link_words
 
@@ -166,7 +167,7 @@ class Top:
     # --- results ----------------------------------------------------------------------------------------------
 
     def _result(self, row: int, expression: Node, degrees: bool, style: Style) -> None:
-        bound = transform(self.plan.at.bind(expression, self.plan.main), together)
+        bound = transform(self.plan.at.bind(expression, self.plan.main), degrees_together)
         self.fills.append(Fill(row, VALUE, in_degrees(bound) if degrees else bound, style))
 
     def _derived(self) -> None:

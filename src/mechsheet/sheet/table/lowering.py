@@ -206,7 +206,7 @@ def sine_side(a: Node, b: Node, c: Node) -> Node:
 
 def angle_by_sides(opposite: Node, beside: Node, other: Node, sine: Node) -> Node:
     """The angle of a triangle: ATAN2 of its cosine side b^2 + c^2 - a^2 and its sine side, 4 areas."""
-    return al.atan2(al.sub(al.add(al.square(beside), al.square(other)), al.square(opposite)), sine)
+    return al.atan2(al.cosine_side(opposite, beside, other), sine)
 
 
 def guarded(conditions: Iterable[Condition], value: Node) -> Node:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from itertools import groupby
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import (
@@ -77,7 +78,8 @@ def positions_sheet(plan: Plan) -> Sheet:
             fills += listed_fills
         else:
             fills += column_fills(plan, column, plan.table, plan.at.first, plan.rows)
-    merges = _group_headings(plan, cells)
+    headings, merges = group_headings(plan.columns, GROUP_ROW, lambda number: group_title(plan, number))
+    cells += headings
     first, last, count = plan.at.first, plan.at.last, len(plan.columns)
     widths = {column.col: _width(column, mathematics[column.col]) for column in plan.columns}
     lines = max(_lines(mathematics[col], width) for col, width in widths.items())
@@ -132,11 +134,11 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
 
 def cell_formula(plan: Plan, column: TableColumn, expression: Node, sheet: str, row: int) -> Node:
     """What a cell of the column holds in a row that stands for one position."""
-    value = transform(plan.at.bind(expression, sheet, row), _degrees_together)
+    value = transform(plan.at.bind(expression, sheet, row), degrees_together)
     return in_degrees(value) if plan.at.spots[column.symbol].degrees else value
 
 
-def _degrees_together(node: Node) -> Node:
+def degrees_together(node: Node) -> Node:
     """RADIANS(a) + RADIANS(b) as RADIANS(a + b)."""
     match node:
         case Binary("+" | "-" as sign, Call("RADIANS", (one,)), Call("RADIANS", (other,))):
@@ -292,19 +294,21 @@ def _decimals(style: Style, count: int) -> Style:
     return styles.decimals(style, count)
 
 
-def _group_headings(plan: Plan, cells: list[Cell]) -> list[Merge]:
-    """A heading over the columns of each group."""
-    merges = []
+def group_headings(
+    columns: Sequence[TableColumn], row: int, title: Callable[[int], str]
+) -> tuple[list[Cell], list[Merge]]:
+    """A heading over the columns of each group, whose title is asked for by its number."""
+    cells: list[Cell] = []
+    merges: list[Merge] = []
     start = 0
-    for col in range(1, len(plan.columns) + 1):
-        if col < len(plan.columns) and plan.columns[col].group == plan.columns[start].group:
-            continue
-        cells.append(Cell(GROUP_ROW, start, group_title(plan, plan.columns[start].group), styles.SECTION))
-        cells += [Cell(GROUP_ROW, other, None, styles.SECTION) for other in range(start + 1, col)]
-        if col - start > 1:
-            merges.append(Merge(Area(GROUP_ROW, start, GROUP_ROW, col - 1)))
-        start = col
-    return merges
+    for number, group in groupby(columns, key=lambda column: column.group):
+        end = start + len(list(group)) - 1
+        cells.append(Cell(row, start, title(number), styles.SECTION))
+        cells += [Cell(row, col, None, styles.SECTION) for col in range(start + 1, end + 1)]
+        if end > start:
+            merges.append(Merge(Area(row, start, row, end)))
+        start = end + 1
+    return cells, merges
 
 
 def group_title(plan: Plan, number: int) -> str:
