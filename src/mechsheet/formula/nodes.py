@@ -313,10 +313,25 @@ def walk(node: Node) -> Iterator[Node]:
 
 
 def transform(node: Node, change: Callable[[Node], Node]) -> Node:
-    """The tree with `change` applied to every node, leaves first. `change` returns its argument where nothing changes.
+    """The tree with `change` applied to every node, leaves first. `change` returns its argument where nothing changes."""
+    return _transformed(node, change, _CALLS)
 
-    A stack, not recursion: a sum may have thousands of terms.
-    """
+
+_CALLS = 100
+"""How far down a tree is followed by calls, which are quick; below that by a stack: a sum may have thousands of terms."""
+
+
+def _transformed(node: Node, change: Callable[[Node], Node], calls: int) -> Node:
+    if type(node) in _LEAVES:
+        return change(node)
+    if not calls:
+        return _by_stack(node, change)
+    below = children(node)
+    changed = tuple([_transformed(child, change, calls - 1) for child in below])
+    return change(_with_operands(node, below, changed))
+
+
+def _by_stack(node: Node, change: Callable[[Node], Node]) -> Node:
     done: list[Node] = []
     stack: list[tuple[Node, bool]] = [(node, False)]
     while stack:
@@ -329,10 +344,16 @@ def transform(node: Node, change: Callable[[Node], Node]) -> Node:
         if below:
             changed = tuple(done[-len(below) :])
             del done[-len(below) :]
-            if any(new is not old for new, old in zip(changed, below, strict=True)):
-                current = rebuilt(current, changed)
+            current = _with_operands(current, below, changed)
         done.append(change(current))
     return done[0]
+
+
+def _with_operands(node: Node, old: tuple[Node, ...], new: tuple[Node, ...]) -> Node:
+    for one, other in zip(old, new, strict=True):
+        if one is not other:
+            return rebuilt(node, new)
+    return node
 
 
 def rebuilt(node: Node, below: tuple[Node, ...]) -> Node:

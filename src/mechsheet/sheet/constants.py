@@ -53,9 +53,10 @@ def _conditional(rule: Conditional) -> Conditional:
 
 def _formula(formula: Node) -> Node:
     # Looking is quicker than building anew, and few formulas hold such a number.
-    if all(_typed_number(node) is node for node in walk(formula)):
-        return formula
-    return transform(formula, _typed_number)
+    for node in walk(formula):
+        if isinstance(node, Number) and _typed_number(node) is not node:
+            return transform(formula, _typed_number)
+    return formula
 
 
 def _typed_number(node: Node) -> Node:

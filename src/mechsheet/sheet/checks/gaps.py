@@ -8,9 +8,10 @@ equations, so that a damaged formula cannot vouch for itself.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import islice
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol
+from mechsheet.formula.nodes import Call, Node, Symbol, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import longest_spelling
 from mechsheet.kinematics.places import angle_of, length_node
@@ -74,7 +75,7 @@ def _lengths(link: Link) -> list[Node]:
     known = {frozenset(pair) for pair in pairs}
     further = [(points[1], point) for point in points[2:] if frozenset((points[1], point)) not in known]
     # of points laid off from others that are laid off themselves the distance is no formula to be read
-    pairs += [pair for pair in further if len(print_formula(distance(link, *pair), "text")) <= LONGEST // 2]
+    pairs += [pair for pair in further if _is_short(distance(link, *pair), LONGEST // 2)]
     return [
         formula(
             "ABS(SQRT((x_end-x_start)^2+(y_end-y_start)^2)-length)",
@@ -82,6 +83,12 @@ def _lengths(link: Link) -> list[Node]:
         )
         for start, end in pairs
     ]  # fmt: skip
+
+
+def _is_short(node: Node, most: int) -> bool:
+    """Whether a formula has at most so many characters. Every node of it is one at least, and they are counted no further:
+    what is laid off from others ten times over is a tree of millions."""
+    return len([*islice(walk(node), most + 1)]) <= most and len(print_formula(node, "text")) <= most
 
 
 def _coordinates(name: str, point: str) -> dict[str, Node]:

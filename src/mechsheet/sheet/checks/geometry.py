@@ -11,12 +11,13 @@ from typing import TypeAlias
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node
+from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Cartesian, Distances, Link, Polar
 
 UV: TypeAlias = tuple[Node, Node]
 Known: TypeAlias = Mapping[str, UV]
-"""Places of points by name, bound."""
+"""Places of points by name."""
 
 NOTHING_KNOWN: Known = {}
 
@@ -81,6 +82,14 @@ def distance(link: Link, start: str, end: str, known: Known = NOTHING_KNOWN) -> 
                 return length_node(given.second_distance)
     (u0, v0), (u1, v1) = (_known_place(link, point, known) for point in (start, end))
     return al.sqrt(al.add(al.square(al.sub(u1, u0)), al.square(al.sub(v1, v0))))
+
+
+def in_cells(link: Link, pose: LinkPose) -> Known:
+    """The places of points that are laid off from points which are laid off themselves, as the equations have them: written
+    out, each level would be twenty times as long as the one before."""
+    laid_off = {point: given for point, given in link.points.items() if isinstance(given, Distances)}
+    deep = [point for point, given in laid_off.items() if given.first in laid_off or given.second in laid_off]
+    return {point: pose.places[point] for point in deep}
 
 
 def measured_pairs(link: Link) -> tuple[tuple[str, str], ...]:

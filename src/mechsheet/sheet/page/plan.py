@@ -12,7 +12,7 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
-from mechsheet.sheet.checks.geometry import distance
+from mechsheet.sheet.checks.geometry import distance, in_cells
 from mechsheet.sheet.drawing.charts import remarkable_points
 from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
@@ -104,16 +104,21 @@ def traced_points(mechanism: Mechanism) -> tuple[str, ...]:
     return tuple(asked) or remarkable_points(mechanism)
 
 
-def sides_of(mechanism: Mechanism, loop: FourBar) -> list[tuple[str, Node]]:
+def _named(length: Node, names: Iterable[str], values: Mapping[str, float]) -> Node:
+    """The length, or the dimension that the description has for it under one of these names."""
+    number = evaluate(length, values)
+    found = [name for name in names if name in values and abs(number - values[name]) <= 1e-12 * abs(values[name])]
+    return Symbol(found[0]) if found else length
+
+
+def sides_of(plan: PagePlan, loop: FourBar) -> list[tuple[str, Node]]:
     """Ground, first link, coupler and last link of a four-bar loop as lengths, each with a key of its own."""
-    values = dimension_values(mechanism)
+    values = dimension_values(plan.mechanism)
     found = []
-    for link, one, other in loop.sides(mechanism.ground):
-        tree = distance(link, one, other)
-        for name in (f"{one}{other}", f"{other}{one}"):
-            # the description may have it as a dimension, under the name that it has here
-            if name in values and abs(evaluate(tree, values) - values[name]) <= 1e-12 * abs(values[name]):
-                tree = Symbol(name)
+    for link, one, other in loop.sides(plan.mechanism.ground):
+        tree = distance(link, one, other, in_cells(link, plan.equations.poses[link.name]))
+        if values.keys() >= {*symbols(tree)}:
+            tree = _named(tree, (f"{one}{other}", f"{other}{one}"), values)
         found.append((f"#{one}{other}", tree))
     return found
 
@@ -135,7 +140,7 @@ def _plan_top(plan: PagePlan) -> None:
     derived = sorted((dim for dim in mechanism.dimensions if dim.derived), key=lambda dim: order[dim.symbol])
     constants = [each.symbol for each in plan.equations.constants]
     for loop in found.four_bars:
-        plan.lengths |= {key: tree for key, tree in sides_of(mechanism, loop) if len(set(symbols(tree))) > 1}
+        plan.lengths |= {key: tree for key, tree in sides_of(plan, loop) if len(set(symbols(tree))) > 1}
     _block(plan, "derived", [*(dim.symbol for dim in derived), *plan.lengths, *constants])
     grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
     transmission = [f"transmission_{group.number}" for group in found.transmission]

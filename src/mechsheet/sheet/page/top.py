@@ -209,7 +209,7 @@ class Top:
     def _grashof(self, row: int, loop: FourBar) -> None:
         """The type of a four-bar by its shortest and longest link; words, and the excess that decides."""
         plan = self.plan
-        lengths = tuple(self._length(key, tree) for key, tree in sides_of(plan.mechanism, loop))
+        lengths = tuple(self._length(key, tree) for key, tree in sides_of(plan, loop))
         ground, first, coupler, _ = lengths
         shortest, longest, total = (Call(name, lengths) for name in ("MIN", "MAX", "SUM"))
         excess = CellRef(row, VALUE, True, True)

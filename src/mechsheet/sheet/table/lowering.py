@@ -26,7 +26,7 @@ from mechsheet.formula.nodes import (
     symbols,
     walk,
 )
-from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, Role
+from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, LinkPose, Role
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.quoted import formula
@@ -94,6 +94,11 @@ class Assignments:
     def tolerance(self) -> str:
         """Symbol of the constant below which a length counts as zero."""
         return self.equations.tolerance
+
+    @property
+    def poses(self) -> Mapping[str, LinkPose]:
+        """Where each link is, by its name."""
+        return self.equations.poses
 
     def of(self, symbol: str) -> Assignment:
         """The assignment of a symbol."""
