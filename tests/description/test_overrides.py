@@ -169,7 +169,7 @@ def test_names_mean_what_the_changes_before_made_of_them() -> None:
 
 
 def test_names_in_either_normal_form() -> None:
-    text = BAR.replace("half", "açı")
+    text = BAR.replace("half =", '"açı" =').replace("half", "açı")
     after = loads(text, overrides={unicodedata.normalize("NFD", "açı"): unicodedata.normalize("NFD", "açı*1.5")})
     assert {dimension.symbol: dimension.shown for dimension in after.dimensions}["açı"] == 0.75
 
