@@ -12,8 +12,9 @@ from mechsheet.description.numbers import typed_number
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD
 from mechsheet.description.rewrite import number_text, with_value
-from mechsheet.description.schema import MOST_ROWS
+from mechsheet.description.schema import MOST_ROWS, Quantity
 from mechsheet.description.scope import Scope
+from mechsheet.description.shape import fit
 from mechsheet.description.source import Source
 from mechsheet.description.typed_value import DIGITS, scope_for, table_of, typed_value
 from mechsheet.diagnostics import Fault
@@ -41,6 +42,8 @@ def with_sweep(source: Source, rows: str | None, step: str | None) -> tuple[Sour
     sweep = _sweep(source)
     faults = sweep.scope.report.faults
     taken = None if step is None else typed_value(step, sweep.unit, "the driver's", sweep.scope)
+    if taken is not None:
+        fit(float(taken), Quantity(), (), sweep.scope.report)  # its size
     count, wrong = (None, []) if rows is None else _count(rows, source.file)
     faults += wrong
     if faults:
