@@ -1,6 +1,8 @@
 """`--set a1=65`: the text is changed in place, and reading it again gives the same mechanism."""
 
 import math
+import re
+import unicodedata
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +15,25 @@ from mechsheet.diagnostics import DescriptionError
 
 DATA = Path(__file__).parents[1] / "data"
 EVERYTHING = DATA / "everything.toml"
+BAR = """format = 1
+[mechanism]
+name = "bar"
+[dimensions]
+a1 = 7 # a comment that stays
+a2 = { value = 3.5, label = "bar" }
+phi0 = { value = 30, unit = "deg" }
+half = { value = 0.5, unit = "1" }
+turn = { value = 1.5, unit = "rad" }
+late = { formula = "2*early" }
+early = { formula = "a1*half" }
+gamma3 = { formula = "acos(half)", unit = "deg" }
+[links]
+ground.points.O = [0, 0]
+bar.points = { O = [0, 0], P = ["a1", "a2"] }
+[driver]
+link = "bar"
+values = [0]
+"""
 
 
 def test_values_in_place() -> None:
@@ -88,7 +109,19 @@ def test_spellings(typed: str, value: float) -> None:
         ("a1", "−5", 'expected a number, found "−5"\n       = write -5'),
         ("a1", "3 cm", 'expected a number, found "3 cm"\n       = a plain number in the dimension\'s own unit'),
         ("a1", "", 'expected a number, found ""\n       = a plain number in the dimension\'s own unit'),
-        ("a1", "2*a2", 'expected a number, found "2*a2"'),
+        ("a1", "2*", 'a1=2*: in "2*": expected a number, a name, a function or "(", found the end at column 3'),
+        ("a1", "2a2", 'found "a2" at column 2\n       = a product is written with "*"'),
+        ("a1", "40,5*2", 'found "," at column 3\n       = the decimal sign is "."'),
+        ("a1", "2*b9", 'in "2*b9": "b9" is not a dimension\n       = dimensions: a1, a2, phi0, half, turn, late'),
+        ("a1", "x", '"x" is not a dimension'),
+        ("a1", "hald*2", 'did you mean "half"?'),
+        ("a1", "1/0", "overrides: a1=1/0: has no value: division by zero"),
+        ("a1", "sqrt(-half)", "the square root of -0.5 is not a real number\n       = with half = 0.5"),
+        ("a1", "10^400", "has no value"),
+        ("a1", "phi0", 'a1=phi0: "phi0" is an angle where a length is needed'),
+        ("phi0", "2*a1", '"2*a1" is a length where an angle is needed'),
+        ("phi0", "degrees(atan(1))", "expressions compute in radians: leave degrees() out"),
+        ("half", "3/2", "dimensions.gamma3.formula: has no value: the arc cosine of 1.5 does not exist"),
         ("a1", "nan", 'expected a number, found "nan"'),
         ("a1", "1e999", 'expected a number, found "1e999"'),
         ("a1", "1_000", 'expected a number, found "1_000"'),
@@ -101,6 +134,50 @@ def test_faults(name: str, value: str, message: str) -> None:
     with pytest.raises(DescriptionError) as caught:
         load(EVERYTHING, {name: value})
     assert message in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "typed", "text"),
+    [
+        ("a1", "40*1.1", "44"),
+        ("a1", "0.1+0.2", "0.3"),
+        ("a1", "-2^2 + (7 - 1)/4", "-2.5"),
+        ("a1", "1/3", "0.333333333333333"),
+        ("a1", "a1 + 2*late", "21"),  # derived: late = 2*early, early = a1*half
+        ("phi0", "40 + 5", "45"),  # numbers alone: in the dimension's unit
+        ("phi0", "acos(half)", "60"),  # a function: radians, as in a description
+        ("phi0", "pi/4", "45"),
+        ("phi0", "phi0*1.5", "45"),
+        ("turn", "phi0*6/pi", "1"),
+        ("turn", "1 + 0.25", "1.25"),
+        ("half", "cos(2*phi0)^2", "0.25"),
+        ("half", "a2/early", "1"),
+    ],
+)
+def test_expressions(name: str, typed: str, text: str) -> None:
+    after = loads(BAR, overrides={name: typed})
+    assert [dimension.shown for dimension in after.dimensions if dimension.symbol == name] == [float(text)]
+    (line,) = set(after.text.splitlines()) - set(BAR.splitlines())
+    assert re.fullmatch(rf"{name} = (?:{{ value = )?{re.escape(text)}\b.*", line)
+    assert loads(after.text) == after
+
+
+def test_names_mean_what_the_changes_before_made_of_them() -> None:
+    after = loads(BAR, overrides=[("a2", "a1/2"), ("a1", "10"), ("a2", "a2 + early"), ("half", "a2/a1")])
+    shown = {dimension.symbol: dimension.shown for dimension in after.dimensions}
+    assert (shown["a1"], shown["a2"], shown["half"]) == (10, 8.5, 0.85)
+
+
+def test_names_in_either_normal_form() -> None:
+    text = BAR.replace("half =", '"açı" =').replace("half", "açı")
+    after = loads(text, overrides={unicodedata.normalize("NFD", "açı"): unicodedata.normalize("NFD", "açı*1.5")})
+    assert {dimension.symbol: dimension.shown for dimension in after.dimensions}["açı"] == 0.75
+
+
+def test_a_name_without_a_value_is_told_where_it_is_read() -> None:
+    """Also when a later change gives it one: what is typed is never passed over in silence."""
+    with pytest.raises(DescriptionError, match='phi0=gamma3: has no value: "gamma3" has none'):
+        loads(BAR, overrides=[("half", "2"), ("phi0", "gamma3"), ("half", "0.5")])
 
 
 def test_faults_of_values_and_of_the_description_together() -> None:

@@ -9,7 +9,6 @@ import pytest
 
 from chosen import part, some
 from mechsheet import reference
-from mechsheet.checking.modes_from_sketch import with_modes
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.source import parse
@@ -20,6 +19,7 @@ from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.building import compile_workbook
+from mechsheet.library.modes_from_sketch import with_modes
 from mechsheet.library.show import overview_text
 from mechsheet.model import Sketch
 

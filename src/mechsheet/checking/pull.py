@@ -11,8 +11,8 @@ from mechsheet.checking.audit import same
 from mechsheet.checking.changes import Change, changes_in, input_places
 from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.inserted_rows import moves_between, undone
-from mechsheet.checking.modes_from_sketch import with_modes
 from mechsheet.checking.perturb import description_or_fault
+from mechsheet.description.driver import LANDS
 from mechsheet.description.index import Path as Place
 from mechsheet.description.locate import located
 from mechsheet.description.rewrite import number_text, with_number, without_key
@@ -22,10 +22,8 @@ from mechsheet.formats import read
 from mechsheet.formula.nodes import Scalar
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values
+from mechsheet.library.modes_from_sketch import with_modes
 from mechsheet.model import Mechanism
-
-LANDS = 1e-9
-"""A sweep's stop counts as reached when the steps miss it by this part of a step, as for the reader."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
 
 from .common import (
-    SET,
     STANDARD_INPUT,
     STANDARD_OUTPUT,
+    Changes,
     OutputName,
     at_lines_of,
+    change_options,
     described,
     progress,
     same_file,
@@ -46,7 +47,7 @@ if TYPE_CHECKING:
     help="Extra files whose tables call functions: in Basic (.ods, macros), as LAMBDA (.xlsx, Excel 365).",
 )
 @click.option("--force", is_flag=True, help="Overwrite also what somebody has changed since it was built.")
-@SET
+@change_options
 def build(
     descriptions: tuple[Path, ...],
     output: str,
@@ -55,13 +56,13 @@ def build(
     layout: str | None,
     functions: str,
     force: bool,
-    settings: tuple[str, ...],
+    **changes: Any,
 ) -> None:
     """Write the workbooks of descriptions, each called as its description.
 
     \b
     mechsheet build mine.toml                                  mine.xlsx
-    mechsheet build mine.toml -o out.ods --set a1=65
+    mechsheet build mine.toml -o out.ods --rows 73 --set "a2=40*1.1"
     mechsheet build *.toml -o workbooks/ --format xlsx,ods
     mechsheet build adjustable-pump.toml --functions lambda    adjustable-pump-lambda.xlsx too
 
@@ -76,7 +77,7 @@ def build(
             Fault("a workbook is written to a file, not printed", key="-o", hint="for example -o out.xlsx")
         )
     paths = _each_once(descriptions)
-    mechanisms = [with_layout(described(path, settings, language), layout) for path in paths]
+    mechanisms = [with_layout(described(path, Changes(**changes), language), layout) for path in paths]
     wanted = [targets(mechanism, output, formats, functions) for mechanism in mechanisms]
     _refuse_shared(paths, wanted)
     if not force:

@@ -7,9 +7,9 @@ import re
 import sys
 import warnings
 from collections.abc import Callable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -20,20 +20,40 @@ from mechsheet.formats.archive import is_stream
 if TYPE_CHECKING:
     from mechsheet.model import Mechanism
 
+Command = TypeVar("Command", bound=Callable[..., Any])
 
 STANDARD_INPUT = Path("-")
 
 
-def described(path: Path, settings: tuple[str, ...] = (), language: str | None = None) -> Mechanism:
-    """The mechanism of a file, or of standard input when it is called `-`, with the changes of `--set`."""
-    from mechsheet.description import MAX_BYTES, load, loads, text_of
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """The options of `change_options` as they were given."""
 
-    changes = settings_of(settings)
-    if path != STANDARD_INPUT:
-        return load(path, changes, language)
-    content = b"" if sys.stdin is None else sys.stdin.buffer.read(MAX_BYTES + 1)  # None: it was closed
-    text = text_of(content, _name_of(path))
-    return loads(text, _name_of(path), changes, language)
+    settings: tuple[str, ...] = ()
+    rows: str | None = None
+    step: str | None = None
+
+
+def described(path: Path, changes: Changes, language: str | None = None) -> Mechanism:
+    """The mechanism of a file, or of standard input when it is called `-`, with the changes that options ask for."""
+    from mechsheet.description import MAX_BYTES, text_of
+    from mechsheet.library.changed import load, loads
+
+    pairs, faults = _pairs(changes.settings)
+    try:
+        if path != STANDARD_INPUT:
+            mechanism = load(path, pairs, language, changes.rows, changes.step)
+        else:
+            content = b"" if sys.stdin is None else sys.stdin.buffer.read(MAX_BYTES + 1)  # None: it was closed
+            text = text_of(content, _name_of(path))
+            mechanism = loads(text, _name_of(path), pairs, language, changes.rows, changes.step)
+    except MechsheetError as error:
+        if not faults:
+            raise
+        raise MechsheetError([*faults, *error.faults]) from error
+    if faults:
+        raise MechsheetError(faults)
+    return mechanism
 
 
 def _name_of(path: Path) -> str:
@@ -79,26 +99,50 @@ _QUOTED = re.compile(r"'(?:[^']|'')*'!")
 """A sheet's name in quotes, in which a `=` means nothing."""
 
 
-def settings_of(pairs: tuple[str, ...]) -> dict[str, str]:
-    """`a1=65` options as a mapping."""
-    found = {}
+def settings_of(options: tuple[str, ...]) -> dict[str, str]:
+    """`a1=65` options as a mapping. Raises MechsheetError with all that are something else."""
+    pairs, faults = _pairs(options)
+    if faults:
+        raise MechsheetError(faults)
+    return dict(pairs)
+
+
+def _pairs(options: tuple[str, ...]) -> tuple[list[tuple[str, str]], list[Fault]]:
+    """`a1=65` options as pairs of name and value, in their order; and what is no such pair."""
+    found = []
     faults = []
-    for pair in pairs:
+    for pair in options:
         quoted = _QUOTED.match(pair)
         start = quoted.end() if quoted else 0
         name, equals, value = pair[start:].partition("=")
         name = pair[:start] + name
         if not equals or not name.strip() or not value.strip():
             faults.append(Fault(f'"{pair}" is not NAME=VALUE', key="--set", hint="for example --set a1=65"))
-        found[name.strip()] = value.strip()
-    if faults:
-        raise MechsheetError(faults)
-    return found
+        else:
+            found.append((name.strip(), value.strip()))
+    return found, faults
 
 
-SET = click.option(
-    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Change a dimension; may be repeated."
+_CHANGES = (
+    click.option(
+        "--set",
+        "settings",
+        multiple=True,
+        metavar="NAME=VALUE",
+        help="Change a dimension or a mode; may be repeated.",
+    ),
+    click.option("--step", metavar="VALUE", help="Step of the driver, in its unit."),
+    click.option("--rows", metavar="N", help="Number of positions of the sweep."),
 )
+
+
+def change_options(command: Command) -> Command:
+    """The options of every command that reads a description: what is changed in it. See `Changes`."""
+    for option in reversed(_CHANGES):
+        command = option(command)
+    return command
+
+
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
 
@@ -112,6 +156,8 @@ _OPTIONS = {
     "functions": "--functions",
     "language": "--language",
     "output": "-o",
+    "rows": "--rows",
+    "step": "--step",
 }
 _OVERRIDES = re.compile(r"overrides: (.*)")
 

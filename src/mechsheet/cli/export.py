@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
 from mechsheet.arguments.outputs import folder_ready
 from mechsheet.diagnostics import Fault, MechsheetError
 
-from .common import SET, STANDARD_OUTPUT, at_lines_of, described, output_file, output_option, progress, say_written
+from .common import (
+    STANDARD_OUTPUT,
+    Changes,
+    at_lines_of,
+    change_options,
+    described,
+    output_file,
+    output_option,
+    progress,
+    say_written,
+)
 from .streams import print_file
 
 
@@ -31,7 +42,7 @@ class WithKinds(click.Command):
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @click.option("--frames", type=int, metavar="N", help="Draw N positions of the sweep, one file each.")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the file.")
-@SET
+@change_options
 def export(
     description: Path,
     kind: str,
@@ -39,7 +50,7 @@ def export(
     at: float | None,
     frames: int | None,
     language: str | None,
-    settings: tuple[str, ...],
+    **changes: Any,
 ) -> None:
     """Write the solved mechanism for another program.
 
@@ -53,7 +64,7 @@ def export(
     from mechsheet.exporting import export as write
 
     wanted = kind_of(kind)
-    mechanism = described(description, settings, language)
+    mechanism = described(description, Changes(**changes), language)
     if output == STANDARD_OUTPUT and frames is not None:
         raise MechsheetError(Fault("several files are not printed", key="-o", hint="name a folder"))
     if output == STANDARD_OUTPUT:

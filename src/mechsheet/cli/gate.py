@@ -7,19 +7,18 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
-from .common import progress
+from .common import Command, progress
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
 
 Found = TypeVar("Found")
-Command = TypeVar("Command", bound=Callable[..., Any])
 
 SUFFIXES = (".xlsx", ".xlsm", ".ods")
 """What is looked for in a folder."""

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
 from mechsheet.arguments.outputs import folder_ready
 
-from .common import SET, at_lines_of, described, output_file, output_option, progress, say_written
+from .common import Changes, at_lines_of, change_options, described, output_file, output_option, progress, say_written
 
 
 @click.command()
@@ -16,10 +17,8 @@ from .common import SET, at_lines_of, described, output_file, output_option, pro
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @output_option("File to write: .svg, .png, .gif or .html.")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the picture.")
-@SET
-def plot(
-    description: Path, at: float | None, output: str | None, language: str | None, settings: tuple[str, ...]
-) -> None:
+@change_options
+def plot(description: Path, at: float | None, output: str | None, language: str | None, **changes: Any) -> None:
     """Draw the mechanism: a picture, an animation, or a web page with a slider.
 
     \b
@@ -32,7 +31,7 @@ def plot(
     """
     from mechsheet.plotting import plot as draw
 
-    mechanism = described(description, settings, language)
+    mechanism = described(description, Changes(**changes), language)
     path = output_file(output, f"{mechanism.stem}.svg", (description,))
     with progress(description.name) as say, at_lines_of(mechanism, description), folder_ready(output):
         say("drawing")

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
-from .common import JSON, SET, at_lines_of, described
+from .common import JSON, Changes, at_lines_of, change_options, described
 from .streams import print_file
 
 
 @click.command()
 @click.argument("description", type=click.Path(path_type=Path))
-@SET
+@change_options
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
 @click.option("--cells", "what", flag_value="cells", help="Every cell of the workbook.")
 @click.option(
@@ -20,7 +21,7 @@ from .streams import print_file
 )
 @JSON
 @click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")
-def show(description: Path, settings: tuple[str, ...], what: str | None, as_json: bool, as_csv: bool) -> None:
+def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **changes: Any) -> None:
     """Print what was understood: the groups and variables, the equations, the cells, or the verdicts.
 
     \b
@@ -32,7 +33,7 @@ def show(description: Path, settings: tuple[str, ...], what: str | None, as_json
     from mechsheet.library import show as shows
     from mechsheet.library import verdicts
 
-    mechanism = described(description, settings)
+    mechanism = described(description, Changes(**changes))
     with at_lines_of(mechanism, description):
         if what == "equations":
             text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)

@@ -13,9 +13,9 @@ from mechsheet.description.report import BAD, found, suggestion
 from mechsheet.description.schema import MOST_ROWS
 from mechsheet.description.scope import Scope
 from mechsheet.model import Driver, Joint, Link, Quantity
-from mechsheet.units import unit_of
+from mechsheet.units import Unit, unit_of
 
-_LANDS = 1e-9
+LANDS = 1e-9
 """`stop` counts as reached when the steps miss it by this part of a step."""
 
 
@@ -24,16 +24,26 @@ def read(data: Any, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: En
     if data is BAD:
         scope.complete = False
         return None
-    slides = "joint" in data and "link" not in data
-    made = _sliding(data, joints, scope) if slides else _turning(data, links, ends, scope)
+    made = _sliding(data, joints, scope) if _slides(data) else _turning(data, links, ends, scope)
     if made is None:
         scope.complete = False
-    start, stop, step, values = _values(data, LENGTH if slides else ANGLE, scope)
+    kind, unit = kind_and_unit(data, scope)
+    start, stop, step, values = _values(data, kind, scope)
     if made is None:
         return None
     symbol, link, relative_to, joint = made
-    unit = unit_of(scope.length_unit, scope.length_unit) if slides else scope.angle_unit
     return Driver(symbol, unit, link, relative_to, joint, start, stop, step, values)
+
+
+def _slides(data: dict[str, Any]) -> bool:
+    return "joint" in data and "link" not in data
+
+
+def kind_and_unit(data: dict[str, Any], scope: Scope) -> tuple[str, Unit]:
+    """What the driver's values are, ANGLE or LENGTH, and the unit in which they are written."""
+    if _slides(data):
+        return LENGTH, unit_of(scope.length_unit, scope.length_unit)
+    return ANGLE, scope.angle_unit
 
 
 def _sliding(data: dict[str, Any], joints: tuple[Joint, ...], scope: Scope) -> tuple[str, str, str, str] | None:
@@ -92,11 +102,12 @@ def _values(data: dict[str, Any], kind: str, scope: Scope) -> tuple[Quantity, Qu
         values = tuple(scope.quantity(value, kind, (*path, place)) for place, value in enumerate(given))
         return 0.0, 0.0, 0.0, values
     start, stop, step = (scope.quantity(data.get(key, BAD), kind, ("driver", key)) for key in ("start", "stop", "step"))
-    _check_sweep(scope.number(start), scope.number(stop), scope.number(step), data, scope)
+    check_sweep(scope.number(start), scope.number(stop), scope.number(step), data, scope)
     return start, stop, step, ()
 
 
-def _check_sweep(start: float, stop: float, step: float, data: dict[str, Any], scope: Scope) -> None:
+def check_sweep(start: float, stop: float, step: float, data: dict[str, Any], scope: Scope) -> None:
+    """Report a step of zero or with the wrong sign, and too many rows; `data` has the three as they are written."""
     path: Path = ("driver", "step")
     if step == 0:
         scope.report.at(path, "the step is zero")
@@ -107,7 +118,7 @@ def _check_sweep(start: float, stop: float, step: float, data: dict[str, Any], s
         shown = [_as_written(data[key]) for key in ("start", "stop", "step")]
         message = f"a step of {shown[2]} never leads from {shown[0]} to {shown[1]}: it must be {sign}"
         scope.report.at(path, message)
-    elif (rows := math.floor((stop - start) / step + _LANDS) + 1) > MOST_ROWS:
+    elif (rows := math.floor((stop - start) / step + LANDS) + 1) > MOST_ROWS:
         message = f"the sweep has {rows:,} rows; a sheet holds at most {MOST_ROWS:,} below its headings"
         scope.report.at(path, message)
 

@@ -5,44 +5,64 @@ The text is changed first and read afterwards, so what is read is what the workb
 
 from __future__ import annotations
 
-import math
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias
 
 from mechsheet.description.index import Path
-from mechsheet.description.numbers import typed_number
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.description.rewrite import with_value
 from mechsheet.description.source import Source
+from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
 
+Overrides: TypeAlias = Mapping[str, str] | Sequence[tuple[str, str]]
+"""Name and value as typed, in their order; a name may come again."""
 
-def with_values(source: Source, values: Mapping[str, str]) -> tuple[Source, list[Fault]]:
-    """The source with dimensions changed to `values` (in their own units), and what is wrong with these."""
+
+def in_order(values: Overrides) -> Sequence[tuple[str, str]]:
+    """The pairs (name, value as typed)."""
+    return list(values.items()) if isinstance(values, Mapping) else values
+
+
+def option_of(given: str) -> str:
+    """What the faults of `a1=65` have as their key."""
+    return f"overrides: {given}"
+
+
+def name_of(given: str) -> str:
+    """A name as the description spells it."""
+    return unicodedata.normalize("NFC", given.strip())
+
+
+def with_values(source: Source, values: Overrides) -> tuple[Source, list[Fault]]:
+    """The source with dimensions changed to `values`, and what is wrong with these.
+
+    A value is a number in the dimension's own unit, or an expression (see `typed_value`): names in it mean the dimensions
+    after the changes before it.
+    """
     faults: list[Fault] = []
-    entries = source.data.get("dimensions")
-    entries = entries if isinstance(entries, dict) else {}
-    inputs = [name for name, entry in entries.items() if not (isinstance(entry, dict) and "formula" in entry)]
-    for given, value in values.items():
-        name, key = unicodedata.normalize("NFC", given.strip()), f"overrides: {given}={value}"
-        number = typed_number(value)
-        plain = number is not None and not number.unit and math.isfinite(float(number.text))
-        if name not in entries:
-            hint = suggestion(name, inputs, "inputs")
-            faults.append(Fault(f"no dimension is called {quoted(name)}", source.file, key=key, hint=hint))
-        elif name not in inputs:
-            message = f"the dimension {quoted(name)} is derived from others"
-            hint = "change the dimensions in its formula instead; " + suggestion(name, inputs, "inputs")
-            faults.append(Fault(message, source.file, key=key, hint=hint))
-        elif number is None or not plain or number.why:
-            message = f"expected a number, found {quoted(value.strip())}"
-            hint = number.hint if number and plain else "a plain number in the dimension's own unit"
-            faults.append(Fault(message, source.file, key=key, hint=hint))
-        elif (place := _place(name, entries[name])) in source.spots:  # without a value the reader will complain
-            source = with_value(source, place, number.text)
+    for given, value in in_order(values):
+        source, found = _with_value(source, name_of(given), value, option_of(f"{given}={value}"))
+        faults += found
     return source, faults
 
 
-def _place(name: str, entry: object) -> Path:
-    return ("dimensions", name, "value") if isinstance(entry, dict) else ("dimensions", name)
+def _with_value(source: Source, name: str, value: str, option: str) -> tuple[Source, list[Fault]]:
+    entries = source.data.get("dimensions")
+    entries = entries if isinstance(entries, dict) else {}
+    inputs = [name for name, entry in entries.items() if not (isinstance(entry, dict) and "formula" in entry)]
+    if name not in entries:
+        hint = suggestion(name, inputs, "inputs")
+        return source, [Fault(f"no dimension is called {quoted(name)}", source.file, key=option, hint=hint)]
+    if name not in inputs:
+        message = f"the dimension {quoted(name)} is derived from others"
+        hint = "change the dimensions in its formula instead; " + suggestion(name, inputs, "inputs")
+        return source, [Fault(message, source.file, key=option, hint=hint)]
+    scope = scope_for(source, option)
+    text = typed_value(value, scope.units[name], "the dimension's", scope)
+    place: Path = ("dimensions", name, "value") if isinstance(entries[name], dict) else ("dimensions", name)
+    if text is not None and place in source.spots:  # without a value the reader will complain
+        source = with_value(source, place, text)
+    return source, scope.report.faults

@@ -3,35 +3,34 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
 from mechsheet.description import dimensions, driver, joints, links, results
-from mechsheet.description.kinds import plain_unit
-from mechsheet.description.overrides import with_values
+from mechsheet.description.head import choice, part, scope_of
+from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
-from mechsheet.description.report import BAD, Report
+from mechsheet.description.report import Report
 from mechsheet.description.rewrite import with_value
 from mechsheet.description.schema import DESCRIPTION, FORMAT
-from mechsheet.description.scope import Scope, words
+from mechsheet.description.scope import words
 from mechsheet.description.shape import fit
 from mechsheet.description.source import Source, parse_as_meant, read_text
+from mechsheet.description.sweep import with_sweep
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Words
-from mechsheet.units import unit_of
 
 LANGUAGES = ("en", "tr")
 LAYOUTS = ("sheets", "page")
 _DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
 
 
-def load(path: str | FilePath, overrides: Mapping[str, str] | None = None, language: str | None = None) -> Mechanism:
+def load(path: str | FilePath, overrides: Overrides | None = None, language: str | None = None) -> Mechanism:
     """The mechanism that a file describes.
 
     path       a description, format 1
-    overrides  dimension -> number as text, in the dimension's own unit: {"a1": "65"}
+    overrides  dimension -> number or expression as text, in their order: {"a1": "65"}; see `with_values`
     language   "en" or "tr", in place of the description's own
 
     Raises DescriptionError with every fault found, each with file, line and key. `Mechanism.text` is the file with the
@@ -43,17 +42,24 @@ def load(path: str | FilePath, overrides: Mapping[str, str] | None = None, langu
 def loads(
     text: str,
     file: str = "<text>",
-    overrides: Mapping[str, str] | None = None,
+    overrides: Overrides | None = None,
     language: str | None = None,
+    *,
+    rows: str | None = None,
+    step: str | None = None,
 ) -> Mechanism:
-    """The mechanism that a text describes; `file` is what messages call it. See `load`."""
+    """The mechanism that a text describes; `file` is what messages call it. See `load`.
+
+    step, rows  of the driver's sweep, as text: see `with_sweep`
+    """
     source, faults = parse_as_meant(text, file)
     mistyped = {fault.line for fault in faults}
     if language is not None and language not in LANGUAGES:
         faults.append(Fault(f"unknown language {quoted(language)}", hint='languages: "en", "tr"'))
-    if overrides and not faults:
-        source, faults_of_values = with_values(source, overrides)
-        faults += faults_of_values
+    if not faults:
+        source, faults_of_values = with_values(source, overrides or ())
+        source, faults_of_sweep = with_sweep(source, rows, step)
+        faults += faults_of_values + faults_of_sweep
     _check_format(source)
     report = Report(source)
     mechanism = _read(source, report)
@@ -94,12 +100,10 @@ def _check_format(source: Source) -> None:
 
 def _read(source: Source, report: Report) -> Mechanism | None:
     data = fit(source.data, DESCRIPTION, (), report)
-    scope = Scope(report)
-    head = _part(data, "mechanism", {})
-    scope.length_unit = _length_unit(head, report)
-    scope.angle_unit = unit_of(_choice(head, "angle_unit", "deg"), scope.length_unit)
-    given, bodies = _part(data, "dimensions", {}), _part(data, "links", {})
-    outputs, summary = _part(data, "outputs", {}), _part(data, "summary", {})
+    head = part(data, "mechanism", {})
+    scope = scope_of(head, report)
+    given, bodies = part(data, "dimensions", {}), part(data, "links", {})
+    outputs, summary = part(data, "outputs", {}), part(data, "summary", {})
 
     bare_links = links.declare(bodies, scope)  # first: a dimension that takes an angle's name is the one to rename
     dimensions.declare(given, scope)
@@ -107,23 +111,23 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     table = dimensions.read(given, scope)
     made = links.read(bodies, bare_links, scope)
     ends = joints.Ends(bodies, made, scope)
-    sliding = joints.read(_part(data, "joints", []), ends, scope)
+    sliding = joints.read(part(data, "joints", []), ends, scope)
     driven = driver.read(data["driver"], made, sliding, ends, scope) if made else None
     if made and report.sound("links", "joints"):
         links.check_connected(made, sliding, scope)
 
     results.declare(outputs, summary, scope)
-    workbook = _part(data, "workbook", {})
+    workbook = part(data, "workbook", {})
     parts: dict[str, Any] = {
-        "sketch": results.sketch(_part(data, "assembly", {}), driven, scope),
+        "sketch": results.sketch(part(data, "assembly", {}), driven, scope),
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),
-        "charts": results.charts(_part(data, "charts", []), scope),
-        "tables": results.tables(_part(data, "tables", []), driven.symbol if driven else None, scope),
-        "language": _choice(workbook, "language", "en"),
-        "layout": (layout := _choice(workbook, "layout", "sheets")),
+        "charts": results.charts(part(data, "charts", []), scope),
+        "tables": results.tables(part(data, "tables", []), driven.symbol if driven else None, scope),
+        "language": choice(workbook, "language", "en"),
+        "layout": (layout := choice(workbook, "layout", "sheets")),
         "drawn": workbook.get("drawing", True) is not False,
-        "references": _choice(workbook, "references", "anchors" if layout == "page" else "names"),
+        "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     name = _name(head, report)
     if report.faults or driven is None:
@@ -143,27 +147,9 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     )
 
 
-def _part(data: dict[str, Any], key: str, empty: Any) -> Any:
-    value = data.get(key, BAD)
-    return empty if value is BAD else value
-
-
-def _choice(table: dict[str, Any], key: str, default: str) -> str:
-    value = table.get(key, default)
-    return default if value is BAD else str(value)
-
-
-def _length_unit(head: dict[str, Any], report: Report) -> str:
-    unit = _choice(head, "length_unit", "mm")
-    if plain_unit(unit) in ("deg", "rad", "1") or unit != unit.strip():
-        report.at(("mechanism", "length_unit"), f"{quoted(unit)} cannot be the unit of lengths")
-        return "mm"
-    return unit
-
-
 def _name(head: dict[str, Any], report: Report) -> str:
     """The stem of the files: legal on every system."""
-    name = _choice(head, "name", "")
+    name = choice(head, "name", "")
     path = ("mechanism", "name")
     fits = all(sign in "-_" or unicodedata.category(sign)[0] == "L" or sign.isdecimal() for sign in name)
     if not fits or name.startswith("-"):

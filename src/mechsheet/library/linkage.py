@@ -12,14 +12,15 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.arguments.numbers import number_text
+from mechsheet.arguments.numbers import number_text, whole_number_given
 from mechsheet.diagnostics import Fault, MechsheetError, MissingProgramError
 from mechsheet.model import Mechanism
 
 if TYPE_CHECKING:
     from mechsheet.compiled import Compiled
 
-Overrides: TypeAlias = Mapping[str, "str | float | Fraction | Decimal | np.number[Any]"]
+Value: TypeAlias = "str | float | Fraction | Decimal | np.number[Any]"
+Overrides: TypeAlias = Mapping[str, Value]
 
 
 class Motion(Mapping[str, NDArray[np.float64]]):
@@ -137,18 +138,28 @@ def _linkage(mechanism: Mechanism) -> Linkage:
     return Linkage(**{field.name: getattr(mechanism, field.name) for field in fields(Mechanism)})
 
 
-def load(path: str | Path, overrides: Overrides | None = None, language: str | None = None) -> Linkage:
+def load(
+    path: str | Path,
+    overrides: Overrides | None = None,
+    language: str | None = None,
+    *,
+    rows: int | None = None,
+    step: Value | None = None,
+) -> Linkage:
     """The linkage that a description file describes.
 
     overrides  dimension -> value in its own unit, in place of the file's: {"a1": 65}; a number of any type (of numpy,
-               Fraction, Decimal), or its text
+               Fraction, Decimal), or a text: "65", "a2*1.1" (names: the dimensions after the changes before it; with names,
+               functions or pi angles are in radians). Or assembly mode -> 1 or -1: {"mode_1": -1}
     language   "en" or "tr", in place of the file's
+    step       of the driver, in its unit; start and stop stay
+    rows       how many positions: the step follows from start and stop, with `step` the stop from start
 
-    Raises DescriptionError with every fault, each with file, line and key.
+    Raises DescriptionError with every fault, each with file, line and key; MechanismError where no sketch can mean a mode.
     """
-    from mechsheet import description
+    from mechsheet.library import changed
 
-    return _linkage(description.load(path, _texts(overrides), language))
+    return _linkage(changed.load(path, _texts(overrides), language, *_sweep(rows, step)))
 
 
 def loads(
@@ -156,21 +167,37 @@ def loads(
     file: str = "<text>",
     overrides: Overrides | None = None,
     language: str | None = None,
+    *,
+    rows: int | None = None,
+    step: Value | None = None,
 ) -> Linkage:
     """The same from a text; `file` is what messages call it."""
-    from mechsheet import description
+    from mechsheet.library import changed
 
-    return _linkage(description.loads(text, file, _texts(overrides), language))
+    return _linkage(changed.loads(text, file, _texts(overrides), language, *_sweep(rows, step)))
 
 
-def template(name: str, overrides: Overrides | None = None, language: str | None = None) -> Linkage:
+def template(
+    name: str,
+    overrides: Overrides | None = None,
+    language: str | None = None,
+    *,
+    rows: int | None = None,
+    step: Value | None = None,
+) -> Linkage:
     """A packaged linkage to start from: `mechsheet.template("four-bar")`; `mechsheet new --list` names all.
 
     Raises DescriptionError with the near miss when there is no such template, and as `load`.
     """
     from mechsheet.description.templates import template_text
 
-    return loads(template_text(name), name, overrides, language)
+    return loads(template_text(name), name, overrides, language, rows=rows, step=step)
+
+
+def _sweep(rows: int | None, step: Value | None) -> tuple[str | None, str | None]:
+    """Rows and step as texts. Raises MechsheetError for what is no number."""
+    count = None if rows is None else str(whole_number_given(rows, "rows"))
+    return count, step if step is None or isinstance(step, str) else number_text(step, "step")
 
 
 def _texts(overrides: Overrides | None) -> dict[str, str]:

@@ -41,11 +41,11 @@ def with_modes(source: Source, wanted: Mapping[str, int]) -> Source:
             return source
         for group in groups:
             source = _sketched(source, mechanism, wanted, group)
-    left = ", ".join(group.mode for group in _wrong(loads(source.text, source.file), wanted))
+    left = ", ".join(
+        f"{group.mode} = {wanted[group.mode]}" for group in _wrong(loads(source.text, source.file), wanted)
+    )
     if left:
-        raise MechanismError(
-            Fault(f"no sketch says that {left} shall be as in the workbook", source.file, key="assembly")
-        )
+        raise MechanismError(Fault(f"no sketch says {left}", source.file, key="assembly"))
     return source
 
 

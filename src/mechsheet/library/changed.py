@@ -1,0 +1,130 @@
+"""Reading a description with what a caller changes: dimensions, assembly modes, the driver's step and its rows.
+
+All of it is written into the description's text, so that it travels in the workbook: modes as a sketch that means them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+from mechsheet import description
+from mechsheet.description.locate import located
+from mechsheet.description.numbers import typed_number
+from mechsheet.description.overrides import Overrides, in_order, name_of, option_of
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import suggestion
+from mechsheet.description.source import parse, parse_as_meant, read_text
+from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
+from mechsheet.model import Mechanism
+
+_MODE = re.compile(r"mode[_0-9]*", re.IGNORECASE)
+"""What means an assembly mode where no dimension is called so."""
+
+
+def load(
+    path: str | Path,
+    overrides: Overrides | None = None,
+    language: str | None = None,
+    rows: str | None = None,
+    step: str | None = None,
+) -> Mechanism:
+    """The mechanism that a file describes, with changes: see `loads`."""
+    found = loads(read_text(path), readable_name(path), overrides, language, rows, step)
+    return replace(found, file=Path(path).stem)
+
+
+def loads(
+    text: str,
+    file: str = "<text>",
+    overrides: Overrides | None = None,
+    language: str | None = None,
+    rows: str | None = None,
+    step: str | None = None,
+) -> Mechanism:
+    """The mechanism that a text describes, with changes; `file` is what messages call it.
+
+    overrides   dimension -> value, or assembly mode -> 1 or -1 (`mode_1`), as texts: see `description.overrides`
+    rows, step  of the driver's sweep, as texts: see `description.sweep`
+
+    Raises DescriptionError with every fault, MechanismError when the modes cannot be told apart by a sketch.
+    """
+    pairs = in_order(overrides or ())
+    modes = _modes_in(pairs, text, file)
+    if not modes:
+        return description.loads(text, file, pairs, language, rows=rows, step=step)
+    faults = [fault for name, value in modes if (fault := _value_fault(name, value, file)) is not None]
+    rest = [pair for pair in pairs if pair not in modes]
+    try:
+        mechanism = description.loads(text, file, rest, language, rows=rows, step=step)
+        faults += _name_faults(modes, mechanism, file)
+    except MechsheetError as error:
+        with suppress(MechsheetError):  # wrong names are told beside what else is wrong
+            faults += _name_faults(modes, description.loads(text, file), file)
+        raise DescriptionError([*faults, *error.faults]) from error
+    if faults:
+        raise DescriptionError(faults)
+    return _with_modes(mechanism, {name_of(name): round(float(value)) for name, value in modes}, file)
+
+
+def _modes_in(pairs: Sequence[tuple[str, str]], text: str, file: str) -> list[tuple[str, str]]:
+    """The pairs that mean assembly modes: a dimension of that name comes first."""
+    named = [pair for pair in pairs if _MODE.fullmatch(name_of(pair[0]))]
+    if not named:
+        return []
+    dimensions = parse_as_meant(text, file)[0].data.get("dimensions")
+    taken = dimensions if isinstance(dimensions, dict) else {}
+    return [pair for pair in named if name_of(pair[0]) not in taken]
+
+
+def _value_fault(name: str, value: str, file: str) -> Fault | None:
+    number = typed_number(value)
+    if number is not None and not number.unit and not number.why and float(number.text) in (1, -1):
+        return None
+    hint = number.hint if number and number.why and not number.unit else ""
+    return Fault(f"an assembly mode is 1 or -1, not {quoted(value)}", file, key=option_of(f"{name}={value}"), hint=hint)
+
+
+def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: str) -> list[Fault]:
+    """Modes that no group has. Raises MechanismError for what is no mechanism."""
+    from mechsheet.kinematics.solve import solve_unpicked
+
+    try:
+        known = [group.mode for group in solve_unpicked(mechanism).groups if group.mode]
+    except MechanismError as error:
+        raise located(error, mechanism.text, file) from error
+    return [
+        Fault(
+            f"no group of links has the assembly mode {quoted(name)}",
+            file,
+            key=option_of(f"{name}={value}"),
+            hint=suggestion(name_of(name), known, "modes"),
+        )
+        for name, value in pairs
+        if name_of(name) not in known
+    ]
+
+
+def _with_modes(mechanism: Mechanism, wanted: Mapping[str, int], file: str) -> Mechanism:
+    """The mechanism with some modes; the other groups keep theirs."""
+    from mechsheet.kinematics.solve import solve
+    from mechsheet.library.modes_from_sketch import with_modes
+
+    try:
+        groups = solve(mechanism).groups
+    except MechanismError:  # the sketch may lie between two modes of which one is given
+        try:
+            groups = solve(mechanism, wanted).groups
+        except MechanismError as error:
+            raise located(error, mechanism.text, file) from error
+    modes = {group.mode: group.mode_value for group in groups if group.mode} | dict(wanted)
+    try:
+        source = with_modes(parse(mechanism.text, file), modes)
+    except MechanismError as error:
+        options = ", ".join(f"{mode}={value}" for mode, value in wanted.items())
+        raise MechanismError(Fault(fault.message, file, key=option_of(options)) for fault in error.faults) from error
+    found = description.loads(source.text, file)
+    return replace(found, sketch=replace(found.sketch, doubted=False))
