@@ -1,10 +1,11 @@
 # Two commands: `make demo` builds and checks every template, `make test` runs lint, types and all tests.
-# `make quick` is for the time between two edits: what is fast and needs no other program.
+# `make quick` is for the time between two edits: what is fast and needs no other program. `make full`, before a release, runs
+# every case where CI takes a part: an hour.
 PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test quick lint types reference pictures bench clean
+.PHONY: demo test full quick lint types reference pictures bench clean
 
 $(VENV)/.ready: pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -18,6 +19,10 @@ demo: $(VENV)/.ready
 test: $(VENV)/.ready
 	$(MAKE) lint types
 	$(BIN)/python -m pytest -n auto --dist worksteal
+
+full: $(VENV)/.ready
+	$(MAKE) lint types
+	MECHSHEET_ALL=1 $(BIN)/python -m pytest -n auto --dist worksteal
 
 quick: $(VENV)/.ready
 	$(MAKE) lint types

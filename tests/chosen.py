@@ -1,11 +1,18 @@
-"""Which of many alike cases run: in CI all of them, elsewhere a part that is another one from module to module."""
+"""Which of many alike cases run: all of them on `make full`, a part in CI, a smaller one elsewhere.
+
+The part is another one from module to module, so that together they see every template and every kind of case.
+"""
 
 import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TypeVar
 
-IN_CI = bool(os.environ.get("MECHSHEET_CI"))
+ALL = bool(os.environ.get("MECHSHEET_ALL"))
+IN_CI = ALL or bool(os.environ.get("MECHSHEET_CI"))
+
+MORE = 3
+"""So many times more cases run in CI than elsewhere."""
 
 ALWAYS = ("adjustable-pump", "fivelink", "four-bar")
 """A two-way table, Turkish, the plain one."""
@@ -19,22 +26,22 @@ Case = TypeVar("Case", str, Path)
 def some(cases: Iterable[Case], turn: int, every: int = EVERY) -> list[Case]:
     """Templates by name or path: ALWAYS, and of the others every so-manieth, from `turn` on."""
     found = list(cases)
-    others = [case for case in found if Path(case).stem not in ALWAYS]
-    taken = set(found if IN_CI else others[turn % every :: every])
+    taken = set(part([case for case in found if Path(case).stem not in ALWAYS], every, turn))
     return [case for case in found if case in taken or Path(case).stem in ALWAYS]
 
 
 def part(cases: Iterable[object], of: int, turn: int = 0) -> list:
-    """Cases of any kind: all in CI, elsewhere every so-manieth."""
+    """Cases of any kind: every so-manieth, from `turn` on."""
     found = list(cases)
-    return found if IN_CI else found[turn % of :: of]
+    of = 1 if ALL else -(-of // MORE) if IN_CI else of
+    return found[turn % of :: of]
 
 
 def first(cases: Sequence, count: int) -> Sequence:
-    """All in CI, elsewhere the first of them."""
-    return cases if IN_CI else cases[:count]
+    """The first of them."""
+    return cases if ALL else cases[: count * MORE if IN_CI else count]
 
 
 def examples(count: int) -> int:
-    """How many examples hypothesis draws: all in CI, elsewhere a third."""
-    return count if IN_CI else -(-count // 3)
+    """How many examples hypothesis draws, of `count` that it draws in a full run."""
+    return count if ALL else -(-count // (2 if IN_CI else 4))

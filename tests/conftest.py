@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from chosen import IN_CI
+from chosen import ALL, IN_CI
 
 PROGRAMS = {
     "libreoffice": ("soffice", "libreoffice"),
@@ -30,11 +30,11 @@ def pytest_collection_modifyitems(config, items):
 
 
 def pytest_terminal_summary(terminalreporter):
-    """What a run outside CI has not seen, in its last lines."""
+    """What a run has not seen, in its last lines."""
     if not IN_CI:
-        terminalreporter.write_line(
-            "left to CI (.ci/run): tests marked ci, every template and more random mechanisms where a part ran here"
-        )
+        terminalreporter.write_line("left to CI (.ci/run): tests marked ci, and more cases where a part ran here")
+    if not ALL:
+        terminalreporter.write_line("left to `make full`: every template and random mechanism where a part ran here")
 
 
 def pytest_runtest_setup(item):

@@ -34,7 +34,7 @@ SOME = ("adjustable-pump", "fivelink", "four-bar", "scotch-yoke")
 
 
 def twins(turn):
-    """(.xlsx, .ods) of every template in CI; elsewhere of some of them, because other programs take their time."""
+    """(.xlsx, .ods) of every template in a full run; else of some of them, because other programs take their time."""
     found = sorted(GENERATED.glob("*.ods"))
     assert len(found) >= 21
     return [(path.with_suffix(".xlsx"), path) for path in some(found, turn, every=29)]

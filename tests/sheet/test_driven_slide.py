@@ -10,7 +10,7 @@ import pytest
 from laid import Laid
 
 import mechsheet
-from chosen import IN_CI, part
+from chosen import ALL, part
 from mechsheet.exporting.kinds import KINDS
 from mechsheet.formula.nodes import Number
 
@@ -86,7 +86,7 @@ def test_files_agree(name, language, tmp_path):
         assert report.agrees, report
 
 
-@pytest.mark.parametrize("to", list(KINDS) if IN_CI else ["python", "csv"])
+@pytest.mark.parametrize("to", list(KINDS) if ALL else ["python", "csv"])
 def test_exports(to, tmp_path):
     mechanism = mechsheet.loads(text_of("cylinder"))
     (path,) = mechsheet.export(mechanism, to, tmp_path / f"cylinder{KINDS[to].suffix}")

@@ -7,7 +7,7 @@ import pytest
 from laid import Laid
 
 import mechsheet
-from chosen import IN_CI, part
+from chosen import ALL, part
 from mechsheet.description import loads
 from mechsheet.exporting.kinds import KINDS
 from mechsheet.formula.printer import print_formula
@@ -122,7 +122,7 @@ def test_files_agree(name, language, tmp_path):
         assert report.agrees, report
 
 
-@pytest.mark.parametrize("to", list(KINDS) if IN_CI else ["python"])
+@pytest.mark.parametrize("to", list(KINDS) if ALL else ["python"])
 def test_exports(to, tmp_path):
     path = tmp_path / f"plate{KINDS[to].suffix}"
     mechsheet.export(mechsheet.loads(TEXTS["ten"]), to, path)
