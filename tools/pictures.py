@@ -1,52 +1,68 @@
-"""Make the pictures of README and docs from the built workbooks, and the README's gallery: `make pictures`.
+"""Make the pictures of README and docs from the workbooks as they are built now: `make pictures`.
 
-Needs LibreOffice, pdftoppm, ImageMagick, Xvfb and xdotool
-(apt-get install libreoffice-calc poppler-utils imagemagick xvfb xdotool).
+Needs LibreOffice, pdftoppm, Xvfb and xdotool (apt-get install libreoffice-calc poppler-utils xvfb xdotool); the gallery's
+drawings need matplotlib only. Names of pictures make only those: `python tools/pictures.py workbook-page opened`.
 """
 
 from __future__ import annotations
 
 import subprocess
+import sys
 import tempfile
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
+from PIL import Image, ImageChops, ImageOps
 from screenshot import screenshot
 
-from mechsheet.checking import check
+import mechsheet
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.description import load
 from mechsheet.library.building import build
 from mechsheet.plotting import plot
+from mechsheet.plotting.pictures import few_colors
 
 ROOT = Path(__file__).parent.parent
+TEMPLATES = ROOT / "templates"
 PICTURES = ROOT / "docs" / "pictures"
-START, END = "<!-- gallery -->", "<!-- /gallery -->"
+DRAWN = 320
+"""Pixels of a side of a drawing of the gallery."""
+COLORS, APART = 128, 10
+"""Of a picture; how far they are apart at least: pale fields keep their own."""
+FOOTER = 0.07
+"""Part of a page's height, from below."""
+BORDER = 8
+
+Corner = tuple[float, float, float, float]
+"""Left, top, right, bottom as parts of what is printed."""
 
 
-def picture(pdf: Path, target: Path, dpi: int, page_number: int = 1, corner: str = "", part: str = "") -> None:
-    """A page of a PDF as a PNG, margins and footer cut off, in few colours; or a part ("40%x60%") at a corner of it."""
-    page = pdf.with_suffix("")
-    one_page = ["-f", str(page_number), "-l", str(page_number), "-singlefile", "-png"]
-    subprocess.run(["pdftoppm", "-r", str(dpi), *one_page, str(pdf), str(page)], check=True)
-    paper = ["-gravity", "south", "-chop", "0x7%", "-gravity", "northwest", "-trim", "+repage"]
-    crop = ["-gravity", corner, "-crop", f"{part}+0+0", "+repage"] if part else []
-    trim = [
-        *paper,
-        *crop,
-        "-trim",
-        "+repage",
-        "-bordercolor",
-        "white",
-        "-border",
-        "8",
-        "+dither",
-        "-colors",
-        "64",
-        "-strip",
-    ]
-    subprocess.run(
-        ["convert", f"{page}.png", *trim, "-define", "png:exclude-chunks=date,time", str(target)], check=True
-    )
+def drawing(name: str) -> Image.Image:
+    """A template a sixth of its way into the sweep, where its links stand apart, as its workbook draws it."""
+    mechanism, motion = load(TEMPLATES / f"{name}.toml"), mechsheet.template(name).solve()
+    values = motion[mechanism.driver.symbol][motion.exists]
+    with tempfile.TemporaryDirectory() as folder:
+        found = plot(mechanism, Path(folder) / "drawing.png", at=float(values[len(values) // 6]))
+        return Image.open(found).convert("RGB").resize((DRAWN, DRAWN), Image.Resampling.LANCZOS)
+
+
+def page(pdf: Path, number: int, dpi: int, part: Corner | None = None) -> Image.Image:
+    """A page of a PDF without its margins and its footer; or a part of it."""
+    target = pdf.with_name(f"page-{number}")
+    one = ["-f", str(number), "-l", str(number), "-singlefile", "-png"]
+    subprocess.run(["pdftoppm", "-r", str(dpi), *one, str(pdf), str(target)], check=True)
+    whole = Image.open(f"{target}.png").convert("RGB")
+    printed = trimmed(whole.crop((0, 0, whole.width, round(whole.height * (1 - FOOTER)))))
+    if part:
+        size = (printed.width, printed.height) * 2
+        printed = trimmed(printed.crop(tuple(round(a * b) for a, b in zip(part, size, strict=True))))  # type: ignore[arg-type]
+    return ImageOps.expand(printed, BORDER, "white")
+
+
+def trimmed(image: Image.Image) -> Image.Image:
+    """Without the white around it."""
+    return image.crop(ImageChops.difference(image, Image.new("RGB", image.size, "white")).getbbox())
 
 
 def page_of(pdf: Path, sheet: str) -> int:
@@ -55,45 +71,61 @@ def page_of(pdf: Path, sheet: str) -> int:
     return next(number for number, page in enumerate(text.split("\f"), 1) if f"{sheet}, {number} /" in page)
 
 
-def parts_of_the_workbook(four_bar: Path, pump: Path) -> None:
-    """The pictures of docs/workbook.md."""
-    pages = {"positions": "Positions", "checks": "Checks", "notes": "Notes"}
-    picture(four_bar, PICTURES / "workbook-mechanism.png", 100)
-    picture(four_bar, PICTURES / "workbook-blocks.png", 150, corner="northwest", part="38%x100%")
-    picture(four_bar, PICTURES / "workbook-charts.png", 120, corner="northeast", part="61%x90%")
-    for name, sheet in pages.items():
-        picture(four_bar, PICTURES / f"workbook-{name}.png", 110, page_of(four_bar, sheet))
-    picture(pump, PICTURES / "workbook-table.png", 100, page_of(pump, "Table s15"))
+class Prints:
+    """What LibreOffice prints of the workbooks of docs/workbook.md, each made when it is first asked for."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.made: dict[tuple[str, str], Path] = {}
+
+    def pdf(self, name: str, layout: str) -> Path:
+        """A template's workbook, in English, as it is printed."""
+        if (name, layout) not in self.made:
+            target = self.folder / f"{name}-{layout}.xlsx"
+            books = build(load(TEMPLATES / f"{name}.toml", language="en"), target, layout=layout)
+            self.made[name, layout] = convert_with_libreoffice(books, "pdf", self.folder)[0]
+        return self.made[name, layout]
+
+    def sheet(self, sheet: str, dpi: int, part: Corner | None = None, name: str = "four-bar") -> Image.Image:
+        """The first page of a sheet."""
+        pdf = self.pdf(name, "sheets")
+        return page(pdf, page_of(pdf, sheet), dpi, part)
+
+    def opened(self) -> Image.Image:
+        """The four-bar on the screen, in its sixth position."""
+        target = self.folder / "opened.ods"
+        return screenshot(build(load(TEMPLATES / "four-bar.toml"), target)[0], clicks=5)
+
+
+def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
+    """Every picture: its name, and what makes it."""
+    for template in sorted(TEMPLATES.glob("*.toml")):
+        yield template.stem, lambda name=template.stem: drawing(name)  # type: ignore[misc]
+    yield "opened", prints.opened
+    yield "workbook-blocks", lambda: prints.sheet("Mechanism", 150, (0, 0, 0.385, 1))
+    yield "workbook-charts", lambda: prints.sheet("Mechanism", 120, (0.395, 0.06, 1, 0.75))
+    yield "workbook-positions", lambda: prints.sheet("Positions", 110)
+    yield "workbook-checks", lambda: prints.sheet("Checks", 110)
+    yield "workbook-notes", lambda: prints.sheet("Notes", 110)
+    yield "workbook-table", lambda: prints.sheet("Table s15", 100, name="adjustable-pump")
+    yield "workbook-page", lambda: page(prints.pdf("four-bar", "page"), 1, 120)
+
+
+def save(image: Image.Image, name: str) -> None:
+    """As a PNG of few colours; the same picture gives the same bytes."""
+    codes = np.asarray(image, dtype=np.int32) @ np.array([65536, 256, 1], dtype=np.int32)
+    few_colors([codes], COLORS, APART)[0].save(PICTURES / f"{name}.png", optimize=True)
 
 
 def main() -> None:
-    """Build every template, take its picture, write the gallery, and draw the four-bar in motion."""
-    plot(load(ROOT / "templates" / "four-bar.toml"), PICTURES / "four-bar.gif")
-    templates = sorted((ROOT / "templates").glob("*.toml"))
-    rows = ["| mechanism | first sheet | source | worst difference to the reference |", "|---|---|---|---|"]
+    """All pictures, or those that are named."""
+    names = set(sys.argv[1:])
+    if not names or "motion" in names:
+        plot(load(TEMPLATES / "four-bar.toml"), PICTURES / "four-bar.gif")
     with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
-        mechanisms = [load(template) for template in templates]
-        books = [path for mechanism in mechanisms for path in build(mechanism, place)]
-        pages = convert_with_libreoffice(books, "pdf", place)
-        for mechanism, book, page in zip(mechanisms, books, pages, strict=True):
-            picture(page, PICTURES / f"{mechanism.name}.png", 130 if mechanism.name == "four-bar" else 70)
-            report = check(book)
-            worst = next(item.worst for item in report.comparisons if item.judge == "reference")
-            image = f"![{mechanism.title.en}](docs/pictures/{mechanism.name}.png)"
-            link = f"[{mechanism.title.en}](templates/{mechanism.name}.toml)"
-            rows.append(f"| {link} | {image} | {mechanism.source.en} | {worst:.0e} |")
-        opened = build(load(ROOT / "templates" / "four-bar.toml"), place, ["ods"])[0]
-        screenshot(opened, PICTURES / "opened.png", clicks=5)
-        pump = build(load(ROOT / "templates" / "adjustable-pump.toml", language="en"), place)
-        four_bar = next(page for page in pages if page.stem == "four-bar")
-        parts_of_the_workbook(four_bar, convert_with_libreoffice(pump, "pdf", place)[0])
-    readme = ROOT / "README.md"
-    text = readme.read_text(encoding="utf-8")
-    before, rest = text.split(START)
-    after = rest.split(END)[1]
-    gallery = "\n".join(rows)
-    readme.write_text(f"{before}{START}\n{gallery}\n{END}{after}", encoding="utf-8")
+        for name, make in wanted(Prints(Path(folder))):
+            if not names or name in names:
+                save(make(), name)
 
 
 if __name__ == "__main__":

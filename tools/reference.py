@@ -1,4 +1,4 @@
-"""Write the pages of docs that follow from the code: the command line, the keys of a description, the library.
+"""Write the pages of docs that follow from the code: the command line, the keys, the library, the gallery of templates.
 
 `make reference`; a test holds the pages up to date.
 """
@@ -27,8 +27,12 @@ from mechsheet.description.schema import (
     Words,
     YesNo,
 )
+from mechsheet.library.building import FORMATS
 
 DOCS = Path(__file__).parent.parent / "docs"
+TEMPLATES = DOCS.parent / "templates"
+ACROSS = 3
+"""Pictures in a row of the gallery."""
 WIDTH = 92
 NOTE = "<!-- made by `make reference`: change the code, not this page -->\n"
 
@@ -188,7 +192,39 @@ def _docstring(thing: object) -> str:
     return f"```text\n{text}\n```\n"
 
 
-PAGES = {"command-line.md": command_line, "keys.md": keys, "library.md": library}
+def gallery() -> str:
+    """Every template: its picture, what it is (the first words of its description), its files."""
+    cells = [_template(path) for path in sorted(TEMPLATES.glob("*.toml"))]
+    cells += [""] * (-len(cells) % ACROSS)
+    rows = [f"| {' | '.join(cells[at : at + ACROSS])} |" for at in range(0, len(cells), ACROSS)]
+    parts = [
+        NOTE,
+        "# Gallery\n",
+        "Every mechanism below comes with mechsheet: `mechsheet new NAME` writes its description, `mechsheet build` the "
+        "workbook of it. The workbooks are ready, too: download one and open it, nothing needs to be installed. "
+        "*Page* is the same on [one sheet](workbook.md#one-sheet).\n",
+        "|" + " |" * ACROSS,
+        "|" + "---|" * ACROSS,
+        *rows,
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _template(path: Path) -> str:
+    """A cell of the gallery."""
+    comment = path.read_text(encoding="utf-8").partition("\n# ")[2].partition("\n#\n")[0].replace("\n#", "")
+    name, files = path.stem, [("description", f"../templates/{path.name}")]
+    for layout, label in (("", ""), ("-page", "page ")):
+        files += [
+            (f"{label}{ending}", f"../generated/{name}{layout}.{ending}")
+            for ending in FORMATS
+            if (DOCS.parent / "generated" / f"{name}{layout}.{ending}").exists()
+        ]
+    links = " · ".join(f"[{label}]({target})" for label, target in files)
+    return f"![{name}](pictures/{name}.png)<br>**{name}**<br>{comment}<br>{links}"
+
+
+PAGES = {"command-line.md": command_line, "gallery.md": gallery, "keys.md": keys, "library.md": library}
 
 
 def main() -> None:

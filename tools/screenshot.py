@@ -1,6 +1,6 @@
 """A picture of a workbook as it opens in LibreOffice, after some clicks on its scroll bar.
 
-Needs LibreOffice, Xvfb, xdotool and ImageMagick (apt-get install libreoffice-calc xvfb xdotool imagemagick).
+Needs LibreOffice, Xvfb and xdotool (apt-get install libreoffice-calc xvfb xdotool).
 """
 
 from __future__ import annotations
@@ -11,16 +11,18 @@ import tempfile
 import time
 from pathlib import Path
 
+from PIL import Image, ImageGrab
+
 DISPLAY = ":87"
-SIZE = (1600, 1000)
+SIZE = (1366, 768)
+"""The screen of a small notebook: what a class sees without scrolling."""
 START = 30
 """Seconds until LibreOffice shows the sheet, on a slow machine."""
-ARROW = (1174, 180)
+ARROW = (1174, 195)
 """Where the right arrow of the scroll bar is, in pixels."""
-COLORS = 96
 
 
-def screenshot(workbook: Path, target: Path, clicks: int) -> None:
+def screenshot(workbook: Path, clicks: int) -> Image.Image:
     """Open a workbook in a window of its own, click the scroll bar's arrow `clicks` times, take the picture."""
     environment = os.environ | {"DISPLAY": DISPLAY}
     screen = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24"], stderr=subprocess.DEVNULL)
@@ -31,7 +33,7 @@ def screenshot(workbook: Path, target: Path, clicks: int) -> None:
             command = ["soffice", profile, "--norestore", "--nologo", "--nofirststartwizard", str(workbook)]
             office = subprocess.Popen(command, env=environment, stderr=subprocess.DEVNULL, start_new_session=True)
             try:
-                _take(environment, target, clicks)
+                return _taken(environment, clicks)
             finally:
                 os.killpg(office.pid, 15)
                 office.wait()
@@ -40,7 +42,7 @@ def screenshot(workbook: Path, target: Path, clicks: int) -> None:
         screen.wait()
 
 
-def _take(environment: dict[str, str], target: Path, clicks: int) -> None:
+def _taken(environment: dict[str, str], clicks: int) -> Image.Image:
     def run(*command: str) -> None:
         subprocess.run(command, env=environment, check=True)
 
@@ -49,7 +51,6 @@ def _take(environment: dict[str, str], target: Path, clicks: int) -> None:
     for _ in range(clicks):
         run("xdotool", "mousemove", str(ARROW[0]), str(ARROW[1]), "click", "1")
         time.sleep(1)
-    run("xdotool", "mousemove", "700", "900")
+    run("xdotool", "mousemove", "700", "700")
     time.sleep(3)
-    few = ["-depth", "8", "+dither", "-colors", str(COLORS), "-strip", "-define", "png:exclude-chunks=date,time"]
-    run("import", "-window", "root", *few, str(target))
+    return ImageGrab.grab(xdisplay=DISPLAY)

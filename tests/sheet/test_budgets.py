@@ -1,80 +1,63 @@
-"""The workbook stays small: cells, columns, and formulas short enough to be read."""
-
-from dataclasses import replace
-from functools import cache
+"""The workbook stays small: cells, columns, files, and formulas short enough to be read."""
 
 import pytest
-from claims import ROOT
+from budgets import (
+    ALL,
+    BESIDE,
+    ELSEWHERE,
+    FOUR_BAR,
+    FOUR_BAR_COLUMNS,
+    IN_TABLE,
+    KILOBYTES,
+    LARGE_BESIDE_FEW_ROWS,
+    ROOT,
+    SHARE,
+    TEMPLATES,
+    compiled,
+    size_of,
+)
 
-from mechsheet.description import load
-from mechsheet.formula.nodes import Call, Node, children
-from mechsheet.formula.printer import print_formula
-from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.layout import lay_out
+from chosen import some
 from mechsheet.sheet.table.positions import heading
 
-TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
-POSITIONS = {"names": 120, "anchors": 195}
-"""Characters of the longest formula of a cell of the table."""
 
-ELSEWHERE = 460
-LARGE_BESIDE_FEW_ROWS = {"fivelink", "adjustable-pump", "cylinder-boom"}
-"""Of 19 and 31 rows: what does not grow with the rows (drawing, extremes) is more than half."""
-
-
-@cache
-def laid(name, references="names"):
-    mechanism = replace(load(ROOT / f"templates/{name}.toml"), references=references)
-    return lay_out(mechanism, solve(mechanism))
-
-
-def cells(sheet):
-    return sum(fill.rows * fill.cols for fill in sheet.fills)
-
-
-def nested_ifs(node: Node) -> int:
-    below = max(map(nested_ifs, children(node)), default=0)
-    return below + (isinstance(node, Call) and node.name == "IF")
-
-
-def test_four_bar():
-    workbook, plan = laid("four-bar")
-    assert sum(map(cells, workbook.sheets)) <= 1500
-    assert len(plan.columns) <= 19
+@pytest.mark.parametrize(("layout", "references"), FOUR_BAR)
+def test_four_bar(layout, references):
+    """The template has anchors, the smallest form has names, and both have a budget."""
+    size = size_of(compiled("four-bar", layout, references))
+    assert size.cells <= FOUR_BAR[layout, references]
+    assert size.columns <= FOUR_BAR_COLUMNS[layout]
 
 
 def test_all_templates():
-    assert sum(cells(sheet) for name in TEMPLATES for sheet in laid(name)[0].sheets) <= 130_000
+    assert sum(size_of(compiled(name)).cells for name in TEMPLATES) <= ALL
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_cells_beside_the_table(name):
-    workbook, plan = laid(name)
-    table = cells(workbook.sheet(plan.table))
-    tables = sum(cells(sheet) for sheet in workbook.sheets if sheet.title.startswith(plan.text("sheet.table")))
-    most = 2.5 * table + (650 if name in LARGE_BESIDE_FEW_ROWS else 500)
-    assert sum(map(cells, workbook.sheets)) - tables <= most
+    size = size_of(compiled(name))
+    assert size.cells - size.two_way <= SHARE * size.table + LARGE_BESIDE_FEW_ROWS.get(name, BESIDE)
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_no_heading_stands_over_two_columns(name):
-    _, plan = laid(name)
+    plan = compiled(name).plan
     heads = [str(getattr(head, "plain", head)) for head in (heading(plan, column) for column in plan.columns)]
     assert len(set(heads)) == len(heads)
 
 
-@pytest.mark.parametrize("references", POSITIONS)
-@pytest.mark.parametrize("name", TEMPLATES)
+FORMS = [(name, "names") for name in TEMPLATES] + [(name, "anchors") for name in some(TEMPLATES, 2)]
+"""Pages: see page/test_page.py."""
+
+
+@pytest.mark.parametrize(("name", "references"), FORMS)
 def test_formulas_are_short(name, references):
-    workbook, plan = laid(name, references)
-    outputs = {plan.at.spots[output.symbol].col for output in plan.mechanism.outputs}  # as long as the description's
-    for sheet in workbook.sheets:
-        if sheet.title.startswith(plan.text("sheet.table")):
-            continue
-        for fill in sheet.fills:
-            if sheet.title == plan.table and fill.col in outputs:
-                continue
-            text = print_formula(fill.formula, "excel")
-            most = POSITIONS[references] if sheet.title == plan.table else ELSEWHERE
-            assert len(text) <= most, (sheet.title, fill.row, fill.col, len(text), text)
-            assert sheet.title != plan.table or nested_ifs(fill.formula) <= 1, text
+    size = size_of(compiled(name, "sheets", references))
+    assert size.longest <= IN_TABLE["sheets", references]
+    assert size.elsewhere <= ELSEWHERE["sheets"]
+    assert size.ifs <= 1
+
+
+@pytest.mark.parametrize("name", KILOBYTES)
+def test_files_are_small(name):
+    assert (ROOT / "generated" / name).stat().st_size <= 1000 * KILOBYTES[name]

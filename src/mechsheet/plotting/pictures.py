@@ -74,7 +74,7 @@ def png(scene: Scene, title: str) -> bytes:
 def gif(scenes: Sequence[Scene], title: str) -> bytes:
     """An animation of 400 x 400 pixels that starts again at its end. Raises MissingProgramError."""
     with _settings():
-        frames = _few_colors([_pixels(scene) for scene in scenes])
+        frames = few_colors([_pixels(scene) for scene in scenes])
     file = io.BytesIO()
     frames[0].save(
         file,
@@ -138,7 +138,7 @@ def _pixels(scene: Scene) -> Codes:
     return channels[..., 0] << 16 | channels[..., 1] << 8 | channels[..., 2]
 
 
-def _few_colors(frames: Sequence[Codes]) -> list[Image]:
+def few_colors(frames: Sequence[Codes], most: int = COLORS, apart: int = APART) -> list[Image]:
     """All frames in one palette: then a frame of the file holds only what has changed since the one before.
 
     The palette takes the most frequent colours that are not too much alike; every other becomes the nearest of these.
@@ -149,7 +149,7 @@ def _few_colors(frames: Sequence[Codes]) -> list[Image]:
     colors = np.column_stack([found >> 16, found >> 8 & 255, found & 255])
     chosen: list[int] = []
     for index in np.argsort(-counts, kind="stable"):
-        if len(chosen) < COLORS and all(np.abs(colors[index] - colors[other]).max() >= APART for other in chosen):
+        if len(chosen) < most and all(np.abs(colors[index] - colors[other]).max() >= apart for other in chosen):
             chosen.append(int(index))
     distances = np.stack([((colors - colors[index]) ** 2).sum(axis=1) for index in chosen])
     nearest = distances.argmin(axis=0).astype(np.uint8)

@@ -157,15 +157,10 @@ def test_formulas_are_those_of_the_blackboard():
     assert found[7] == f"E{row}-$B$12*F{row}"
 
 
-def test_budgets():
-    page = Page(text_of("four-bar"))
-    assert sum(fill.rows * fill.cols for fill in page.sheet.fills) <= 420
-    assert 8 <= len(page.plan.columns) <= 15
-
-
 @pytest.mark.parametrize("name", TEMPLATES)
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_formulas_are_short(name, language):
+    """So many characters as tests/sheet/budgets.py grants."""
     page = Page(text_of(name), language)
     for fill in page.sheet.fills:
         length = len(print_formula(fill.formula))

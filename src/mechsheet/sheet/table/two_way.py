@@ -45,7 +45,7 @@ TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range
 """Rows of the sheet: the head is row 7, the first values stand in row 8."""
 
 WIDTH, HEIGHT = 620, 400
-CHART_COLUMNS, CHART_ROWS = 11, 21
+CHART_COLUMNS, CHART_ROWS = 11, 24
 """What the chart covers; helper blocks stand to the right of it."""
 
 ABOVE, START, FIRST_DRIVER = "{symbol} above", "{symbol} start", "first driver"

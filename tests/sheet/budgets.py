@@ -1,0 +1,122 @@
+"""How large a workbook is, for a person who has to read it: formulas, columns, lengths; and what each may come to.
+
+Counted on the workbook as it is laid out. `benchmarks/bench_budgets.py` prints the table of all templates,
+`test_budgets.py` holds the budgets.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+
+from mechsheet.compiled import Compiled
+from mechsheet.description import load
+from mechsheet.formula.nodes import Call, Node, children
+from mechsheet.formula.printer import print_formula
+from mechsheet.model import Mechanism
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.workbook import Fill, Sheet
+
+ROOT = Path(__file__).parents[2]
+TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
+PAGES = ("adjustable-pump", "fivelink", "four-bar", "slider-crank")
+"""Templates that are generated in both layouts."""
+
+FOUR_BAR = {("sheets", "names"): 1_490, ("sheets", "anchors"): 1_520, ("page", "anchors"): 420}
+"""Formulas of a four-bar of 25 rows. Its template has anchors: there a constant is a cell, a named one is typed in."""
+
+FOUR_BAR_COLUMNS = {"sheets": 19, "page": 15}
+ALL = 95_000
+"""Formulas of all templates together, as they are described."""
+
+BESIDE, SHARE = 500, 2.5
+"""Formulas but two-way tables are at most so many, and so many times those of Positions."""
+
+LARGE_BESIDE_FEW_ROWS = {"fivelink": 650, "adjustable-pump": 650, "cylinder-boom": 650}
+"""Of 19 and 31 rows: what does not grow with the rows (drawing, extremes) is more than half."""
+
+IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
+"""Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
+
+ELSEWHERE = {"sheets": 460, "page": 400}
+KILOBYTES = {"four-bar.xlsx": 70, "four-bar-page.xlsx": 30}
+"""Of the files in generated/."""
+
+
+@dataclass(frozen=True)
+class Size:
+    """Of one workbook.
+
+    cells       formulas of all sheets
+    two_way     those of two-way tables
+    table       those of the table of positions
+    columns     columns of that table
+    longest     characters of its longest formula; outputs, which are as long as the description has them, left out
+    elsewhere   characters of the longest formula of the other sheets, and on a page beside the table; no two-way tables
+    ifs         how deep IF stands in IF in the table
+    """
+
+    cells: int
+    two_way: int
+    table: int
+    columns: int
+    longest: int
+    elsewhere: int
+    ifs: int
+
+
+def compiled(name: str, layout: str = "sheets", references: str = "") -> Compiled:
+    """A template in a layout, its references as it has them (on a page: anchors) or as given."""
+    own = "anchors" if layout == "page" else _described(name).references
+    return _compiled(name, layout, references or own)
+
+
+@cache
+def _described(name: str) -> Mechanism:
+    return load(ROOT / f"templates/{name}.toml")
+
+
+@cache
+def _compiled(name: str, layout: str, references: str) -> Compiled:
+    return Compiled(replace(_described(name), layout=layout, references=references))
+
+
+@cache
+def size_of(found: Compiled) -> Size:
+    """The sizes of a workbook. An output of the description is as long as its expression there."""
+    plan, sheets = found.plan, found.layout.sheets
+    outputs = {plan.at.spots[output.symbol].col for output in plan.mechanism.outputs}
+    two_way = [sheet for sheet in sheets if sheet.title.startswith(plan.text("sheet.table"))]
+    fills = [(sheet, fill) for sheet in sheets if sheet not in two_way for fill in sheet.fills]
+    table = [fill for sheet, fill in fills if _in_table(plan, sheet, fill)]
+    others = [fill for sheet, fill in fills if not _in_table(plan, sheet, fill)]
+    return Size(
+        cells=sum(map(cells, sheets)),
+        two_way=sum(map(cells, two_way)),
+        table=sum(fill.rows * fill.cols for fill in table),
+        columns=len(plan.columns),
+        longest=max(length(fill) for fill in table if fill.col not in outputs),
+        elsewhere=max(map(length, others)),
+        ifs=max(_nested_ifs(fill.formula) for fill in table if fill.col not in outputs),
+    )
+
+
+def cells(sheet: Sheet) -> int:
+    """Formula cells of a sheet."""
+    return sum(fill.rows * fill.cols for fill in sheet.fills)
+
+
+def length(fill: Fill) -> int:
+    """Characters of a formula as Excel shows it."""
+    return len(print_formula(fill.formula, "excel"))
+
+
+def _in_table(plan: Plan, sheet: Sheet, fill: Fill) -> bool:
+    rows = range(plan.at.first, plan.at.last + 1)
+    return sheet.title == plan.table and fill.row in rows and fill.col <= max(column.col for column in plan.columns)
+
+
+def _nested_ifs(node: Node) -> int:
+    below = max(map(_nested_ifs, children(node)), default=0)
+    return below + (isinstance(node, Call) and node.name == "IF")
