@@ -38,6 +38,7 @@ from mechsheet.sheet import styles  # noqa: E402
 from mechsheet.sheet.checks.geometry import distance  # noqa: E402
 from mechsheet.sheet.layout import lay_out  # noqa: E402
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW  # noqa: E402
+from mechsheet.sheet.symbols import plain  # noqa: E402
 from mechsheet.sheet.workbook import Fill, Sheet  # noqa: E402
 from random_mechanisms import Grower  # noqa: E402
 
@@ -479,7 +480,7 @@ class _Judge:
         if not self.truth.count:
             loops = [f"grashof_{loop.group}" for loop in self.found.four_bars]
             for key in self.found.entries:
-                if key not in ("rows_closed", "input_from", *loops):
+                if key not in ("inputs", "rows_closed", "input_from", *loops):
                     self.say(
                         "nothing else said where nothing closes",
                         not self.sheets.words(key),
@@ -509,11 +510,13 @@ class _Judge:
     def wrong_inputs(self):
         spots = self.plan.at.spots
         for symbol, value in self.inputs.items():
-            if symbol in self.plan.equations.positive and not (isinstance(value, float) and value > 0):
+            if not isinstance(value, float):
+                return True
+            if symbol in self.plan.equations.positive and not value > 0:
                 return True
             if symbol in {group.mode for group in self.plan.equations.groups} and value not in (1.0, -1.0):
                 return True
-            if symbol == "#position" and not (isinstance(value, float) and value in range(self.plan.rows)):
+            if symbol == "#position" and value not in range(self.plan.rows):
                 return True
             assert symbol in spots
         return False
@@ -524,9 +527,11 @@ class _Judge:
             self.say("wrong input: no row closes", sheets.of("rows_closed") == 0.0, sheets.of("rows_closed"))
         self.say("wrong input: red", sheets.colour(VERDICT_ROW, 0) == "red", sheets.colour(VERDICT_ROW, 0))
         line = sheets.cell(VERDICT_ROW, 0)
-        self.say(
-            "wrong input: words", isinstance(line, str) and line.startswith(self.verdict("line.inputs")[:12]), line
-        )
+        symbol = next(iter(self.inputs))
+        name = self.text("name.position") if symbol == "#position" else plain(symbol)
+        self.say("wrong input: words", line == self.verdict("inputs.wrong", symbol=name), line)
+        spot = self.plan.at.spots[symbol]
+        self.say("wrong input: red cell", sheets.colour(spot.row, spot.col) == "red", symbol)
 
     def no_errors_in_words(self):
         sheets = self.sheets
