@@ -201,18 +201,16 @@ def status(plan: PagePlan) -> Node:
         return formula('IF(closes,"",words)', closes=closing[0], words=words)
     numbers = [group.number for group in groups]
     first: Node = first_open(closing)
-    plain = numbers == list(range(1, len(numbers) + 1))
-    said = formula("words&first", words=plan.text("page.open.group"), first=first)
     if any(group.only_undetermined for group in groups):
         keys = ["page.undetermined.group" if group.only_undetermined else "page.open.group" for group in groups]
-        texts = [Text(f"{plan.text(key)}{number}") for key, number in zip(keys, numbers, strict=True)]
-        said = Call("CHOOSE", (first, *texts))
-    elif not plain:
+        texts = [f"{plan.text(key)}{number}" for key, number in zip(keys, numbers, strict=True)]
+        return Call("CHOOSE", (first, *map(Text, texts), Text("")))
+    if numbers != list(range(1, len(numbers) + 1)):
         first = Call("CHOOSE", (first, *(Number(float(number)) for number in numbers)))
-        said = formula("words&first", words=plan.text("page.open.group"), first=first)
     return formula(
-        'IF(counted=count,"",said)', counted=Call("COUNT", tuple(values)), count=float(len(values)), said=said
-    )
+        'IF(counted=count,"",words&first)',
+        counted=Call("COUNT", tuple(values)), count=float(len(values)), words=plan.text("page.open.group"), first=first,
+    )  # fmt: skip
 
 
 def _text(content: Rich | str) -> str:
