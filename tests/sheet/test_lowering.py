@@ -109,10 +109,16 @@ def test_direction_begins_anew_after_rows_without_a_position():
 
 @pytest.mark.parametrize(
     ("typed", "named"),
-    [({"a3": 0}, "a₃"), ({"a2": -35}, "a₂"), ({"a1": None}, "a₁"), ({"mode_1": 2}, "mode₁"), ({"mode_1": 0.5}, "mode₁")],
+    [
+        ({"a3": 0}, "a₃"),
+        ({"a2": -35}, "a₂"),
+        ({"a1": None}, "a₁"),
+        ({"mode_1": 2}, "mode₁"),
+        ({"mode_1": 0.5}, "mode₁"),
+    ],
 )
 def test_no_row_claims_a_position_for_inputs_that_cannot_be(typed, named):
-    """An emptied cell, a length of 0 or less between joints, an assembly that is none: no row closes, and the line says why."""
+    """An emptied cell, a length of 0 between joints, an assembly that is none: no row closes, and the line says why."""
     laid = Laid(FOUR_BAR)
     symbols = {"mode_1": laid.plan.equations.groups[0].mode}
     laid.change(**{symbols.get(name, name): value for name, value in typed.items()})

@@ -1,8 +1,9 @@
 """The verdicts of the first sheet against a search in Python that reads no formula (`kinematics.search`).
 
-What the sheet finds by probes beside the rows is found here by many places and narrowing. A limit is right to 1e-4 of a step,
-an extreme to 1e-4 of its range; where the sheet itself says "about", or a group nearly comes apart, less is asked. What the
-sheet warns of (a gap between rows, links that turn far in one step) is compared as a warning, and nothing that hangs on it.
+What the sheet finds by probes beside the rows is found here by many places and narrowing. A limit is right to 1e-4 of a
+step, an extreme to 1e-4 of its range; where the sheet itself says "about", or a group nearly comes apart, less is asked.
+What the sheet warns of (a gap between rows, links that turn far in one step) is compared as a warning, and nothing that hangs
+on it.
 """
 
 from __future__ import annotations
@@ -88,13 +89,13 @@ class _Judge:
             return self.tally.result()
         self._number("inputs", [0.0])
         self._number("rows_closed", [float(self.search.count)])
-        self._line()
         for loop in self.plan.found.four_bars:
             self._grashof(loop)
         for group in self.plan.found.transmission:
             self._transmission(group)
         if not self.page:
             self._motion()
+        self._line()  # last: it repeats the others
         return self.tally.result()
 
     def _motion(self) -> None:
@@ -109,7 +110,7 @@ class _Judge:
             gap = self._found("largest_gap")
             small = isinstance(gap, float) and gap <= GAP * search.size
             self._note("largest_gap", 0.0 if small else math.inf, 0.0)
-        if self.sure or self.leaps and not (search.holes or search.doubtful):
+        if self.sure or (self.leaps and not (search.holes or search.doubtful)):
             self._warns("leaps", self.leaps)
         for link in found.swings:
             self._extent(f"swing_{link.angle_symbol}", link.angle_symbol, self.angle_scale)
@@ -146,11 +147,11 @@ class _Judge:
         if not expected:
             self._note(key, math.inf if isinstance(found, float) else 0.0, "no number")
             return
-        nearest = expected[0]
+        nearest = float(expected[0])
         apart = math.inf
         if isinstance(found, float):
-            nearest = min(expected, key=lambda one: abs(one - found))
-            apart = EXACT * abs(found - nearest) / allowed
+            nearest = float(min(expected, key=lambda one: abs(one - found)))
+            apart = float(EXACT * abs(found - nearest) / allowed)
         self._note(key, apart, nearest)
 
     def _warns(self, key: str, expected: bool) -> None:
@@ -164,7 +165,10 @@ class _Judge:
         """The line under the title: in how many rows it closes."""
         plan, search = self.plan, self.search
         line = str(self._found("verdict"))
-        aside = [plan.text("verdict.inputs.wrong", symbol=plan.text("name.position")), plan.text("verdict.inputs.misfit")]
+        aside = [
+            plan.text("verdict.inputs.wrong", symbol=plan.text("name.position")),
+            plan.text("verdict.inputs.misfit"),
+        ]
         if line in aside:  # the position shown is none: nothing about the motion
             return
         some = f"{search.count} / {search.rows}"
@@ -178,7 +182,7 @@ class _Judge:
         else:
             expected = some
             right = sorted(map(int, _NUMBER.findall(line)[:2])) == sorted((search.count, search.rows))
-        self._note("verdict", 0.0 if right else math.inf, expected)
+        self._note("verdict", 0.0 if right else 1.0, expected)
 
     def _limits(self) -> None:
         limits = self.search.limits()
@@ -258,8 +262,8 @@ class _Judge:
         self._number(key, ratios, (ABOUT if self._about(key) else 20 * EXACT) * min(ratios))
 
     def _ties(self, symbol: str, best: float, span: float) -> Array:
-        """Places of the grid that are as good as the best."""
-        near = self.search.u[np.abs(self.search.at[symbol] - best) < 2 * EXACT * span]
+        """Places of the grid that are as good as the best, on both sides of a flat extreme."""
+        near = self.search.u[np.abs(self.search.at[symbol] - best) < EXACT / 10 * span]
         return near[:: max(1, len(near) // 20)]
 
     def _transmission(self, group: Group) -> None:

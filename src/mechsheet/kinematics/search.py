@@ -182,8 +182,8 @@ class Search:
 
     def limits(self) -> list[tuple[int, list[float]]]:
         """(row before, possible places) for each change between neighbouring rows."""
-        rows = np.flatnonzero(self.row_there[1:] != self.row_there[:-1]) + 1
-        return [(int(row), self.edges_between(row, row + 1)) for row in rows]
+        rows = map(int, np.flatnonzero(self.row_there[1:] != self.row_there[:-1]) + 1)
+        return [(row, self.edges_between(row, row + 1)) for row in rows]
 
     def edges_between(self, row: float, other: float) -> list[float]:
         """Edges between two rows."""

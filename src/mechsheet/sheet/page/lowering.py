@@ -106,7 +106,9 @@ class _Lowering:
         match expression:
             case Direction(y, x):
                 raw = al.atan2(x, y)
-                apart = [Condition(self._seen(each.margin), each.least) for each in pins_apart(self.equations, equation)]
+                apart = [
+                    Condition(self._seen(each.margin), each.least) for each in pins_apart(self.equations, equation)
+                ]
                 self._add(equation, guarded(apart, raw), expression, continuous=not self._stays(raw))
             case TriangleAngle(opposite, beside, other):
                 angle = _inverse("ACOS", al.triangle_cosine(opposite, beside, other))

@@ -221,7 +221,9 @@ class Top:
         """Whether the position that is drawn is a row of the table."""
         if not self.plan.drawn:
             return formula("TRUE")
-        return formula("AND(ISNUMBER(_position),INT(N(_position))=_position,_position>=0,_position<rows)", rows=self._rows)
+        return formula(
+            "AND(ISNUMBER(_position),INT(N(_position))=_position,_position>=0,_position<rows)", rows=self._rows
+        )
 
     @property
     def _rows(self) -> CellRef:

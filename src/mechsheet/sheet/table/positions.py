@@ -15,7 +15,6 @@ from mechsheet.formula.nodes import (
     Number,
     RangeRef,
     Symbol,
-    Text,
     Unary,
     shifted,
     transform,
