@@ -2,8 +2,8 @@
 
 What the sheet finds by probes beside the rows is found here by many places and narrowing. A limit is right to 1e-4 of a
 step, an extreme to 1e-4 of its range; where the sheet itself says "about", or a group nearly comes apart, less is asked.
-What the sheet warns of (a gap between rows, links that turn far in one step) is compared as a warning, and nothing that hangs
-on it.
+What the sheet warns of (a gap between rows, links that turn far in one step) is compared as a warning, and nothing that
+hangs on it.
 """
 
 from __future__ import annotations
@@ -258,12 +258,11 @@ class _Judge:
                 way = abs(other - one) * abs(search.step) % TURN
                 if 0 < way < TURN:
                     ratios.append(max(way, TURN - way) / min(way, TURN - way))
-        # a place is known to the square root of what its value is: flat extremes
         self._number(key, ratios, (ABOUT if self._about(key) else 20 * EXACT) * min(ratios))
 
     def _ties(self, symbol: str, best: float, span: float) -> Array:
-        """Places of the grid that are as good as the best, on both sides of a flat extreme."""
-        near = self.search.u[np.abs(self.search.at[symbol] - best) < EXACT / 10 * span]
+        """Places of the grid that are as good as the best by `EXACT`: an extreme is flat, and its place less sure than it."""
+        near = self.search.u[np.abs(self.search.at[symbol] - best) < EXACT * span]
         return near[:: max(1, len(near) // 20)]
 
     def _transmission(self, group: Group) -> None:
