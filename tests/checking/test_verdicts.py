@@ -74,7 +74,7 @@ def test_a_wrong_verdict_is_found(key, by, typed):
 
 
 def test_check_reports_a_verdict_that_was_typed_over(tmp_path):
-    """The cell, what it says, and what is true; the words under the title, too."""
+    """The cell, what it says, and what is true."""
     workbook, plan = laid_out("four-bar")
     spot = plan.at.spots["#verdict"]
     cell, said = cell_address(spot.sheet, spot.row, spot.col), "closes in all 24 positions"

@@ -261,7 +261,7 @@ class _Judge:
         self._number(key, ratios, (ABOUT if self._about(key) else 20 * EXACT) * min(ratios))
 
     def _ties(self, symbol: str, best: float, span: float) -> Array:
-        """Places of the grid that are as good as the best by `EXACT`: an extreme is flat, and its place less sure than it."""
+        """Places of the grid that are as good as the best by `EXACT`: a flat extreme's place is less sure than its value."""
         near = self.search.u[np.abs(self.search.at[symbol] - best) < EXACT * span]
         return near[:: max(1, len(near) // 20)]
 
