@@ -33,7 +33,7 @@ EXACT = 1e-4
 """So much of a step a limit may be off, of its range an extreme."""
 
 ABOUT = 5e-2
-"""The same where the sheet says "about", or a group nearly comes apart."""
+"""The same where the sheet says "about", or a group nearly comes apart; then a limit need only lie in its step."""
 
 GAP = 1e-9
 """A gap of a joint, as a part of the size, that is nothing but rounding."""
@@ -79,7 +79,8 @@ class _Judge:
         self.driver_scale = math.degrees(1.0) if driver.unit.in_degrees else 1.0
         self.angle_scale = math.degrees(1.0) if plan.mechanism.angle_unit.in_degrees else 1.0
         self.page = plan.mechanism.layout == "page"
-        self.leaps = any(np.any(column > LEAP) for column in search.turns_between_rows().values())
+        both = search.row_there[1:] & search.row_there[:-1]
+        self.leaps = any(np.any(both & (column > LEAP)) for column in search.turns_between_rows().values())
         # nothing that hangs on it is said where the sheet warns, or may
         self.sure = not (search.holes or search.doubtful or self.leaps)
 
@@ -196,7 +197,7 @@ class _Judge:
             self._number(f"limit_{number}", self._at(places), allowed)
 
     def _allowed_place(self) -> float:
-        part = ABOUT if self.search.doubtful or self._about("limits") else EXACT
+        part = 1.0 if self.search.doubtful or self._about("limits") else EXACT
         return max(part * abs(self.search.step) * self.driver_scale, 1e-9)
 
     def _at(self, places: Iterable[float]) -> list[float]:
