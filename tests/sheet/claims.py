@@ -32,20 +32,16 @@ from mechsheet.formula.nodes import ErrorValue  # noqa: E402
 from mechsheet.kinematics.equations import assembly_of  # noqa: E402
 from mechsheet.kinematics.numeric import value as number_of  # noqa: E402
 from mechsheet.kinematics.places import number  # noqa: E402
-from mechsheet.kinematics.solve import dimension_values, largest_length, solve  # noqa: E402
-from mechsheet.kinematics.sweep import sweep  # noqa: E402
+from mechsheet.kinematics.search import TURN, Search  # noqa: E402
+from mechsheet.kinematics.solve import dimension_values, solve  # noqa: E402
 from mechsheet.sheet import styles  # noqa: E402
 from mechsheet.sheet.checks.geometry import distance  # noqa: E402
 from mechsheet.sheet.layout import lay_out  # noqa: E402
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW  # noqa: E402
+from mechsheet.sheet.symbols import plain  # noqa: E402
 from mechsheet.sheet.workbook import Fill, Sheet  # noqa: E402
 from random_mechanisms import Grower  # noqa: E402
 
-FINE = 20
-"""Places looked at between two rows."""
-
-TURN = 2 * math.pi
-NARROWINGS = 8
 EXTREME = 1e-4
 LIMIT = 1e-5
 COLOURS = {id(styles.BAD): "red", id(styles.WARN): "amber", id(styles.GOOD): "green"}
@@ -127,12 +123,12 @@ class Sheets:
 # --- the truth -----------------------------------------------------------------------------------------------------------
 
 
-class Truth:
-    """The motion between the first and the last value of the driver. Places `u` count rows from 1."""
+class Truth(Search):
+    """The motion that these inputs mean, searched (`mechsheet.kinematics.search`)."""
 
     def __init__(self, sheets, inputs):
-        mechanism, plan, equations = sheets.mechanism, sheets.plan, sheets.equations
-        self.plan = plan
+        mechanism, equations = sheets.mechanism, sheets.equations
+        self.plan = sheets.plan
         given = dict(inputs)
         changed = []
         for dim in mechanism.dimensions:
@@ -142,284 +138,40 @@ class Truth:
             changed.append(dim)
         driver = mechanism.driver
         self.scale = math.degrees(1.0) if driver.unit.in_degrees else 1.0
-        self.mechanism = replace(mechanism, dimensions=tuple(changed))
-        self.dimensions = dimension_values(self.mechanism)
+        mechanism = replace(mechanism, dimensions=tuple(changed))
+        dimensions = dimension_values(mechanism)
         if driver.values:
-            self.start = self.step = 0.0
-            self.listed = np.array([number(value, self.dimensions) for value in driver.values])
+            listed = np.array([number(value, dimensions) for value in driver.values])
         else:
-            self.listed = None
-            self.start, self.step = (
-                given.pop(f"#{key}") / self.scale
-                if f"#{key}" in given
-                else number(getattr(driver, key), self.dimensions)
+            start, step = (
+                given.pop(f"#{key}") / self.scale if f"#{key}" in given else number(getattr(driver, key), dimensions)
                 for key in ("start", "step")
             )
+            listed = start + step * np.arange(self.plan.rows)
         groups = tuple(
             replace(group, assembly=assembly_of(given.pop(group.mode))) if group.mode in given else group
             for group in equations.groups
         )
         if given:
             raise ValueError(f"unknown inputs: {given}")
-        self.equations = replace(equations, groups=groups)
-        self.size = largest_length(self.mechanism, self.dimensions) or 1.0
-        self.rows = plan.rows
-        self.margins = {}
-        for equation in equations.all:
-            for condition in equation.exists:
-                if condition.reach and equation.role != "constant":
-                    self.margins.setdefault(equation.group, condition.margin)
-        self.crossings = [
-            (equation.group, condition)
-            for equation in equations.columns
-            for condition in equation.exists
-            if not condition.reach
-        ]
-        fine = 1 if self.listed is not None else FINE
-        self.u = 1 + np.arange((self.rows - 1) * fine + 1) / fine
-        self.fine = fine
-        self.at = self.known(self.u)
-        self.there = self.exists(self.at)
-        self.row_there = self.there[::fine]
-        self._edges()
-        self._dips()
-
-    def driver(self, u):
-        if self.listed is not None:
-            return self.listed[np.rint(np.asarray(u) - 1).astype(int)]
-        return self.start + (np.asarray(u, float) - 1) * self.step
-
-    def known(self, u):
-        with np.errstate(all="ignore"):
-            return sweep(self.mechanism, self.equations, np.asarray(self.driver(u), float))
-
-    def exists(self, known):
-        there = np.ones(len(known[self.mechanism.driver.symbol]), dtype=bool)
-        for group in self.equations.groups:
-            there &= np.isfinite(known[group.closes])
-        return there
-
-    def _edges(self):
-        """Places where it begins or stops closing, between two places of the grid."""
-        changes = np.flatnonzero(self.there[1:] != self.there[:-1])
-        low, high = self.u[changes].copy(), self.u[changes + 1].copy()
-        state = self.there[changes]
-        if self.listed is None and len(changes):
-            for _ in range(45):
-                middle = (low + high) / 2
-                same = self.exists(self.known(middle)) == state
-                low, high = np.where(same, middle, low), np.where(same, high, middle)
-        self.edges = np.where(state, low, high)
-
-    def _narrow(self, function, places, width):
-        """Around each place the one with the least value of the function (vectorised over places)."""
-        best, half = np.asarray(places, float), np.full(len(places), width)
-        offsets = np.linspace(-1, 1, 9)
-        values = None
-        for _ in range(NARROWINGS):
-            u = np.clip(best[:, None] + half[:, None] * offsets, 1, self.rows)
-            values = function(u.ravel()).reshape(u.shape)
-            values = np.where(np.isnan(values), np.inf, values)
-            pick = np.argmin(values, axis=1)
-            best, half = u[np.arange(len(u)), pick], half / 3.5
-        return best, (np.min(values, axis=1) if values is not None else np.array([]))
-
-    def _dips(self):
-        """Places off the grid where it does not close (`dips`), or closes only there (`peeps`); doubtful ones apart."""
-        self.dips, self.peeps, self.doubt = [], [], []
-        if self.listed is not None or self.rows < 2:
-            return
-        for _group, margin in self.margins.items():
-            with np.errstate(all="ignore"):
-                m = np.broadcast_to(number_of(margin, self.at), self.u.shape).astype(float)
-            for sign, found in ((1.0, self.dips), (-1.0, self.peeps)):
-                v = sign * m
-                inner = (
-                    np.flatnonzero(
-                        (v[1:-1] <= v[:-2]) & (v[1:-1] <= v[2:]) & (v[1:-1] < 0.2 * self.size) & (v[1:-1] >= 0)
-                    )
-                    + 1
-                )
-                if not len(inner):
-                    continue
-
-                def of(u, sign=sign, margin=margin):
-                    known = self.known(u)
-                    with np.errstate(all="ignore"):
-                        return sign * np.broadcast_to(number_of(margin, known), u.shape)
-
-                places, least = self._narrow(of, self.u[inner], 1.0 / self.fine)
-                for place, low in zip(places, least, strict=True):
-                    if abs(low) < 1e-9 * self.size:
-                        self.doubt.append(place)
-                    elif low < 0:
-                        found.append(place)
-        for _, condition in self.crossings:  # lines that turn parallel, pins that coincide, between two places
-            with np.errstate(all="ignore"):
-                c = number_of(condition.margin, self.at)
-            if np.ndim(c) == 0:
-                continue
-            inner = np.flatnonzero((c[1:-1] <= c[:-2]) & (c[1:-1] <= c[2:])) + 1
-
-            def near(u, condition=condition):
-                with np.errstate(all="ignore"):
-                    return np.broadcast_to(number_of(condition.margin, self.known(u)), u.shape)
-
-            if len(inner):
-                places, least = self._narrow(near, self.u[inner], 1.0 / self.fine)
-                scale = np.nanmax(c)
-                self.doubt += [place for place, low in zip(places, least, strict=True) if low < 1e-4 * scale]
-
-    # --- stretches -----------------------------------------------------------------------------------------------------
-
-    @property
-    def count(self):
-        return int(self.row_there.sum())
-
-    @property
-    def row_stretches(self):
-        """(first row, last row) of each stretch of rows that close, from 1."""
-        found, begun = [], None
-        for row, there in enumerate([*self.row_there, False], 1):
-            if there and begun is None:
-                begun = row
-            elif not there and begun is not None:
-                found.append((begun, row - 1))
-                begun = None
-        return found
-
-    @property
-    def holes(self):
-        """Places between two neighbouring rows that close, where it does not."""
-        found = list(self.dips)
-        found += [
-            edge
-            for edge in self.edges
-            if self.row_there[math.floor(edge) - 1] and self.row_there[min(self.rows, math.ceil(edge)) - 1]
-        ]
-        return [
-            u for u in found if self.row_there[math.floor(u) - 1] and self.row_there[min(self.rows, math.ceil(u)) - 1]
-        ]
-
-    def limits(self):
-        """(row before, possible places) for each change between neighbouring rows."""
-        rows = np.flatnonzero(self.row_there[1:] != self.row_there[:-1]) + 1
-        return [(int(row), [edge for edge in self.edges if row - 1e-9 <= edge <= row + 1 + 1e-9]) for row in rows]
-
-    @property
-    def whole(self):
-        """Whether the driver covers whole turns: its last value is its first again, or the next one would be."""
-        driver = self.mechanism.driver
-        if not driver.link or self.listed is not None or self.rows < 4:
-            return False
-        covered, more = (abs(self.step) * rows / TURN for rows in (self.rows - 1, self.rows))
-        return any(abs(round(part) - part) < 1e-9 and round(part) > 0 for part in (covered, more))
-
-    @property
-    def closes_everywhere(self):
-        return bool(self.there.all()) and not self.dips
-
-    @property
-    def doubtful(self):
-        return bool(self.doubt)
-
-    # --- quantities ----------------------------------------------------------------------------------------------------
-
-    def extremes(self, symbol, of=None, rows_only=False):
-        """(least, where, largest, where) of a quantity over all that exists; None where it is nowhere a number."""
-        change = of or (lambda x: x)
-        column = np.asarray(change(self.at[symbol]), float)
-        found = []
-        for sign in (1.0, -1.0):
-            shown = self._of_rows()
-            there = shown & (np.arange(len(self.u)) % self.fine == 0) if rows_only else shown
-            v = np.where(there, sign * column, np.inf)
-            if not np.isfinite(v).any():
-                return None
-            padded = np.concatenate(([np.inf], v, [np.inf]))
-            low = np.flatnonzero(np.isfinite(v) & (v <= padded[:-2]) & (v <= padded[2:]))
-            low = low[np.argsort(v[low])][:12]
-            starts = list(self.u[low])
-            best, where = v[low[0]], self.u[low[0]]
-            if self.listed is None and self.rows > 1 and not rows_only:
-                edges = [
-                    edge
-                    for edge in self.edges
-                    if shown[max(0, math.ceil((edge - 1) * self.fine) - 1)]
-                    or shown[min(len(shown) - 1, math.floor((edge - 1) * self.fine) + 1)]
-                ]
-                whole = self._held(column)
-
-                def near(u, sign=sign, whole=whole):
-                    known = self.known(u)
-                    raw = np.asarray(change(known[symbol]), float)
-                    nearest = np.clip(np.rint((u - 1) * self.fine).astype(int), 0, len(self.u) - 1)
-                    # the nearest place that exists, for whole turns
-                    held = whole[nearest]
-                    if self._turns(symbol):
-                        raw = raw - TURN * np.round((raw - held) / TURN)
-                    return np.where(self.exists(known), sign * raw, np.nan)
-
-                places, values = self._narrow(near, starts, 1.0 / self.fine)
-                if edges:
-                    places = np.concatenate((places, edges))
-                    values = np.concatenate((values, np.nan_to_num(near(np.array(edges)), nan=np.inf)))
-                pick = int(np.argmin(values))
-                if values[pick] < best:
-                    best, where = values[pick], places[pick]
-            found += [sign * best, where]
-        return tuple(found)
-
-    def _of_rows(self):
-        """The places that close in stretches with a row: what closes only between two rows that do not is not spoken of."""
-        starts = np.flatnonzero(np.diff(np.concatenate(([False], self.there, [False])).astype(int)))
-        found = np.zeros(len(self.u), dtype=bool)
-        for begin, end in zip(starts[::2], starts[1::2], strict=True):
-            if np.any(np.arange(begin, end) % self.fine == 0):
-                found[begin:end] = True
-        return found
-
-    def _turns(self, symbol):
-        if symbol == self.mechanism.driver.symbol:
-            return False
-        equation = self.equations.of(symbol)
-        return equation.unit.kind == "angle"
-
-    def _held(self, column):
-        """The column with the nearest value before it, or the first, in places that do not exist."""
-        good = np.flatnonzero(np.isfinite(column) & self.there)
-        return column[good[np.clip(np.searchsorted(good, np.arange(len(column)), side="right") - 1, 0, len(good) - 1)]]
+        super().__init__(mechanism, replace(equations, groups=groups), listed, stepped=not driver.values)
 
     def value_at(self, symbol, driver_shown, of=None):
         """The quantity at a value of the driver as shown, as the sweep reaches it."""
-        if self.step == 0 and self.listed is None:
-            return None
-        u = (
-            1 + (driver_shown / self.scale - self.start) / self.step
-            if self.listed is None
-            else 1 + float(np.argmin(np.abs(self.listed - driver_shown / self.scale)))
-        )
+        if self.stepped:
+            u = 1 + (driver_shown / self.scale - self.start) / self.step
+        else:
+            u = 1 + float(np.argmin(np.abs(self.listed - driver_shown / self.scale)))
         if not 1 - 1e-6 <= u <= self.rows + 1e-6:
             return None
         u = min(max(u, 1.0), float(self.rows))
         known = self.known(np.array([u]))
         raw = float(np.asarray((of or (lambda x: x))(known[symbol]))[0])
         column = np.asarray((of or (lambda x: x))(self.at[symbol]), float)
-        if self._turns(symbol) and math.isfinite(raw):
+        if self.is_angle(symbol) and math.isfinite(raw):
             held = self._held(column)[int(np.clip(round((u - 1) * self.fine), 0, len(self.u) - 1))]
             raw -= TURN * round((raw - held) / TURN)
         return raw
-
-    def turns_between_rows(self):
-        """The largest turn of each link between neighbouring rows that close, with all between them closing."""
-        found = {}
-        for link in self.mechanism.links[1:]:
-            symbol = link.angle_symbol
-            if symbol == self.mechanism.driver.symbol or not self.plan.equations.of(symbol).reads:
-                continue
-            column = self.at[symbol][:: self.fine]
-            found[symbol] = np.abs(np.diff(column))
-        return found
 
 
 # --- judging -------------------------------------------------------------------------------------------------------------
@@ -469,7 +221,7 @@ class _Judge:
         except ValueError:  # a derived dimension that does not exist
             self.say("impossible: red", self.sheets.colour(VERDICT_ROW, 0) == "red", self.sheets.colour(VERDICT_ROW, 0))
             return
-        if self.truth.step == 0 and self.truth.listed is None:
+        if self.truth.step == 0 and self.truth.stepped:
             return
         if any(not np.isfinite(self.truth.at[each.symbol]).all() for each in self.truth.equations.constants):
             self.say("impossible: red", self.sheets.colour(VERDICT_ROW, 0) == "red", self.sheets.colour(VERDICT_ROW, 0))
@@ -479,7 +231,7 @@ class _Judge:
         if not self.truth.count:
             loops = [f"grashof_{loop.group}" for loop in self.found.four_bars]
             for key in self.found.entries:
-                if key not in ("rows_closed", "input_from", *loops):
+                if key not in ("inputs", "rows_closed", "input_from", *loops):
                     self.say(
                         "nothing else said where nothing closes",
                         not self.sheets.words(key),
@@ -509,11 +261,13 @@ class _Judge:
     def wrong_inputs(self):
         spots = self.plan.at.spots
         for symbol, value in self.inputs.items():
-            if symbol in self.plan.equations.positive and not (isinstance(value, float) and value > 0):
+            if not isinstance(value, float):
+                return True
+            if symbol in self.plan.equations.positive and not value > 0:
                 return True
             if symbol in {group.mode for group in self.plan.equations.groups} and value not in (1.0, -1.0):
                 return True
-            if symbol == "#position" and not (isinstance(value, float) and value in range(self.plan.rows)):
+            if symbol == "#position" and value not in range(self.plan.rows):
                 return True
             assert symbol in spots
         return False
@@ -524,9 +278,11 @@ class _Judge:
             self.say("wrong input: no row closes", sheets.of("rows_closed") == 0.0, sheets.of("rows_closed"))
         self.say("wrong input: red", sheets.colour(VERDICT_ROW, 0) == "red", sheets.colour(VERDICT_ROW, 0))
         line = sheets.cell(VERDICT_ROW, 0)
-        self.say(
-            "wrong input: words", isinstance(line, str) and line.startswith(self.verdict("line.inputs")[:12]), line
-        )
+        symbol = next(iter(self.inputs))
+        name = self.text("name.position") if symbol == "#position" else plain(symbol)
+        self.say("wrong input: words", line == self.verdict("inputs.wrong", symbol=name), line)
+        spot = self.plan.at.spots[symbol]
+        self.say("wrong input: red cell", sheets.colour(spot.row, spot.col) == "red", symbol)
 
     def no_errors_in_words(self):
         sheets = self.sheets
@@ -573,7 +329,7 @@ class _Judge:
                 truth.dips,
                 truth.peeps,
             )
-        if truth.listed is not None:
+        if not truth.stepped:
             return
         for number_, (_row, places) in enumerate(limits[:4], 1):
             key = f"#limit_{number_}"
@@ -608,7 +364,7 @@ class _Judge:
         for row, other in ((first, first - 1), (last, last + 1)):
             between = [edge for edge in truth.edges if min(row, other) - 1e-9 <= edge <= max(row, other) + 1e-9]
             inside = 1 <= other <= truth.rows
-            ends.append(between if inside and between and truth.listed is None else [float(row)])
+            ends.append(between if inside and between and truth.stepped else [float(row)])
         for shown, places in zip((low, high), ends, strict=True):
             right = isinstance(shown, float) and any(
                 abs(shown - float(truth.driver(place)) * truth.scale)
@@ -763,7 +519,7 @@ class _Judge:
             return
         if goes:
             column = truth.at[symbol]
-            if truth._turns(symbol) and abs(column[-1] - column[0]) > math.pi:
+            if truth.is_angle(symbol) and abs(column[-1] - column[0]) > math.pi:
                 goes = False
         if not goes:
             self.say("time_ratio", missing(shown), shown)
@@ -771,7 +527,7 @@ class _Judge:
         if sheets.words(f"time_ratio_{symbol}") == self.verdict("unsure"):
             return
         low, u_low, high, u_high = truth.extremes(symbol)
-        if high - low < 1e-7 * (1.0 if truth._turns(symbol) else truth.size):
+        if high - low < 1e-7 * (1.0 if truth.is_angle(symbol) else truth.size):
             self.say("time_ratio", missing(shown), shown, "constant")
             return
         lows, highs = (self._ties(symbol, best) for best in (low, high))
@@ -875,9 +631,9 @@ class _Judge:
             scale = math.degrees(1.0) if output.unit.in_degrees else 1.0
         else:
             scale = self.scale_of(symbol)
-        if not self.continuous(symbol) and truth._turns(symbol):
+        if not self.continuous(symbol) and truth.is_angle(symbol):
             return
-        if len(truth.row_stretches) > 1 and truth._turns(symbol) and missing(shown):
+        if len(truth.row_stretches) > 1 and truth.is_angle(symbol) and missing(shown):
             return
         column = truth.at[symbol][:: truth.fine] * scale
         there = np.flatnonzero(truth.row_there)
@@ -894,7 +650,7 @@ class _Judge:
         }[summary.take]  # fmt: skip
         about = self.verdict("about") in words
         tolerance = (2e-2 if about else EXTREME) * range_ + floor
-        if len(truth.row_stretches) > 1 and truth._turns(symbol):
+        if len(truth.row_stretches) > 1 and truth.is_angle(symbol):
             return  # turns counted anew in each stretch
         self.say(kind, close(shown, expected, tolerance), shown, expected, words)
         if summary.take in ("min", "max") and isinstance(at, float) and symbol != truth.mechanism.driver.symbol:

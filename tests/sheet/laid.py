@@ -33,6 +33,10 @@ def compiled(*key):
     return compile_book(book_of(once(*key)[1]))
 
 
+def _typed(value):
+    return None if value is None else float(value)
+
+
 class Laid:
     """The workbook of a description. Cells are read by the key of their place: "theta14", "#rows_closed"."""
 
@@ -41,10 +45,10 @@ class Laid:
         self.mechanism, self.workbook, self.plan, self.values = once(*self.key)
 
     def change(self, **symbols):
-        """Type numbers (as shown) into input cells; `_start` is the place "#start"."""
+        """Type numbers (as shown) into input cells, None empties one; `_start` is the place "#start"."""
         spots = {symbol: self.plan.at.spots[symbol.replace("_", "#", 1) if symbol[0] == "_" else symbol]
                  for symbol in symbols}  # fmt: skip
-        changes = {(spot.sheet, spot.row, spot.col): float(symbols[symbol]) for symbol, spot in spots.items()}
+        changes = {(spot.sheet, spot.row, spot.col): _typed(symbols[symbol]) for symbol, spot in spots.items()}
         self.values = compiled(*self.key).evaluate(changes)
         return self
 

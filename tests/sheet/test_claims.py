@@ -97,6 +97,10 @@ NAMED = {
     "small": lengths(7e-3, 3.5e-3, 6.2e-3, 5.6e-3),
     "large": lengths(7e4, 3.5e4, 6.2e4, 5.6e4),
     "emptied length": {"a3": None},
+    "emptied crank": {"a2": None},
+    "emptied place": {"a1": None},
+    "emptied mode": {"mode_1": None},
+    "a text for a length": {"a2": "x"},
     "negative length": {"a2": -20.0},
     "length 0": {"a4": 0.0},
     "no such assembly": {"mode_1": 0.0},
@@ -109,6 +113,8 @@ SLIDERS = {
     "narrowed from 0": {"r": 43.553, "l": 139.091, "e": 18.049, "#step": 2.0},
     "rod as long as the crank": {"r": 100.0, "l": 100.0, "e": 0.0},
     "rod too short": {"r": 100.0, "l": 90.0, "e": 0.0},
+    "no offset": {"e": 0.0},
+    "emptied offset": {"e": None},
 }
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 

@@ -107,9 +107,18 @@ def test_direction_begins_anew_after_rows_without_a_position():
     assert theta[begun[0]] == pytest.approx(theta[begun[1]], abs=1e-9)
 
 
-@pytest.mark.parametrize("typed", [{"a3": 0}, {"a4": -56}, {"mode_1": 2}, {"mode_1": 0}], ids=lambda typed: f"{typed}")
-def test_no_row_claims_a_position_for_inputs_that_cannot_be(typed):
-    """A length of 0 or less between joints, an assembly that is none: the tolerance is #N/A and with it every row."""
+@pytest.mark.parametrize(
+    ("typed", "named"),
+    [
+        ({"a3": 0}, "a₃"),
+        ({"a2": -35}, "a₂"),
+        ({"a1": None}, "a₁"),
+        ({"mode_1": 2}, "mode₁"),
+        ({"mode_1": 0.5}, "mode₁"),
+    ],
+)
+def test_no_row_claims_a_position_for_inputs_that_cannot_be(typed, named):
+    """An emptied cell, a length of 0 between joints, an assembly that is none: no row closes, and the line says why."""
     laid = Laid(FOUR_BAR)
     symbols = {"mode_1": laid.plan.equations.groups[0].mode}
     laid.change(**{symbols.get(name, name): value for name, value in typed.items()})
@@ -118,7 +127,14 @@ def test_no_row_claims_a_position_for_inputs_that_cannot_be(typed):
     assert laid.spot("#rows_closed") == 0
     for symbol in ("theta14", "theta13", "B.x", "C.y", "mu"):
         assert set(laid.column(symbol)) == {NA}, symbol
-    assert laid.verdict.startswith("look at the yellow cells")
+    assert laid.verdict.startswith(f"look at {named}: ")
+
+
+def test_groups_that_always_close_ask_the_inputs_too():
+    """Two lines that cross at one angle have no margin."""
+    laid = Laid(template_text("scotch-yoke")).change(a2=None)
+    assert laid.spot("#rows_closed") == 0
+    assert set(laid.column("s13")) == {NA}
 
 
 def test_a_row_without_a_position_keeps_what_does_not_depend_on_the_group():

@@ -21,6 +21,7 @@ from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.stored import Stored, judge_stored
 from mechsheet.checking.twins import with_twins
+from mechsheet.checking.verdicts import against_search
 from mechsheet.description import load
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
@@ -137,6 +138,8 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
         placed = MovedValues(values, found.moves) if found.moves else values
         comparison, of_inputs = against_plan(found.book, placed, expected.plan, shown)
         comparisons.append(comparison)
+        searched = against_search(found.book, placed, expected.plan, shown)
+        comparisons += [] if searched is None else [searched]
         remarks += [*found.remarks, *of_inputs]
         angles = angles_in(expected.plan)
     missing: list[Fault] = []

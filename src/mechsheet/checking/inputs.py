@@ -52,7 +52,11 @@ class Inputs:
 
 
 def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
-    """Read a workbook's input cells. Raises WorkbookError where one holds no number, or a sheet is missing."""
+    """Read a workbook's input cells.
+
+    Raises WorkbookError where one holds no number, a length between joints is not above 0, a mode is neither 1 nor -1, or
+    a sheet is missing.
+    """
     titles = {sheet.title.casefold() for sheet in book.sheets}
     lost = [title for title in (plan.main, plan.table) if title.casefold() not in titles]
     if lost:
@@ -69,11 +73,23 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
             return math.nan
         return math.radians(value) if spot.degrees else float(value)
 
+    def wrong(symbol: str, message: str) -> None:
+        spot = plan.at.spots[symbol]
+        cell = cell_address(spot.sheet, spot.row, spot.col)
+        value = text_of(values.get(spot.sheet, spot.row, spot.col))
+        faults.append(Fault(f"{symbol} {message}, not {value}", shown, key=cell))
+
     dimensions = {dim.symbol: number(dim.symbol) for dim in plan.mechanism.dimensions if not dim.derived}
+    for symbol in plan.equations.positive:
+        if dimensions.get(symbol, 1.0) <= 0:
+            wrong(symbol, "is the distance of two joints and must be greater than 0")
     modes: dict[str, int] = {}
     for group in plan.equations.groups:
         if group.mode:
-            modes[group.mode] = 1 if number(group.mode) > 0 else -1
+            typed = number(group.mode)
+            if math.isfinite(typed) and abs(typed) != 1:
+                wrong(group.mode, "must be 1 or -1")
+            modes[group.mode] = 1 if typed > 0 else -1
             if modes[group.mode] != group.mode_value:
                 remarks.append(
                     f"{group.mode} is {modes[group.mode]:+d}; the description's sketch means {group.mode_value:+d}"

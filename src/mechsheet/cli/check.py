@@ -40,7 +40,7 @@ def check(
     as_json: bool,
     **options: Any,
 ) -> None:
-    """Recalculate and compare: engine, stored values, numpy reference, other programs.
+    """Recalculate and compare: engine, stored values, numpy reference, verdicts, other programs.
 
     \b
     mechsheet check four-bar.xlsx

@@ -132,6 +132,11 @@ class Group:
         return mode_value(self.assembly)
 
     @property
+    def only_undetermined(self) -> bool:
+        """Whether it always closes, but where its two pins coincide and it can turn about them: a slot through its pivot."""
+        return self.kind == "RPR" and al.is_zero(self.sides[1])
+
+    @property
     def mode_words(self) -> Words:
         """What the assembly that was taken looks like."""
         return self.assemblies[self.assembly]

@@ -126,6 +126,12 @@ class LinkPlaces:
                 return self._offsets[point] if point == end else -self._offsets[point]
         return self.place(end) - self.place(start)
 
+    def note_length(self, start: str, end: str) -> None:
+        """The two points are joints, and the link has no others: where a dimension is their distance, it is a length."""
+        way = self.way(start, end)
+        if way.polar and not self.ledger.is_positive(way.polar[0]):
+            self.ledger.is_positive(al.neg(way.polar[0]))
+
     def known_length(self, first: str, second: str) -> Node | None:
         """The distance of two points where the description gives it as such."""
         return self._lengths.get(frozenset((first, second)))

@@ -121,6 +121,7 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> Equations:
             is_open = is_open or solved.mode in opened
         poses.settle_turns()
         found.append((dyad, solved, value, is_open))
+    _note_lengths(poses)
     _outputs(mechanism, ledger)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
@@ -283,6 +284,14 @@ def _drive(poses: Poses, drive: Drive) -> None:
     end = cartesian(symbol, al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
     turn = line + angle_of(joint.orientation)
     poses.members[drive.moving] = _member(turn, end, poses.own_place(drive.moving, joint.point))
+
+
+def _note_lengths(poses: Poses) -> None:
+    """A moving link that joins two pins has a length, as the crank; where more pins are, they are places, of any sign."""
+    for link in poses.mechanism.links[1:]:
+        pins = [point for point, bodies in poses.graph.pins if link.name in bodies]
+        if len(pins) == 2:
+            poses.places[link.name].note_length(*pins)
 
 
 def _member(turn: Angle, at: Place, own: Place) -> Member:

@@ -110,6 +110,12 @@ class Plan:
             there &= np.isfinite(self.nominal[group.closes])
         return int(np.argmax(there))
 
+    @cached_property
+    def unguarded(self) -> frozenset[str]:
+        """Symbols of groups that always close (lines that cross at one angle): they do not read what counts as zero."""
+        always = [group for group in self.equations.groups if not self.equations.equations.of(group.closes).exists]
+        return frozenset(symbol for group in always for symbol in (group.closes, *group.unknowns))
+
     @property
     def footer(self) -> str:
         """What stands below every printed page: title, sheet, page; an ampersand is a mark there."""

@@ -48,12 +48,10 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.line.nowhere": (
         "closes in no position: these links cannot be joined", "hiçbir konumda kapanmıyor: bu uzuvlar birleştirilemez"
     ),
-    "verdict.line.inputs": (
-        "look at the yellow cells: a length is not above 0 or does not fit, an assembly is neither 1 nor -1, or there is no "
-        "such position",
-        "sarı hücrelere bakın: 0'dan büyük olmayan ya da uymayan bir uzunluk, 1 / -1 olmayan bir montaj ya da olmayan bir "
-        "konum var",
-    ),
+    "verdict.inputs": ("yellow cells", "sarı hücre"),
+    "verdict.inputs.fine": ("each holds what it can be", "hepsinde olabilecek bir değer var"),
+    "verdict.inputs.wrong": ("look at {symbol}: no value that it can have", "{symbol} hücresine bakın: boş ya da olamaz"),
+    "verdict.inputs.misfit": ("look at the yellow cells: they do not fit", "sarı hücrelere bakın: birbirine uymuyor"),
     "verdict.line.transmission": ("transmission angle", "bağlama açısı"),
     "verdict.rows": ("closes", "kapanan"),
     "verdict.rows.all": ("closes in every position", "her konumda kapanıyor"),
@@ -121,6 +119,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "group": ("Group", "Grup"),
     "status.ok": ("ok", "tamam"),
     "status.open": ("does not close: {links}", "kapanmıyor: {links}"),
+    "status.undetermined": ("undetermined: {links}", "belirsiz: {links}"),
+    "status.inputs": ("look at the yellow cells", "sarı hücrelere bakın"),
     "legend.input": ("type here", "buraya yazın"),
     "legend.result": ("computed", "hesaplanır"),
     "legend.missing": ("#N/A: no position there", "#YOK: orada konum yok"),

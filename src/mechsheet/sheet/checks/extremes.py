@@ -67,6 +67,7 @@ class Extremes:
         whole = self.probes.cell(self.whole_row, 1)
         spots["#whole"] = Spot(title, whole.row, whole.col)
         spots["#fine"] = Spot(title, whole.row, whole.col + 1)
+        spots["#there"] = Spot(title, whole.row, whole.col + 2)
         for (symbol, way), block in self.blocks.items():
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
@@ -90,7 +91,9 @@ class Extremes:
         for work, key in ((AT, "row"), (VALUE, "value")):
             probes.put(HEAD_ROW, probes.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
         self._whole()
-        self.probes.work(self.whole_row, 2, "fine", fine=self._inputs_are_fine())
+        probes.work(self.whole_row, 2, "fine", fine=self._inputs_are_fine())
+        there = "SUMPRODUCT((numbers=_position)*ISNUMBER(_position))=1"
+        probes.work(self.whole_row, 3, there, numbers=Symbol(f"{ALL}#number"))
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)
@@ -147,23 +150,13 @@ class Extremes:
         )  # fmt: skip
 
     def _inputs_are_fine(self) -> Node:
-        """Whether there is such a position, and all that is derived from lengths and modes is a number (the tolerance is
-        none where a length or mode is wrong)."""
+        """Whether the yellow cells hold what can be, there is such a position, and all that is derived is a number."""
         rows = self.plan.blocks["derived"].rows.values()
         derived = RangeRef(
             CellRef(min(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
             CellRef(max(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
         )
-        test = "SUMPRODUCT((numbers=_position)*1)=1,ISNUMBER(SUM(derived))"
-        holes: dict[str, Node | float | str] = {}
-        typed = self.plan.blocks["dimensions"].rows.values()
-        if typed:  # a length that is emptied is no number
-            test += ",COUNT(typed)=many"
-            first, last = (
-                CellRef(row, FIRST_SHEET_VALUE, True, True, self.plan.main) for row in (min(typed), max(typed))
-            )
-            holes = {"typed": RangeRef(first, last), "many": float(len(typed))}
-        return formula(f"AND({test})", numbers=Symbol(f"{ALL}#number"), derived=derived, **holes)
+        return formula("AND(_inputs=0,_there,ISNUMBER(SUM(derived)))", derived=derived)
 
     # --- one extreme ------------------------------------------------------------------------------------------
 

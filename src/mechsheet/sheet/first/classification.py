@@ -65,7 +65,7 @@ class Classification:
     @property
     def entries(self) -> list[str]:
         """Keys of the lines of the block, in order: the names of their cells, too."""
-        lines = ["rows_closed", *(["limits", "input_from", "input_to", "passes"] if self.limits else [])]
+        lines = ["inputs", "rows_closed", *(["limits", "input_from", "input_to", "passes"] if self.limits else [])]
         lines += ["largest_gap", "leaps"]
         lines += [f"grashof_{loop.group}" for loop in self.four_bars]
         lines += [f"swing_{link.angle_symbol}" for link in self.swings]

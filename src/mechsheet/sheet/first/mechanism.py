@@ -9,6 +9,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.inputs import gated_tolerance
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.plan import (
@@ -152,7 +153,8 @@ def _derived(writer: Writer) -> None:
         writer.line(row, rich(equation.symbol), unit.text, equation.label.of(plan.language))
         tolerance = equation.symbol == plan.equations.tolerance
         style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit.kind)
-        _result(writer, row, equation.expression, unit.in_degrees, style)
+        value = gated_tolerance(equation.says) if tolerance else equation.expression
+        _result(writer, row, value, unit.in_degrees, style)
 
 
 def _result(writer: Writer, row: int, expression: Node, degrees: bool, style: Style) -> None:

@@ -16,6 +16,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.extremes import Extremes, about
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
+from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
@@ -35,6 +36,7 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
     block = _Block(writer, checks, extremes)
     writer.heading("verdicts", writer.plan.text("head.at"))
     found = writer.plan.found
+    block.inputs()
     block.rows_closed()
     if found.limits:
         block.limits()
@@ -111,6 +113,21 @@ class _Block:
 
     def _driver_places(self) -> int:
         return places(self.plan, "angle" if self.turning else "length")
+
+    # --- inputs -----------------------------------------------------------------------------------------------
+
+    def inputs(self) -> None:
+        """Which yellow cell holds what cannot be; it is red, and so is the line."""
+        cell, said = self.value("inputs"), self.words("inputs")
+        fine = self.text("inputs.fine")
+        fits = formula("IF(_fine,fine,misfit)", fine=fine, misfit=self.text("inputs.misfit"))
+        words = inputs.words(self.plan, cell, Symbol("#there"), fits)
+        self.line("inputs", self.text("inputs"), "", self.bound("number", number=inputs.first_wrong(self.plan)), 0,
+                  self.bound("words", words=words))  # fmt: skip
+        self.colour("inputs", "said<>fine", styles.BAD, said=said, fine=fine)
+        self.colour("inputs", "said=fine", styles.GOOD, said=said, fine=fine)
+        nowhere = formula("said=words", said=said, words=inputs.no_position(self.plan))
+        self.writer.conditionals.extend(inputs.red_where_wrong(self.plan, nowhere))
 
     # --- rows and stretches -----------------------------------------------------------------------------------
 
@@ -378,14 +395,14 @@ class _Block:
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
             fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
             closed=self.text("gap.closed"),
-            good=joined(*parts), inputs=self.text("line.inputs"),
+            good=joined(*parts), inputs=self.words("inputs"),
         )  # fmt: skip
         self.writer.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
         said = CellRef(VERDICT_ROW, SYMBOL, True, True)
         # rules read this sheet only: other programs refuse another's cells
         bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
-                      inputs=self.text("line.inputs"))  # fmt: skip
+                      inputs=self.words("inputs"))  # fmt: skip
         doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))

@@ -27,7 +27,7 @@ from mechsheet.kinematics.solve import dimension_values, driver_values, largest_
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
+from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded, pins_apart
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase
 
@@ -106,7 +106,10 @@ class _Lowering:
         match expression:
             case Direction(y, x):
                 raw = al.atan2(x, y)
-                self._add(equation, raw, expression, continuous=not self._stays(raw))
+                apart = [
+                    Condition(self._seen(each.margin), each.least) for each in pins_apart(self.equations, equation)
+                ]
+                self._add(equation, guarded(apart, raw), expression, continuous=not self._stays(raw))
             case TriangleAngle(opposite, beside, other):
                 angle = _inverse("ACOS", al.triangle_cosine(opposite, beside, other))
                 self._add(equation, self._where_it_exists(equation, angle), expression)
@@ -179,6 +182,9 @@ class _Lowering:
     def _guards(self, equation: Equation) -> list[Condition]:
         """The conditions that the formula does not see by itself: pins that may coincide, lines that may be parallel."""
         found = []
+        group = self._group(equation)
+        if group is not None and group.only_undetermined:
+            return [Condition(self._seen(each.margin), each.least) for each in equation.exists]
         for condition in equation.exists:
             if condition.reach:
                 continue

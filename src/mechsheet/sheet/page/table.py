@@ -8,6 +8,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import shown_unit
+from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan
@@ -141,16 +142,8 @@ class Table:
         self._fill(0, self._bound(further, first + 1), style, skip=1)
 
     def _checked(self, start: Node) -> Node:
-        """The first value, while every length and every mode is one: else no row pretends to exist."""
-        equations = self.plan.equations
-        lengths = [Symbol(name) for name in equations.positive if name in self.plan.at.spots]
-        lengths = [length for length in lengths if not self.plan.at.spots[length.name].column]
-        tests = [formula("least>0", least=al.smallest(lengths))] if lengths else []
-        tests += [formula("ABS(mode)=1", mode=Symbol(group.mode)) for group in equations.groups if group.mode]
-        if not tests:
-            return start
-        test = tests[0] if len(tests) == 1 else Call("AND", tuple(tests))
-        return formula("IF(test,start,NA())", test=test, start=start)
+        """The first value, while every yellow cell holds what can be: else no row pretends to exist."""
+        return formula("IF(_inputs>0,NA(),start)", start=start)
 
     def _equation(self, column: TableColumn) -> None:
         plan, equation, first = self.plan, column.equation, self.plan.at.first
@@ -162,6 +155,8 @@ class Table:
         node = self._bound(equation.expression, first)
         degrees = plan.at.spots[column.symbol].degrees
         value = in_degrees(node) if degrees else node
+        if plan.mechanism.driver.values and column.symbol in plan.page.closes.values():
+            value = while_inputs_can_be(plan, value, plan.main)
         if equation.first is None:
             self._fill(column.col, value, style)
             return
@@ -199,12 +194,17 @@ def status(plan: PagePlan) -> Node:
     values = [Symbol(f"{SHOWN}{plan.page.closes[group.number]}") for group in groups]
     closing = [formula("ISNUMBER(value)", value=value) for value in values]
     if not closing:
-        return Text("")
+        return formula('IF(_inputs>0,words,"")', words=plan.text("status.inputs"))
     if len(closing) == 1:
-        words = plan.text("page.open", links=status_words(plan, groups[0]))
+        key = "page.undetermined" if groups[0].only_undetermined else "page.open"
+        words = plan.text(key, links=status_words(plan, groups[0]))
         return formula('IF(closes,"",words)', closes=closing[0], words=words)
     numbers = [group.number for group in groups]
     first: Node = first_open(closing)
+    if any(group.only_undetermined for group in groups):
+        keys = ["page.undetermined.group" if group.only_undetermined else "page.open.group" for group in groups]
+        texts = [f"{plan.text(key)}{number}" for key, number in zip(keys, numbers, strict=True)]
+        return Call("CHOOSE", (first, *map(Text, texts), Text("")))
     if numbers != list(range(1, len(numbers) + 1)):
         first = Call("CHOOSE", (first, *(Number(float(number)) for number in numbers)))
     return formula(

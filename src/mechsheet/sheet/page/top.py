@@ -9,6 +9,7 @@ from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRe
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
+from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.page.degrees import in_degrees
@@ -197,14 +198,37 @@ class Top:
         filled, said = (self.column(symbol) for symbol in (plan.mechanism.driver.symbol, "#status"))
         row = rows["rows_closed"]
         self.line(row, "n", None, plan.text("page.rows"))
-        count = formula('COUNT(filled)-COUNTIF(said,"?*")', filled=filled, said=said)
+        self._inputs(rows["inputs"], self._there())
+        count = formula('MAX(0,COUNT(filled)-COUNTIF(said,"?*"))', filled=filled, said=said)
         self.fill(row, VALUE, count, styles.decimals(styles.RESULT, 0))
-        self.fill(row, UNIT, joined(plan.text("page.of"), Call("COUNT", (filled,))), styles.UNIT)
+        of_rows = f'"{plan.text("page.of")}"0'
+        self.fill(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
         for loop in plan.found.four_bars:
             self._grashof(rows[f"grashof_{loop.group}"], loop)
         for group in plan.found.transmission:
             self._transmission(rows[f"transmission_{group.number}"], group)
-        self._line_under_the_title(filled)
+        self._line_under_the_title()
+
+    def _inputs(self, row: int, there: Node) -> None:
+        """The number of the first yellow cell that cannot be; it is red."""
+        plan = self.plan
+        self.line(row, plan.text("verdict.inputs"), "", plan.text("page.inputs"))
+        self.fill(row, VALUE, inputs.first_wrong(plan), styles.decimals(styles.RESULT, 0))
+        no_position = plan.at.bind(Call("NOT", (there,)), plan.main)
+        self.conditionals += inputs.red_where_wrong(plan, no_position if plan.drawn else None)
+
+    def _there(self) -> Node:
+        """Whether the position that is drawn is a row of the table."""
+        if not self.plan.drawn:
+            return formula("TRUE")
+        return formula(
+            "AND(ISNUMBER(_position),INT(N(_position))=_position,_position>=0,_position<rows)", rows=self._rows
+        )
+
+    @property
+    def _rows(self) -> CellRef:
+        """The cell with the number of rows that are filled."""
+        return CellRef(self.plan.blocks["verdicts"].rows["rows_closed"], UNIT, True, True)
 
     def _grashof(self, row: int, loop: FourBar) -> None:
         """The type of a four-bar by its shortest and longest link; words, and the excess that decides."""
@@ -253,10 +277,10 @@ class Top:
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
         self.fill(row, VALUE, value, value_style(plan, "angle"))
 
-    def _line_under_the_title(self, filled: Node) -> None:
+    def _line_under_the_title(self) -> None:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
         plan, text = self.plan, self.plan.text
-        count, rows = self.cell("#rows_closed"), Call("COUNT", (filled,))
+        count, rows = self.cell("#rows_closed"), self._rows
         some = joined(text("page.verdict.some"), count, text("page.verdict.of"))
         counted = formula("IF(n=rows,every,some)", n=count, rows=rows, every=text("page.verdict.all"), some=some)
         parts: list[Node | str] = [counted, rows, text("page.verdict.positions")]
@@ -267,20 +291,18 @@ class Top:
             unit = plan.mechanism.angle_unit.text
             parts += [text("page.verdict.transmission"), formula("ROUND(value,1)", value=value),
                       f"{'' if unit == '°' else ' '}{unit}{text('page.verdict.rows')}"]  # fmt: skip
-        first = CellRef(plan.at.first, 0, True, True)
-        words = formula(
-            "IF(ISNUMBER(first),IF(n=0,nowhere,good),inputs)", first=first, n=count, good=joined(*parts),
-            nowhere=text("page.verdict.nowhere"), inputs=text("page.verdict.inputs"),
-        )  # fmt: skip
+        wrong, there = self.cell("#inputs"), self._there()
+        good = formula("IF(n=0,nowhere,good)", n=count, good=joined(*parts), nowhere=text("page.verdict.nowhere"))
+        words = inputs.words(plan, wrong, there, good)
         self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
         for test, style in (
-            ("OR(NOT(ISNUMBER(first)),n=0)", styles.BAD),
+            ("OR(wrong>0,NOT(there),n=0)", styles.BAD),
             ("n<rows", styles.WARN),
             ("n=rows", styles.GOOD),
         ):
-            condition = plan.at.bind(formula(test, first=first, n=count, rows=rows), plan.main)
+            condition = plan.at.bind(formula(test, wrong=wrong, there=there, n=count, rows=rows), plan.main)
             self.conditionals.append(Conditional(area, condition, style))
 
     def _summaries(self) -> None:

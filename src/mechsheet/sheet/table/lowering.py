@@ -200,8 +200,16 @@ class _Lowering:
     def _direction(self, equation: Equation, y: Node, x: Node) -> None:
         """ATAN2 and whole turns. After a row without a direction (none is known, or pins coincide) it begins anew."""
         raw = al.atan2(x, y)
+        apart = pins_apart(self.equations, equation)
         turns = formula("IFERROR(ROUND((above-raw)/turn,0),0)", above=Previous(equation.symbol), raw=raw, turn=TURN)
-        self._add(equation, al.add(raw, al.mul(TURN, turns)), first=raw)
+        first, further = (guarded(apart, angle) for angle in (raw, al.add(raw, al.mul(TURN, turns))))
+        self._add(equation, further, first=first)
+
+
+def pins_apart(equations: Equations, direction: Equation) -> tuple[Condition, ...]:
+    """What must hold for the direction by which a slot through its own pivot is found: the pin is not on the pivot."""
+    group = next((group for group in equations.groups if group.number == direction.group), None)
+    return equations.of(group.closes).exists if group is not None and group.only_undetermined else ()
 
 
 def sine_side(a: Node, b: Node, c: Node) -> Node:

@@ -15,12 +15,12 @@ from mechsheet.formula.nodes import (
     Number,
     RangeRef,
     Symbol,
-    Text,
     Unary,
     shifted,
     transform,
 )
 from mechsheet.sheet import styles
+from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
@@ -135,6 +135,8 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
 def cell_formula(plan: Plan, column: TableColumn, expression: Node, sheet: str, row: int) -> Node:
     """What a cell of the column holds in a row that stands for one position."""
     value = transform(plan.at.bind(expression, sheet, row), degrees_together)
+    if column.symbol in plan.unguarded:
+        value = while_inputs_can_be(plan, value, sheet)
     return in_degrees(value) if plan.at.spots[column.symbol].degrees else value
 
 
@@ -177,7 +179,7 @@ def status(plan: Plan) -> Node:
     """ "ok", or the first group that cannot be joined."""
     closing = [formula("ISNUMBER(value)", value=Symbol(group.closes)) for group in plan.equations.groups]
     if not closing:
-        return Text(plan.text("status.ok"))
+        return formula("IF(_inputs=0,ok,inputs)", ok=plan.text("status.ok"), inputs=plan.text("status.inputs"))
     if len(closing) == 1:
         return formula(
             "IF(closes,ok,reason)", closes=closing[0], ok=plan.text("status.ok"), reason=status_words(plan)[0]
@@ -205,7 +207,7 @@ def status_words(plan: Plan) -> list[str]:
     found = []
     for group in plan.equations.groups:
         links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
-        found.append(plan.text("status.open", links=links))
+        found.append(plan.text("status.undetermined" if group.only_undetermined else "status.open", links=links))
     return found
 
 

@@ -1,0 +1,293 @@
+"""What a motion does between the first and the last value of its driver, searched: where it closes, what is extreme.
+
+The equations as mathematics (`sweep`) at many places between the rows, then halving and narrowing around what was found.
+No formula of a sheet is read: the verdicts of the first sheet are held against this. Places `u` count rows from 1.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.equations import Condition, Equations
+from mechsheet.kinematics.numeric import Array, value
+from mechsheet.kinematics.solve import dimension_values, largest_length
+from mechsheet.kinematics.sweep import sweep
+from mechsheet.model import Mechanism
+
+FINE = 20
+"""Places looked at between two rows, where that makes no more than `MOST`."""
+
+MOST = 40_000
+TURN = 2 * math.pi
+HALVINGS = 45
+NARROWINGS = 6
+BASINS = 5
+"""So many of the best places of the grid are looked at closer."""
+
+NEARLY = 1e-9
+"""A margin that dips to less than this part of the size may close there or not: nothing is said of it."""
+
+Change = Callable[[Array], Array]
+Mask = NDArray[np.bool_]
+
+
+class Search:
+    """The motion with the dimensions of `mechanism` and the assemblies of `equations`.
+
+    driver   its values, row by row [rad or length unit]
+    stepped  False where the values are listed: there is nothing between the rows
+    u, at    the places looked at, and every symbol's values there;  there  where it closes
+    dips     places off the grid where it does not close, between some where it does;  peeps  the other way round
+    doubt    places where it nearly comes apart, or where lines turn parallel or pins coincide between two places
+    """
+
+    def __init__(self, mechanism: Mechanism, equations: Equations, driver: Array, stepped: bool = True) -> None:
+        self.mechanism = mechanism
+        self.equations = equations
+        self.listed = np.asarray(driver, float)
+        self.rows = len(driver)
+        self.stepped = stepped and self.rows > 1
+        self.start = float(driver[0])
+        self.step = float(driver[-1] - driver[0]) / (self.rows - 1) if self.stepped else 0.0
+        self.dimensions = dimension_values(mechanism)
+        self.size = largest_length(mechanism, self.dimensions) or 1.0
+        self.fine = max(1, min(FINE, MOST // self.rows)) if self.stepped else 1
+        self.u = 1 + np.arange((self.rows - 1) * self.fine + 1) / self.fine
+        self.at = self.known(self.u)
+        self.there = self.exists(self.at)
+        self.row_there = self.there[:: self.fine]
+        self.edges = self._edges()
+        self.dips: list[float] = []
+        self.peeps: list[float] = []
+        self.doubt: list[float] = []
+        if self.stepped:
+            self._margins()
+            self._crossings()
+
+    # --- places --------------------------------------------------------------------------------------------------------
+
+    def driver(self, u: Array | float) -> Array:
+        """The driver's value at places."""
+        places = np.asarray(u, float)
+        if not self.stepped:
+            return np.asarray(self.listed[np.rint(places - 1).astype(int)])
+        return np.asarray(self.start + (places - 1) * self.step)
+
+    def known(self, u: Array) -> dict[str, Array]:
+        """Every symbol's values at places."""
+        with np.errstate(all="ignore"):
+            return sweep(self.mechanism, self.equations, self.driver(u))
+
+    def exists(self, known: dict[str, Array]) -> Mask:
+        """Where every group closes."""
+        there = np.ones(len(known[self.mechanism.driver.symbol]), dtype=bool)
+        for group in self.equations.groups:
+            there &= np.isfinite(known[group.closes])
+        return there
+
+    def _edges(self) -> Array:
+        """Places where it begins or stops closing, on the side where it closes."""
+        changes = np.flatnonzero(self.there[1:] != self.there[:-1])
+        low, high = self.u[changes].copy(), self.u[changes + 1].copy()
+        state = self.there[changes]
+        for _ in range(HALVINGS if self.stepped and len(changes) else 0):
+            middle = (low + high) / 2
+            same = self.exists(self.known(middle)) == state
+            low, high = np.where(same, middle, low), np.where(same, high, middle)
+        return np.where(state, low, high)
+
+    def _narrow(self, function: Change, places: Array) -> tuple[Array, Array]:
+        """Around each place, up to the next of the grid, the one with the least value of the function; and that value."""
+        best, half = np.asarray(places, float), np.full(len(places), 1.0 / self.fine)
+        offsets = np.linspace(-1, 1, 9)
+        least = np.full(len(best), math.inf)
+        for _ in range(NARROWINGS if len(best) else 0):
+            u = np.clip(best[:, None] + half[:, None] * offsets, 1, self.rows)
+            found = function(u.ravel()).reshape(u.shape)
+            found = np.where(np.isnan(found), np.inf, found)
+            best, half = u[np.arange(len(u)), np.argmin(found, axis=1)], half / 3.5
+            least = np.min(found, axis=1)
+        return best, least
+
+    def _values(self, node: Node, known: dict[str, Array], count: int) -> Array:
+        with np.errstate(all="ignore"):
+            return np.broadcast_to(np.asarray(value(node, known), float), (count,))
+
+    def _conditions(self, reach: bool) -> list[Condition]:
+        """What must hold in a row: that links reach each other (of each group the first), or the other conditions."""
+        found: dict[object, Condition] = {}
+        for equation in self.equations.columns:
+            for condition in equation.exists:
+                if condition.reach == reach:
+                    found.setdefault(equation.group if reach else condition.margin, condition)
+        return list(found.values())
+
+    def _margins(self) -> None:
+        """Between two places of the grid a group may come apart and close again, or the other way round."""
+        for condition in self._conditions(reach=True):
+            margin = self._values(condition.margin, self.at, len(self.u))
+            for sign, found in ((1.0, self.dips), (-1.0, self.peeps)):
+                v = sign * margin
+                low = (v[1:-1] <= v[:-2]) & (v[1:-1] <= v[2:]) & (v[1:-1] < 0.2 * self.size) & (v[1:-1] >= 0)
+
+                def of(u: Array, sign: float = sign, margin: Node = condition.margin) -> Array:
+                    return sign * self._values(margin, self.known(u), len(u))
+
+                places, least = self._narrow(of, self.u[np.flatnonzero(low) + 1])
+                self.doubt += list(places[np.abs(least) < NEARLY * self.size])
+                found += list(places[least <= -NEARLY * self.size])
+
+    def _crossings(self) -> None:
+        """Lines that turn parallel, pins that coincide, between two places of the grid."""
+        for condition in self._conditions(reach=False):
+            c = self._values(condition.margin, self.at, len(self.u))
+            inner = np.flatnonzero((c[1:-1] <= c[:-2]) & (c[1:-1] <= c[2:])) + 1
+            if not len(inner) or np.ptp(c[np.isfinite(c)]) == 0:
+                continue
+
+            def near(u: Array, margin: Node = condition.margin) -> Array:
+                return self._values(margin, self.known(u), len(u))
+
+            order = np.argsort(c[inner])[: 4 * BASINS]
+            places, least = self._narrow(near, self.u[inner[order]])
+            self.doubt += list(places[least < 1e-4 * np.nanmax(c)])
+
+    # --- where it closes -------------------------------------------------------------------------------------------------
+
+    @property
+    def count(self) -> int:
+        """Rows that close."""
+        return int(self.row_there.sum())
+
+    @property
+    def row_stretches(self) -> list[tuple[int, int]]:
+        """(first row, last row) of each stretch of rows that close, from 1."""
+        ends = np.flatnonzero(np.diff(self.row_there.astype(int), prepend=0, append=0))
+        return [(int(first) + 1, int(last)) for first, last in ends.reshape(-1, 2)]
+
+    def _between_closed(self, u: float) -> bool:
+        low, high = math.floor(u), min(self.rows, math.ceil(u))
+        return bool(self.row_there[low - 1] and self.row_there[high - 1])
+
+    @cached_property
+    def holes(self) -> list[float]:
+        """Places between two neighbouring rows that close, where it does not."""
+        return [float(u) for u in (*self.dips, *self.edges) if self._between_closed(float(u))]
+
+    def limits(self) -> list[tuple[int, list[float]]]:
+        """(row before, possible places) for each change between neighbouring rows."""
+        rows = map(int, np.flatnonzero(self.row_there[1:] != self.row_there[:-1]) + 1)
+        return [(row, self.edges_between(row, row + 1)) for row in rows]
+
+    def edges_between(self, row: float, other: float) -> list[float]:
+        """Edges between two rows."""
+        low, high = min(row, other) - 1e-9, max(row, other) + 1e-9
+        return [float(edge) for edge in self.edges if low <= edge <= high]
+
+    @property
+    def whole(self) -> bool:
+        """Whether the driver covers whole turns: its last value is its first again, or the next one would be."""
+        if not self.mechanism.driver.link or not self.stepped or self.rows < 4:
+            return False
+        covered, more = (abs(self.step) * rows / TURN for rows in (self.rows - 1, self.rows))
+        return any(abs(round(part) - part) < 1e-9 and round(part) > 0 for part in (covered, more))
+
+    @property
+    def closes_everywhere(self) -> bool:
+        """Whether it closes between the rows too."""
+        return bool(self.there.all()) and not self.dips
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether it nearly comes apart somewhere: then little is sure."""
+        return bool(self.doubt)
+
+    # --- quantities ------------------------------------------------------------------------------------------------------
+
+    def extremes(
+        self, symbol: str, of: Change | None = None, rows_only: bool = False
+    ) -> tuple[float, float, float, float] | None:
+        """(least, where, largest, where) of a quantity over all that exists; None where it is nowhere a number."""
+        change = of or (lambda column: column)
+        column = np.asarray(change(self.at[symbol]), float)
+        shown = self._of_rows()
+        if rows_only:
+            shown = shown & (np.arange(len(self.u)) % self.fine == 0)
+        found: list[float] = []
+        for sign in (1.0, -1.0):
+            v = np.where(shown & np.isfinite(column), sign * column, np.inf)
+            if not np.isfinite(v).any():
+                return None
+            padded = np.concatenate(([np.inf], v, [np.inf]))
+            low = np.flatnonzero(np.isfinite(v) & (v <= padded[:-2]) & (v <= padded[2:]))
+            low = low[np.argsort(v[low])][:BASINS]
+            best, where = float(v[low[0]]), float(self.u[low[0]])
+            if self.stepped and not rows_only:
+                closer, place = self._closer(symbol, change, column, sign, self.u[low], shown)
+                best, where = (closer, place) if closer < best else (best, where)
+            found += [sign * best, where]
+        return found[0], found[1], found[2], found[3]
+
+    def _closer(
+        self, symbol: str, change: Change, column: Array, sign: float, starts: Array, shown: Mask
+    ) -> tuple[float, float]:
+        """The least value (with a sign) between the places of the grid and at the edges of what is shown; its place."""
+        held, turns = self._held(column), self.is_angle(symbol)
+
+        def near(u: Array) -> Array:
+            known = self.known(u)
+            raw = np.asarray(change(known[symbol]), float)
+            if turns:  # near the nearest place that exists
+                nearest = held[np.clip(np.rint((u - 1) * self.fine).astype(int), 0, len(self.u) - 1)]
+                raw = raw - TURN * np.round((raw - nearest) / TURN)
+            return np.where(self.exists(known), sign * raw, np.nan)
+
+        places, values = self._narrow(near, starts)
+        last = len(shown) - 1
+        beside = [
+            edge for edge in self.edges
+            if shown[max(0, math.ceil((edge - 1) * self.fine) - 1)]
+            or shown[min(last, math.floor((edge - 1) * self.fine) + 1)]
+        ]  # fmt: skip
+        if beside:
+            places = np.concatenate((places, beside))
+            values = np.concatenate((values, np.nan_to_num(near(np.array(beside)), nan=np.inf)))
+        pick = int(np.argmin(values))
+        return float(values[pick]), float(places[pick])
+
+    def _of_rows(self) -> Mask:
+        """The places in stretches with a row: what closes only between two rows that do not is not spoken of."""
+        ends = np.flatnonzero(np.diff(self.there.astype(int), prepend=0, append=0))
+        found = np.zeros(len(self.u), dtype=bool)
+        for begin, end in ends.reshape(-1, 2):
+            if -(-begin // self.fine) * self.fine < end:
+                found[begin:end] = True
+        return found
+
+    def is_angle(self, symbol: str) -> bool:
+        """Whether a quantity is an angle that is known up to whole turns."""
+        return symbol != self.mechanism.driver.symbol and self.equations.of(symbol).unit.kind == "angle"
+
+    def _held(self, column: Array) -> Array:
+        """The column with the nearest value before it, or the first, in places that do not exist."""
+        good = np.flatnonzero(np.isfinite(column) & self.there)
+        return column[good[np.clip(np.searchsorted(good, np.arange(len(column)), side="right") - 1, 0, len(good) - 1)]]
+
+    def turns_between_rows(self) -> dict[str, Array]:
+        """By how much each link's angle differs between neighbouring rows."""
+        found = {}
+        for link in self.mechanism.links[1:]:
+            symbol = link.angle_symbol
+            if symbol != self.mechanism.driver.symbol and self.equations.of(symbol).reads:
+                found[symbol] = np.abs(np.diff(self.at[symbol][:: self.fine]))
+        return found
+
+    def is_crank(self, symbol: str) -> bool:
+        """Whether a link turns on and on while the driver does whole turns."""
+        return self.whole and self.closes_everywhere and abs(self.at[symbol][-1] - self.at[symbol][0]) > math.pi

@@ -1,0 +1,122 @@
+"""Whether the yellow cells hold what a mechanism can have: no length is empty or below 0, no mode 0.5, no position 99.
+
+One cell, `inputs`, is the number of the first input that cannot be, in the order in which they stand, and 0 where all can;
+the words beside it name that input. While it is not 0 no row has a position: the constant that counts as zero is #N/A.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.sheet import styles
+from mechsheet.sheet.plan import SYMBOL, VALUE, Plan
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.workbook import Area, Conditional
+
+Kind = Literal["number", "length", "step", "mode"]
+
+CAN_BE: dict[Kind, str] = {
+    "number": "ISNUMBER(cell)",
+    "length": "(N(cell)>0)",
+    "step": "(N(cell)<>0)",
+    "mode": "(ABS(N(cell))=1)",
+}
+"""What holds of a cell of each kind; an empty cell counts as 0 for N, and so does a text."""
+
+
+MOST_NAMED = 254
+"""Choices that CHOOSE takes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """A yellow cell: the key of its place, what people call it, its row on the first sheet."""
+
+    key: str
+    name: str
+    kind: Kind
+    row: int
+
+
+def inputs_of(plan: Plan) -> list[Input]:
+    """Dimensions, start and step, modes, in the order in which they stand; the driver's listed values are not among them."""
+    found = []
+    for dim in plan.mechanism.dimensions:
+        if isinstance(dim.value, float):
+            kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
+            found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.blocks["dimensions"].rows[dim.symbol]))
+    driver = plan.mechanism.driver
+    ways: tuple[tuple[Literal["start", "step"], Kind], ...] = (("start", "number"), ("step", "step"))
+    for key, kind in ways if "sweep" in plan.blocks else ():
+        if isinstance(getattr(driver, key), float):
+            found.append(Input(f"#{key}", plan.text(f"name.{key}"), kind, plan.blocks["sweep"].rows[key]))
+    for group in plan.equations.groups:
+        if group.mode:
+            found.append(Input(group.mode, plain(group.mode), "mode", plan.blocks["assembly"].rows[group.mode]))
+    return found
+
+
+def first_wrong(plan: Plan) -> Node:
+    """The number of the first input that cannot be, 0 where all can."""
+    found = inputs_of(plan)
+    none = 10.0 ** len(str(len(found) + 1)) - 1  # more than there are
+    numbers: list[Node] = [al.number(none)]
+    for number, each in enumerate(found, 1):
+        can_be = formula(CAN_BE[each.kind], cell=plan.at.cell(each.key, plan.main, None))
+        numbers.append(formula("number+none*can_be", number=number, none=none, can_be=can_be))
+    return formula("MOD(first,none)", first=al.smallest(numbers), none=none)
+
+
+def words(plan: Plan, wrong: Node, position: Node, otherwise: Node) -> Node:
+    """What is said of the inputs: which one cannot be, that there is no such position, or something else.
+
+    wrong  the cell with the number of the first;  position  whether there is the position
+    """
+    before, after = plan.text("verdict.inputs.wrong", symbol="#").split("#")
+    which = joined(before, _named(plan, wrong), after) if inputs_of(plan) else Text("")
+    return formula("IF(wrong>0,which,IF(position,otherwise,no_position))", wrong=wrong, which=which, position=position,
+                   otherwise=otherwise, no_position=no_position(plan))  # fmt: skip
+
+
+def _named(plan: Plan, wrong: Node) -> Node:
+    """What the input of that number is called: the symbol beside it where the inputs stand one below another."""
+    found = inputs_of(plan)
+    first, last = found[0].row, found[-1].row
+    if last - first < len(found) or len(found) > MOST_NAMED:
+        symbols = RangeRef(CellRef(first, SYMBOL, True, True), CellRef(last, SYMBOL, True, True))
+        return formula("INDEX(symbols,wrong)", symbols=symbols, wrong=wrong)
+    return Call("CHOOSE", (wrong, *(Text(each.name) for each in found)))
+
+
+def no_position(plan: Plan) -> str:
+    """What is said where there is no such position."""
+    return plan.text("verdict.inputs.wrong", symbol=plan.text("name.position"))
+
+
+def red_where_wrong(plan: Plan, no_position: Node | None) -> list[Conditional]:
+    """The yellow cells that cannot be are red. `no_position`: whether the position is none, asked of this sheet's cells."""
+
+    def red(row: int, wrong: Node) -> Conditional:
+        return Conditional(Area(row, VALUE, row, VALUE), wrong, styles.BAD)
+
+    rules = [
+        red(each.row, formula(f"NOT({CAN_BE[each.kind]})", cell=CellRef(each.row, VALUE, True, True)))
+        for each in inputs_of(plan)
+    ]
+    if no_position is not None:
+        rules.append(red(plan.blocks["position"].rows["position"], no_position))
+    return rules
+
+
+def while_inputs_can_be(plan: Plan, value: Node, sheet: str) -> Node:
+    """A value that asks nothing of the inputs by itself; #N/A where one of them cannot be."""
+    return formula("IF(wrong>0,NA(),value)", wrong=plan.at.cell("#inputs", sheet, None), value=value)
+
+
+def gated_tolerance(least: Node) -> Node:
+    """What counts as zero; no number while an input is none: every group compares with it, so none closes."""
+    return formula("IF(wrong>0,NA(),least)", wrong=Symbol("#inputs"), least=least)

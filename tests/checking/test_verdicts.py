@@ -1,0 +1,107 @@
+"""`check` holds what the first sheet says against a search in Python: a wrong verdict is found, with its cell."""
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+from edited import TEMPLATES, edited, laid_out, saved
+
+from mechsheet.checking import check
+from mechsheet.checking.verdicts import EXACT, against_search
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import book_of
+from mechsheet.description import load
+from mechsheet.diagnostics import WorkbookError
+from mechsheet.engine import compile_book
+from mechsheet.formula.references import cell_address
+from mechsheet.kinematics.search import Search
+
+
+@cache
+def built(name, layout="sheets"):
+    compiled = Compiled(replace(load(TEMPLATES / f"{name}.toml"), layout=layout))
+    return compiled, compile_book(book_of(compiled.layout))
+
+
+class Damaged:
+    """Values, but one of a verdict's cell that is off by so much."""
+
+    def __init__(self, values, spot, by):
+        self.values, self.place, self.by, self.column = values, (spot.sheet, spot.row, spot.col), by, values.column
+
+    def get(self, *place):
+        value = self.values.get(*place)
+        return value + self.by if place == self.place else value
+
+
+@cache
+def evaluated(name, layout, typed):
+    compiled, book = built(name, layout)
+    spots = {compiled.plan.at.spots[symbol]: value for symbol, value in typed}
+    return book.evaluate({(spot.sheet, spot.row, spot.col): float(value) for spot, value in spots.items()})
+
+
+def judged(name, layout="sheets", damage=None, **typed):
+    """The comparison, with a verdict's value changed by `damage` (key, by how much), and inputs typed."""
+    plan = built(name, layout)[0].plan
+    values = evaluated(name, layout, tuple(typed.items()))
+    if damage is not None:
+        values = Damaged(values, plan.at.spots[f"#{damage[0]}"], damage[1])
+    return against_search(book_of(built(name, layout)[0].layout), values, plan, name)
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+@pytest.mark.parametrize("typed", [{}, {"a1": 110}, {"a1": 200}])
+def test_a_four_bar_says_what_the_search_finds(layout, typed):
+    """Everywhere, between limits, nowhere."""
+    found = judged("four-bar", layout, **typed)
+    assert found.agrees, found
+
+
+@pytest.mark.parametrize(
+    ("key", "by", "typed"),
+    [
+        ("rows_closed", 1, {}), ("limits", 1, {}), ("limit_1", 0.01, {"a1": 110}), ("input_to", 0.01, {"a1": 110}),
+        ("grashof_1", 0.01, {}), ("swing_theta14", 0.02, {}), ("time_ratio_theta14", 0.05, {}),
+        ("transmission_1", 0.02, {}), ("largest_gap", 1e-3, {}), ("leaps", 1, {}), ("passes", 1, {}),
+    ],
+)  # fmt: skip
+def test_a_wrong_verdict_is_found(key, by, typed):
+    found = judged("four-bar", damage=(key, by), **typed)
+    assert not found.agrees
+    assert f"({key})" in found.where
+    assert found.worst > EXACT
+
+
+def test_check_reports_a_verdict_that_was_typed_over(tmp_path):
+    """The cell, what it says, and what is true."""
+    workbook, plan = laid_out("four-bar")
+    spot = plan.at.spots["#verdict"]
+    cell, said = cell_address(spot.sheet, spot.row, spot.col), "closes in all 24 positions"
+    report = check(saved(edited(workbook, **{cell.replace("!", "_"): said}), tmp_path / "edited.xlsx"))
+    search = next(item for item in report.comparisons if item.judge == "search")
+    assert (search.agrees, search.where, search.ours) == (False, f"{cell} (verdict)", said)
+    assert search.theirs == "closes in all 25 positions"
+
+
+def test_a_mode_that_is_none_and_a_length_below_0_are_no_inputs():
+    """They are reported, not read as +1, and as a linkage of another shape."""
+    mode = built("four-bar")[0].plan.equations.groups[0].mode
+    with pytest.raises(WorkbookError, match=r"mode_1 must be 1 or -1, not 0\.5"):
+        judged("four-bar", **{mode: 0.5})
+    with pytest.raises(WorkbookError, match="a2 is the distance of two joints and must be greater than 0, not -35"):
+        judged("four-bar", a2=-35)
+
+
+def test_the_search_knows_a_crank_slider():
+    """Stroke of a slider-crank in line: twice the crank, from the sketch of it alone."""
+    compiled, _ = built("slider-crank")
+    mechanism = compiled.mechanism
+    dimensions = tuple(replace(dim, value=0.0) if dim.symbol == "a1" else dim for dim in mechanism.dimensions)
+    search = Search(replace(mechanism, dimensions=dimensions), compiled.equations, compiled.driver)
+    low, _, high, _ = search.extremes("s14")
+    crank = next(dim.value for dim in mechanism.dimensions if dim.symbol == "a2")
+    assert high - low == pytest.approx(2 * crank, rel=1e-9)
+    assert search.whole
+    assert search.closes_everywhere
+    assert not search.limits()
