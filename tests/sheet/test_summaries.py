@@ -36,7 +36,7 @@ def test_nothing_exists():
         assert cell(laid, name, 3) in (NA, None), name
         assert cell(laid, name, 4).endswith(": 0 of 25 positions"), name
     for line in laid.plan.blocks["verdicts"].rows:
-        if line.startswith(("swing", "stroke", "time_ratio", "transmission", "input")):
+        if line.startswith(("swing", "stroke", "time_ratio", "transmission", "input_")):
             assert laid.spot(f"#{line}") == NA, line
 
 
