@@ -5,6 +5,7 @@ import random
 import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 
+import mechsheet
 from chosen import IN_CI, part
 from mechsheet.checking import check, perturb
 from mechsheet.checking.perturb import drawn
@@ -77,12 +78,13 @@ def test_the_copies_hold_the_inputs(four_bar, monkeypatch):
     assert len(set(held)) == 2
 
 
-@pytest.mark.xfail(reason="IronCalc 0.9 finds no number in INDEX(...):INDEX(...) where rows are missing", strict=False)
-def test_another_evaluator(four_bar):
+def test_another_evaluator(tmp_path):
+    """On one sheet: the several have ranges that IronCalc does not know."""
     pytest.importorskip("ironcalc")
-    found = perturb(four_bar, 3, programs=["ironcalc"])
+    (page,) = mechsheet.build(mechsheet.template("four-bar"), tmp_path / "page.xlsx", layout="page")
+    found = perturb(page, 3, programs=["ironcalc"])
     assert found.agrees
-    assert found.judged[1].cells > 3 * 1000
+    assert found.judged[1].cells > 3 * 300
 
 
 @pytest.mark.ci

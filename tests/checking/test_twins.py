@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+import mechsheet
 from mechsheet.checking import check, with_twins
 from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import difference
@@ -145,7 +146,7 @@ def test_on_the_command_line(folder):
     assert shown.exit_code == 0
     assert "twin .xlsx     agrees" in shown.output
     data = json.loads(CliRunner().invoke(main, ["check", ods, xlsx, "--json"]).output)
-    assert [item["judge"] for item in data[1]["comparisons"]] == ["stored values", "reference", "twin .ods"]
+    assert [item["judge"] for item in data[1]["comparisons"]] == ["stored values", "reference", "search", "twin .ods"]
 
 
 def test_a_difference_on_the_command_line(folder, tmp_path):
@@ -161,7 +162,9 @@ def test_a_difference_on_the_command_line(folder, tmp_path):
 
 @pytest.mark.parametrize("program", ["ironcalc", "formulas"])
 def test_judges_that_read_xlsx_only(folder, program):
-    shown = CliRunner().invoke(main, ["check", os.fspath(folder / "scotch-yoke.ods"), "--with", program])
+    ods = folder / "page.ods"
+    mechsheet.build(mechsheet.template("scotch-yoke"), ods, layout="page")
+    shown = CliRunner().invoke(main, ["check", os.fspath(ods), "--with", program])
     assert shown.exit_code == 2
     assert f"{program} reads .xlsx only" in shown.output
     assert "Traceback" not in shown.output

@@ -23,7 +23,7 @@ TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 PAGES = ("adjustable-pump", "fivelink", "four-bar", "slider-crank")
 """Templates that are generated in both layouts."""
 
-FOUR_BAR = {("sheets", "names"): 1_490, ("sheets", "anchors"): 1_520, ("page", "anchors"): 420}
+FOUR_BAR = {("sheets", "names"): 1_495, ("sheets", "anchors"): 1_520, ("page", "anchors"): 420}
 """Formulas of a four-bar of 25 rows. Its template has anchors: there a constant is a cell, a named one is typed in."""
 
 FOUR_BAR_COLUMNS = {"sheets": 19, "page": 15}

@@ -10,7 +10,7 @@ from pathlib import Path
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.audit import audit
 from mechsheet.checking.baseline import Baseline, read_baseline
-from mechsheet.checking.cells import Angles, angles_in, compare_cells
+from mechsheet.checking.cells import compare_cells
 from mechsheet.checking.expected import expected_for, functions_in, inside
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.inserted_rows import MovedValues
@@ -19,6 +19,7 @@ from mechsheet.checking.perturb import Perturbation, perturb
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
 from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
 from mechsheet.checking.rules import Rules
+from mechsheet.checking.searched import compare_program
 from mechsheet.checking.stored import Stored, judge_stored
 from mechsheet.checking.twins import with_twins
 from mechsheet.checking.verdicts import against_search
@@ -125,9 +126,9 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
     comparisons = [stored.comparison()]
     remarks: list[str] = []
     edits: tuple[Edit, ...] = ()
-    angles = Angles()
     text = description_in(book)
     if text is None:
+        expected = None
         remarks.append("no description inside: only recalculated, not compared with the reference")
     else:
         work.say("looking for edits")
@@ -141,11 +142,10 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
         searched = against_search(found.book, placed, expected.plan, shown)
         comparisons += [] if searched is None else [searched]
         remarks += [*found.remarks, *of_inputs]
-        angles = angles_in(expected.plan)
     missing: list[Fault] = []
     for program in work.programs:
         work.say(program)
-        if reason := cannot_judge(program, (defined.name for defined in book.names)):
+        if reason := cannot_judge(program, book):
             remarks.append(reason)
             continue
         try:
@@ -156,5 +156,14 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
         ) as error:  # the other judges' answers are worth something without it
             missing += error.faults
             continue
-        comparisons.append(compare_cells(program, book, values, theirs, angles, work.rules, stored.unsure))
+        if expected is None:
+            comparisons.append(compare_cells(program, book, values, theirs, None, work.rules, stored.unsure))
+            continue
+        moves = found.moves or None
+        comparisons.append(
+            compare_program(
+                program, book, values, theirs, expected.plan, shown,
+                rules=work.rules, but=stored.unsure, moves=moves,
+            )
+        )  # fmt: skip
     return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing))

@@ -53,8 +53,12 @@ def compare_cells(
     angles: Angles | None = None,
     rules: Rules | None = None,
     but: Collection[int] = (),
+    aside: Callable[[str, int], bool] = lambda _sheet, _row: False,
 ) -> Comparison:
-    """The engine's value of every formula against `theirs(sheet, row, col)`, `but` those of some blocks, by their number."""
+    """The engine's value of every formula against `theirs(sheet, row, col)`.
+
+    but    blocks that are left out, by their number;  aside  whether the cells of a sheet's row are
+    """
     angles, rules = angles or Angles(), rules or Rules()
     ignored = ignored_in(book, rules.ignore)
     tally = Tally(judge, tolerance=rules.tolerance)
@@ -69,7 +73,7 @@ def compare_cells(
                 scale = column_scale(ours, angles.size)
                 period = angles.periods.get((sheet.title, col))
                 for row, value in enumerate(ours, block.row):
-                    if ignored.has(sheet.title, row, col):
+                    if ignored.has(sheet.title, row, col) or aside(sheet.title, row):
                         continue
                     other = theirs(sheet.title, row, col)
                     apart = difference(value, other, scale, period)

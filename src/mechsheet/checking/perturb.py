@@ -17,10 +17,10 @@ from pathlib import Path
 from typing import Any
 
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.checking.cells import angles_in, compare_cells
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
+from mechsheet.checking.searched import compare_program
 from mechsheet.description import load
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
@@ -212,7 +212,6 @@ class _Run:
         return {(spots[name].sheet, spots[name].row, spots[name].col): value for name, value in setting.inputs.items()}
 
     def _judge(self, batch: Sequence[Setting], programs: Sequence[str], count: int) -> None:
-        angles = angles_in(self.plan)
         values = [self.ready.evaluate(self._changes(setting)) for setting in batch]
         for setting, found in zip(batch, values, strict=True):
             self.say(f"set {setting.number + 1} of {count}")
@@ -223,7 +222,8 @@ class _Run:
                 paths = [self._written(setting, Path(folder)) for setting in batch]
                 theirs = self._answers(program, paths)
                 for setting, found, answer in zip(batch, values, theirs, strict=True):
-                    self._note(compare_cells(program, self.book, found, answer.get, angles), setting)
+                    compared = compare_program(program, self.book, found, answer.get, self.plan, self.shown)
+                    self._note(compared, setting)
 
     def _answers(self, program: str, paths: Sequence[Path]) -> Iterator[Answers]:
         try:

@@ -11,7 +11,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from mechsheet.diagnostics import Fault, MissingProgramError, WorkbookError, near_miss, readable_name
-from mechsheet.formula.nodes import ErrorValue, Scalar
+from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import Binary, ErrorValue, Node, Scalar, walk
 from mechsheet.formula.references import cell_name
 
 TIMEOUT = 600
@@ -247,15 +248,27 @@ def _onlyoffice(path: Path) -> Answers:
         return stored_values(result)
 
 
-def cannot_judge(program: str, names: Iterable[str]) -> str:
-    """Why a program cannot read a workbook with these defined names, "" when it can.
+def cannot_judge(program: str, book: Book) -> str:
+    """Why a program cannot compute a workbook, "" when it can.
 
     IronCalc 0.9 and ONLYOFFICE 10.0 know no names that begin with a letter beyond ASCII: what reads them is an error there.
+    IronCalc knows no range between two calls: INDEX(…):INDEX(…), which the drawing and the limits read.
     """
+    names = (defined.name for defined in book.names)
     foreign = [name for name in names if program in ("ironcalc", "onlyoffice") and not name[:1].isascii()]
-    if not foreign:
-        return ""
-    return f"{program} was not asked: it cannot read names that begin with a letter beyond ASCII ({', '.join(foreign)})"
+    if foreign:
+        return f"{program} was not asked: it cannot read names that begin with a letter beyond ASCII ({', '.join(foreign)})"
+    if program == "ironcalc" and any(
+        _has_moving_range(block.formula) for sheet in book.sheets for block in sheet.blocks
+    ):
+        return (
+            f"{program} was not asked: it does not know ranges like INDEX(…):INDEX(…); with the layout page it can be"
+        )
+    return ""
+
+
+def _has_moving_range(formula: Node) -> bool:
+    return any(isinstance(part, Binary) and part.op == ":" for part in walk(formula))
 
 
 PROGRAMS: Mapping[str, Callable[[Path], Answers]] = {

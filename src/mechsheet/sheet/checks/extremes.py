@@ -217,12 +217,15 @@ class Extremes:
         ]  # fmt: skip
         low, high = (probes.work(row + 1, SIDE + index, "end", end=end) for index, end in enumerate(ends))
         turns = self._half_turn(symbol)
-        near = "ABS(INDEX(column,1)-INDEX(column,rows))<half" if turns else "TRUE"
-        holes: dict[str, Node | float | str] = {"half": turns} if turns else {}
+        near = "ABS(start-end)<half" if turns else "TRUE"
+        start, end = (
+            CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
+        )
+        holes: dict[str, Node | float | str] = {"half": turns, "start": start, "end": end} if turns else {}
         # The ends of a whole turn are neighbours where nothing is missing and the quantity has not gone on by a turn.
         wraps = probes.work(
             row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
-            first=first, last=last, rows=plan.rows, column=column, **holes,
+            first=first, last=last, rows=plan.rows, **holes,
         )  # fmt: skip
         middle = probes.work(
             row + 1, SIDE + 3, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))",

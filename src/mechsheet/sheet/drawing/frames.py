@@ -234,7 +234,7 @@ def _scale_bar(page: Page, half: CellRef) -> tuple[Series, ...]:
     page.row += 1
     page.put(NAME, text("drawing.bar.label"))
     unit = page.plan.mechanism.length_unit
-    rounded = formula("ROUND(length,15)", length=length)  # gnumeric computes with more digits and would show them
+    rounded = formula("ROUND(length,12)", length=length)  # gnumeric computes with more digits and would show them
     words = joined(rounded, f" {unit}" if unit else "")
     label = page.formula(FIRST, words, styles.INNER)
     page.formula(CHART_X, al.add(al.number(LEFT), al.div(length, al.mul(al.TWO, half))))

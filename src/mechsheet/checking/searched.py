@@ -1,0 +1,84 @@
+"""What a workbook searches by probe rows, as another program finds it: held against the search in Python, not cell by cell.
+
+Where a parabola has its vertex, or which of two equal rows is the best, rounding decides; each program may place its probes
+elsewhere. What they find must be the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from dataclasses import replace
+from typing import Any
+
+from mechsheet.checking.cells import angles_in, compare_cells
+from mechsheet.checking.inserted_rows import MovedValues, Moves
+from mechsheet.checking.report import Comparison
+from mechsheet.checking.rules import Rules
+from mechsheet.checking.verdicts import against_search
+from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import Scalar
+from mechsheet.sheet.plan import Plan
+
+Find = Callable[[str, int, int], Scalar]
+"""The value of a cell by sheet, row and column."""
+
+
+class Searched:
+    """Cells that a search in the sheet decides: the sheet of extremes, and the verdicts and summaries on the first one."""
+
+    def __init__(self, plan: Plan, moves: Moves | None) -> None:
+        known = {} if moves is None else moves.by_title
+        extremes = plan.at.titles.get("extremes", "")
+        self.sheet = known[extremes].now if extremes in known else extremes
+        rows = [row for key in ("verdicts", "summary") if key in plan.blocks for row in plan.blocks[key].rows.values()]
+        rows.append(plan.at.spots["#verdict"].row)
+        main = known.get(plan.main)
+        self.main = plan.main if main is None else main.now
+        self.rows = set(rows if main is None else (main.rows.now(row) for row in rows))
+
+    def has(self, sheet: str, row: int) -> bool:
+        """Whether a cell of that row is one."""
+        return (bool(sheet) and sheet == self.sheet) or (sheet == self.main and row in self.rows)
+
+
+class _Answered:
+    """The engine's values, but for the searched cells those of a program."""
+
+    def __init__(self, values: Any, theirs: Find, searched: Searched) -> None:
+        self._values, self._theirs, self._searched = values, theirs, searched
+
+    def get(self, sheet: str, row: int, col: int) -> Scalar:
+        if self._searched.has(sheet, row):
+            return self._theirs(sheet, row, col)
+        found: Scalar = self._values.get(sheet, row, col)
+        return found
+
+    def column(self, sheet: str, col: int, first_row: int, last_row: int) -> list[Scalar]:
+        return [self.get(sheet, row, col) for row in range(first_row, last_row + 1)]
+
+
+def compare_program(
+    program: str,
+    book: Book,
+    values: Any,
+    theirs: Find,
+    plan: Plan,
+    shown: str,
+    *,
+    rules: Rules | None = None,
+    but: Collection[int] = (),
+    moves: Moves | None = None,
+) -> Comparison:
+    """A program's values of a mechanism's workbook: cell by cell against the engine's, searched ones against the search.
+
+    book, values  the workbook as it is and the engine's values of it;  moves  how its rows and columns were moved
+    but           blocks that are left out, by their number
+    """
+    searched = Searched(plan, moves)
+    cells = compare_cells(program, book, values, theirs, angles_in(plan), rules, but, searched.has)
+    answered: Any = _Answered(values, theirs, searched)
+    found = against_search(book, answered if moves is None else MovedValues(answered, moves), plan, shown)
+    if found is None:
+        return cells
+    worse = cells.agrees and not found.agrees
+    return replace(found if worse else cells, judge=program, cells=cells.cells + found.cells)
