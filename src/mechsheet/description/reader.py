@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, joints, links, results
+from mechsheet.description import dimensions, driver, joints, links, rates, results
 from mechsheet.description.kinds import plain_unit
 from mechsheet.description.overrides import with_values
 from mechsheet.description.quoting import quoted
@@ -112,6 +112,12 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     if made and report.sound("links", "joints"):
         links.check_connected(made, sliding, scope)
 
+    rates.declare(made, sliding, driven, data["driver"], scope)
+    motion = rates.motion(data["driver"], made, driven, scope) if driven else None
+    if driven and motion:
+        driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
+        table = (*table, *motion.dimensions)
+
     results.declare(outputs, summary, scope)
     workbook = _part(data, "workbook", {})
     parts: dict[str, Any] = {
@@ -123,8 +129,10 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "language": _choice(workbook, "language", "en"),
         "layout": (layout := _choice(workbook, "layout", "sheets")),
         "drawn": workbook.get("drawing", True) is not False,
+        "rate_points": rates.points(_part(data, "rates", {}), scope),
         "references": _choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
+    rates.check_layout(layout, scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None
