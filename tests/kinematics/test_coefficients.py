@@ -231,7 +231,9 @@ def test_dead_centre_has_no_rates_but_a_position():
     assert np.isnan(values["alpha14"][dead])
     assert np.isfinite(values["theta14"][dead])
     assert values["omega14"][dead - 1] == pytest.approx(4.0, rel=1e-10)
-    assert np.isfinite(values["omega14"][dead + 1])  # the assembly stays: beyond the change point that is the other motion
+    assert np.isfinite(
+        values["omega14"][dead + 1]
+    )  # the assembly stays: beyond the change point that is the other motion
 
 
 def test_a_speed_that_depends_on_the_driver_brings_its_acceleration():

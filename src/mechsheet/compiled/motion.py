@@ -7,7 +7,7 @@ import numpy as np
 from mechsheet.compiled.mechanism import Compiled
 from mechsheet.kinematics.numeric import Array
 
-SHOWN_ROLES = ("variable", "point", "output")
+SHOWN_ROLES = ("variable", "point", "rate", "output")
 
 
 def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:

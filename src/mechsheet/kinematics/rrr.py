@@ -62,7 +62,7 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
         unknowns=(poses.angle_unknown(dyad.first), poses.angle_unknown(dyad.second)),
         label=phrase("group_pins", links=poses.both(dyad), pins=f"{p}, {q}, {r}"),
         determinant=Determinant(
-            al.mul(mode, al.mul(al.mul(a, b), sine)), 2, True, Condition(Call("ABS", (sine,)), al.number(DEAD))
+            al.mul(al.mul(al.mul(mode, a), b), sine), 2, True, Condition(Call("ABS", (sine,)), al.number(DEAD))
         ),
         transmission=mu.name,
         sides=(a, b, s),

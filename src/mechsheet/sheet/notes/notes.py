@@ -6,6 +6,7 @@ import math
 
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.references import cell_name, column_letters
+from mechsheet.kinematics.equations import RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.notes.mathematics import Part, symbol_parts, written
@@ -235,11 +236,20 @@ class _Page:
         for equation in self.plan.equations.constants:
             self._equation(equation, self.plan.mechanism.shown(equation.unit).text)
         self._driver()
-        groups = dict.fromkeys(equation.group for equation in self.plan.equations.columns)
-        for number in groups:
+        columns = self.plan.equations.columns
+        self._groups([equation for equation in columns if equation.role not in RATES and equation.group >= 0])
+        rates = [equation for equation in columns if equation.role in RATES]
+        if rates:
+            self._group(self.plan.text("rates.title"))
+            self._groups(rates)
+        self._groups([equation for equation in columns if equation.group < 0])
+
+    def _groups(self, equations: list[Assignment]) -> None:
+        """Equations, group by group."""
+        for number in dict.fromkeys(equation.group for equation in equations):
             if number != 0:
                 self._group(group_title(self.plan, number))
-            for equation in self.plan.equations.columns:
+            for equation in equations:
                 if equation.group == number:
                     self._equation(equation, self._unit(equation))
 
@@ -294,7 +304,7 @@ class _Page:
     def _place(self, symbol: str) -> str:
         """Where people read it: `Positions K`, `Mechanism B12`."""
         spot = self.plan.at.spots[symbol]
-        return self._column(spot.col) if spot.column else f"{spot.sheet} {cell_name(spot.row, spot.col)}"
+        return f"{spot.sheet} {column_letters(spot.col) if spot.column else cell_name(spot.row, spot.col)}"
 
     def _column(self, col: int) -> str:
         return f"{self.plan.table} {column_letters(col)}"
