@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
+from mechsheet.formula.nodes import Binary, Call, Node, Symbol, symbols, transform
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.dyads import Determinant, Solved
@@ -273,7 +273,10 @@ class _Writer:
         found = []
         for axis, node in zip("xy", right, strict=True):
             label = phrase("known_side", axis=axis, order=_order(order))
-            found.append(node if al.is_simple(node) else self._define(f"{base}_{axis}", node, unit, label))
+            if not al.is_simple(node):
+                node = self._within(node, f"{base}_{axis}", unit, label)
+                node = node if al.is_simple(node) else self._define(f"{base}_{axis}", node, unit, label)
+            found.append(node)
         return found[0], found[1]
 
     def _unit(self, lengths: int, order: int = 0) -> Unit:
@@ -284,6 +287,16 @@ class _Writer:
             return NUMBER
         name = length + {1: "", 2: "²"}.get(abs(power), f"^{abs(power)}")
         return Unit("number", name if power > 0 else f"1/{name}")
+
+    def _within(self, node: Node, base: str, unit: Unit, label: Words) -> Node:
+        """A sum of which no cell holds more than can be read: its first terms stand in a column of their own."""
+        terms = _terms(node)
+        while len(terms) > 2 and self.length(al.total(terms)) > LONGEST:
+            count = next((n for n in range(len(terms) - 1, 1, -1) if self.length(al.total(terms[:n])) <= LONGEST), 1)
+            if count == 1:
+                break
+            terms = [self._define(base, al.total(terms[:count]), unit, label), *terms[count:]]
+        return al.total(terms)
 
     def _define(self, base: str, node: Node, unit: Unit, label: Words, *exists: Condition) -> Symbol:
         name = self.ledger.reserve(base)
@@ -358,8 +371,9 @@ class _Writer:
             for axis, node in zip("xy", vector, strict=True):
                 name = f"{point}.{axis}{_COEFFICIENTS[order - 1]}"
                 label = phrase("coefficient", symbol=f"{axis} {point}", order=_order(order))
+                part = self._within(node, f"{point}_{axis}", self._unit(1, order), label)
                 self.own.add(name)
-                self.ledger.define(name, node, self._unit(1, order), label, "coefficient")
+                self.ledger.define(name, part, self._unit(1, order), label, "coefficient")
                 columns.append(Symbol(name))
         known = PointRate((columns[0], columns[1]), (columns[2], columns[3]))
         self.names.points[point] = known
@@ -400,6 +414,16 @@ class _Writer:
 
 def _order(order: int) -> Words:
     return phrase("velocity_word" if order == 1 else "acceleration_word")
+
+
+def _terms(node: Node) -> list[Node]:
+    """The terms of a sum with their signs."""
+    match node:
+        case Binary("+", left, right):
+            return [*_terms(left), *_terms(right)]
+        case Binary("-", left, right):
+            return [*_terms(left), *(al.neg(term) for term in _terms(right))]
+    return [node]
 
 
 def _without(vector: Vector, zero: Mapping[str, Node]) -> Vector:

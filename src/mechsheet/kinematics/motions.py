@@ -261,9 +261,16 @@ class Motions:
         angle = self._pinned(carrier, p, outer[p.point])
         self._slides(inner.body, inner, self.rates.of(inner.joint.symbol))
         self._whole(slider, inner.body)
-        place = self.coordinates(q.point)
-        way = self.motion[self._with_point(slider, q.point)](place)
-        return Meeting(place, (way, outer[q.point]), (angle, inner.joint.symbol))
+        return Meeting(*self._at_known(slider, q, outer[q.point]), (angle, inner.joint.symbol))
+
+    def _at_known(self, assembly: Assembly, pin: Pin, moves: PointRate) -> tuple[Vector, tuple[PointRate, PointRate]]:
+        """An assembly that has slid to a known pin: where that is, and both ways to its rates; it then turns about it."""
+        body = self._with_point(assembly, pin.point)
+        place = self.coordinates(pin.point)
+        way = self.motion[body](place)
+        self._turns(body, pin.point, moves, self.turning[body])  # as sliding has it, and shorter
+        self._whole(assembly, body)
+        return place, (way, moves)
 
     def _meet_on_slides(
         self, dyad: Dyad, inner: Slide, pin: Pin, slide: Slide, outer: Mapping[str, PointRate]
@@ -273,6 +280,4 @@ class Motions:
         body = inner.body if inner.body in dyad.first else inner.on
         self._slides(body, inner, self.rates.of(inner.joint.symbol))
         self._whole(dyad.first, body)
-        place = self.coordinates(pin.point)
-        way = self.motion[self._with_point(dyad.first, pin.point)](place)
-        return Meeting(place, (way, outer[pin.point]), (guide, inner.joint.symbol))
+        return Meeting(*self._at_known(dyad.first, pin, outer[pin.point]), (guide, inner.joint.symbol))

@@ -39,7 +39,9 @@ def _columns(
     size: str,
 ) -> list[Fit]:  # fmt: skip
     """Each part over what it is measured by, in as few columns as their length allows."""
-    rates = dict.fromkeys(name for part in parts for name in symbols(part) if _is_rate(plan, name))
+    group = plan.equations.groups[number - 1]
+    own = {*plan.mechanism.driver_rates, *(eq.symbol for eq in plan.equations.columns if eq.group == group.number)}
+    rates = dict.fromkeys(name for part in parts for name in symbols(part) if name in own and _is_rate(plan, name))
     speeds = [name for name in rates if name.startswith("omega") or name.endswith(".v")]
     scale = al.total(formula(size, rate=_turning(plan, name)) for name in speeds)
     scale = al.total([scale, *(Call("ABS", (_turning(plan, name),)) for name in rates if name not in speeds)])
