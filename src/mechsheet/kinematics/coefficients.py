@@ -150,10 +150,16 @@ class _Cramer:
         return al.div(one, det.node), al.div(other, det.node)
 
 
-def add_rates(
-    poses: Poses, drive: Drive, dyads: Sequence[tuple[Dyad, Solved]]
-) -> dict[int, tuple[Node, Node, Node, Node]]:
-    """Write all equations of velocities and accelerations down, behind those of positions; what `Equations.fits` holds."""
+@dataclass(frozen=True, slots=True)
+class Written:
+    """See `Equations`."""
+
+    fits: Mapping[int, tuple[Node, Node, Node, Node]]
+    turning: Mapping[str, tuple[Node, Node]]
+
+
+def add_rates(poses: Poses, drive: Drive, dyads: Sequence[tuple[Dyad, Solved]]) -> Written:
+    """Write all equations of velocities and accelerations down, behind those of positions."""
     return _Writer(poses, drive, dyads).write()
 
 
@@ -173,14 +179,14 @@ class _Writer:
         lengths = self.mechanism.driver.joint
         self.per = self.mechanism.length_unit if lengths else ""
 
-    def write(self) -> dict[int, tuple[Node, Node, Node, Node]]:
+    def write(self) -> Written:
         self._driver()
         self._after_group()
         for number, (dyad, solved) in enumerate(self.dyads, 1):
             self.ledger.group = number
             self._dyad(dyad, solved)
             self._after_group()
-        return self._fits() if self.timed else {}
+        return self._by_time_alone() if self.timed else Written({}, {})
 
     # --- the driver -------------------------------------------------------------------------------------------
 
@@ -400,8 +406,8 @@ class _Writer:
 
     # --- do they fit? -----------------------------------------------------------------------------------------
 
-    def _fits(self) -> dict[int, tuple[Node, Node, Node, Node]]:
-        """Of each group by how much its two ways to the closing point differ, in velocity and in acceleration."""
+    def _by_time_alone(self) -> Written:
+        """How fast each link turns; of each group by how much its two ways to the closing point differ."""
         motions = Motions(self.poses, self.drive, _ByTime(self.mechanism, self.names.points))
         found = {}
         for number, (dyad, _) in enumerate(self.dyads, 1):
@@ -409,7 +415,11 @@ class _Writer:
             meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
             left, right = meeting.ways
             found[number] = (*minus(left.first, right.first), *minus(left.second, right.second))
-        return found
+        turning = {
+            link.angle_symbol: (motions.turning[link.name].first, motions.turning[link.name].second)
+            for link in self.mechanism.links[1:]
+        }
+        return Written(found, turning)
 
 
 def _order(order: int) -> Words:

@@ -160,6 +160,7 @@ class Equations:
     poses      where each link is, by its name
     fits       by number of a group what is 0 in every row: how far its velocities (two parts), its accelerations (two parts)
                are from fitting together, over points, velocities and accelerations
+    turning    how fast each link turns, by the symbol of its angle: its angular velocity and acceleration
     """
 
     constants: tuple[Equation, ...]
@@ -169,6 +170,7 @@ class Equations:
     tolerance: str
     poses: Mapping[str, LinkPose] = field(default_factory=dict)
     fits: Mapping[int, tuple[Node, Node, Node, Node]] = field(default_factory=dict)
+    turning: Mapping[str, tuple[Node, Node]] = field(default_factory=dict)
 
     @property
     def all(self) -> tuple[Equation, ...]:

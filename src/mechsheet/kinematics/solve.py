@@ -15,7 +15,7 @@ from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.coefficients import add_rates, wanted
+from mechsheet.kinematics.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
@@ -122,9 +122,9 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> Equations:
             is_open = is_open or solved.mode in opened
         poses.settle_turns()
         found.append((dyad, solved, value, is_open))
-    fits: dict[int, tuple[Node, Node, Node, Node]] = {}
+    rates = Written({}, {})
     if wanted(mechanism):
-        fits = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
+        rates = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
     _outputs(mechanism, ledger)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
@@ -134,7 +134,8 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> Equations:
         tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in ledger.positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
-        fits,
+        rates.fits,
+        rates.turning,
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
     return result

@@ -25,4 +25,29 @@ RATES: dict[str, tuple[str, str]] = {
     "verdict.accelerations_fit": ("accelerations", "ivmeler"),
     "verdict.rates.fit": ("they fit the links: rounding only", "uzuvlarla uyuşuyor: yalnız yuvarlama"),
     "verdict.rates.not": ("they do not fit the links: see {sheet}", "uzuvlarla uyuşmuyor: {sheet} sayfasına bakın"),
+    "notes.use.rates": (
+        "The sheet {rates} has the velocities and accelerations in the rows of the positions. Grey are the influence "
+        "coefficients, which depend on the position alone: change {speed} or {acceleration} and the black columns follow.",
+        "{rates} sayfasında, konumların satırlarında hızlar ve ivmeler vardır. Gri sütunlar yalnız konuma bağlı etki "
+        "katsayılarıdır; {speed} veya {acceleration} değişince yalnız siyah sütunlar değişir.",
+    ),
+    "notes.assumptions.rates": (
+        "Angular velocities are in rad/s and positive counter-clockwise, velocities in {unit}/s. Links that turn alike "
+        "share one angular velocity. The acceleration of a sliding joint is that along its line, without Coriolis's.",
+        "Açısal hızlar rad/s birimindedir, saat yönünün tersine pozitiftir; hızlar {unit}/s birimindedir. Birlikte dönen "
+        "uzuvların açısal hızı birdir. Kayar mafsalın ivmesi doğrusu boyuncadır, Coriolis ivmesi bunda yoktur.",
+    ),
+    "notes.assumptions.coefficients": (
+        "A prime is a derivative by the driver {driver}: an influence coefficient, also called kinematic. Then "
+        "ω = θ′·{speed} and α = θ″·{speed}² + θ′·{acceleration}.",
+        "Üs işareti, {driver} tahrikine göre türevdir: etki katsayısı. Buna göre ω = θ′·{speed}, "
+        "α = θ″·{speed}² + θ′·{acceleration}.",
+    ),
+    "notes.assumptions.dead": (
+        "At a dead centre D is 0 and velocities would be infinite: the sheet {rates} has #N/A there, the position stays.",
+        "Ölü konumda D sıfırdır, hızlar sonsuz olurdu: {rates} sayfasında orada #YOK vardır; konum yerinde kalır.",
+    ),
+    "notes.loop": ("loop of group {number}, differentiated by time", "{number}. grubun devresi, zamana göre türevi"),
+    "notes.loop.velocities": ("velocity", "hız"),
+    "notes.loop.accelerations": ("acceleration", "ivme"),
 }  # fmt: skip

@@ -9,6 +9,7 @@ from mechsheet.formula.references import cell_name, column_letters
 from mechsheet.kinematics.equations import RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
+from mechsheet.sheet.notes.loops import LoopRates
 from mechsheet.sheet.notes.mathematics import Part, symbol_parts, written
 from mechsheet.sheet.plan import DRIVER, STATUS, Plan
 from mechsheet.sheet.symbols import plain
@@ -31,6 +32,7 @@ PARAGRAPHS = (
     "modes",
     "sweep",
     "positions",
+    "rates",
     "charts",
     "tables",
     "checks",
@@ -38,6 +40,7 @@ PARAGRAPHS = (
     "missing",
 )
 ASSUMPTIONS = ("planar", "angles", "radians", "cosines", "continuous", "constant_mode", "rounding")
+RATE_ASSUMPTIONS = ("rates", "coefficients", "dead")
 COLOURS: tuple[tuple[str, Style], ...] = (
     ("input", styles.INPUT),
     ("result", styles.RESULT),
@@ -54,7 +57,7 @@ def notes_sheet(plan: Plan) -> Sheet:
     page = _Page(plan)
     page.opening()
     page.colours()
-    page.list_of("assumptions", ASSUMPTIONS)
+    page.list_of("assumptions", ASSUMPTIONS + (RATE_ASSUMPTIONS if plan.equations.equations.turning else ()))
     page.links()
     page.equations()
     return Sheet(
@@ -128,6 +131,9 @@ class _Page:
             "positions": titles["positions"],
             "mechanism": titles["mechanism"],
             "table": plan.text("sheet.table"),
+            "rates": titles.get("rates", ""),
+            "speed": plain(plan.mechanism.driver_rates[0]),
+            "acceleration": plain(plan.mechanism.driver_rates[1]),
         }
 
     # --- parts ------------------------------------------------------------------------------------------------
@@ -146,6 +152,8 @@ class _Page:
             left_out.add("modes")
         if plan.mechanism.driver.values:
             left_out.add("sweep")
+        if not plan.rates:
+            left_out.add("rates")
         self.list_of("use", tuple(entry for entry in PARAGRAPHS if entry not in left_out))
 
     def colours(self) -> None:
@@ -241,8 +249,21 @@ class _Page:
         rates = [equation for equation in columns if equation.role in RATES]
         if rates:
             self._group(self.plan.text("rates.title"))
+            self._loops()
             self._groups(rates)
         self._groups([equation for equation in columns if equation.group < 0])
+
+    def _loops(self) -> None:
+        """The loop equations of velocities and of accelerations, as a textbook has them."""
+        if not self.plan.equations.equations.turning:
+            return
+        loops = LoopRates(self.plan)
+        for group in self.plan.equations.groups:
+            for key, equation in (
+                ("velocities", loops.velocities(group.closure)),
+                ("accelerations", loops.accelerations(group.closure)),
+            ):
+                self._entry(self.text(f"loop.{key}"), "", equation, self.text("loop", number=group.number), "")
 
     def _groups(self, equations: list[Assignment]) -> None:
         """Equations, group by group."""
