@@ -20,6 +20,21 @@ GROUND = 1
 """The number of the fixed link."""
 
 
+POINT_RATES = ("vx", "vy", "v", "ax", "ay", "a")
+"""Of a point C the velocity and the acceleration, `C.vx`: components in the ground's frame, and their magnitude."""
+
+
+def rate_symbols(symbol: str, turns: bool) -> tuple[str, str]:
+    """What the first and second derivative by time of an angle or a displacement are called.
+
+    omega13, alpha13 of theta13; omega_q, alpha_q of an angle q; s14.v, s14.a of a displacement
+    """
+    if not turns:
+        return f"{symbol}.v", f"{symbol}.a"
+    tail = symbol.removeprefix("theta") if symbol.startswith("theta") and symbol != "theta" else f"_{symbol}"
+    return f"omega{tail}", f"alpha{tail}"
+
+
 @dataclass(frozen=True, slots=True)
 class Words:
     """A text in both languages; a description that gives one string has it in both."""
@@ -42,6 +57,7 @@ class Dimension:
     tolerance  in the unit shown
     shown      a plain number as the description wrote it, in its unit (30 for 30 degrees), else None
     written    the expression of a derived dimension as the description wrote it, else ""
+    driver_key the key of the driver that gives it, "speed" or "acceleration"; "" for a dimension of the description's own
     """
 
     symbol: str
@@ -52,6 +68,7 @@ class Dimension:
     tolerance: float | None = None
     shown: float | None = None
     written: str = ""
+    driver_key: Literal["", "speed", "acceleration"] = ""
 
     @property
     def derived(self) -> bool:
@@ -103,6 +120,11 @@ class Link:
         """`theta13` for link 3, `theta1_10` from the tenth on: the angle of its x axis from the ground's."""
         return f"theta1{self.number}" if self.number < 10 else f"theta1_{self.number}"
 
+    @property
+    def rate_symbols(self) -> tuple[str, str]:
+        """`omega13`, `alpha13`: its angular velocity and acceleration."""
+        return rate_symbols(self.angle_symbol, True)
+
 
 @dataclass(frozen=True, slots=True)
 class Joint:
@@ -137,6 +159,9 @@ class Driver:
     start, stop, step  the sweep in internal units (stop is included when the steps land on it); or
     values             the driver's values one by one
     unit               unit in which a person reads and writes the values: degrees, radians or the length unit
+    speed              its derivative by time [rad/s or length unit/s], over dimensions and the driver's symbol; the symbol
+                       of a dimension of its own where it is the same in every row; None where no rates are asked for
+    acceleration       the second derivative, likewise
     """
 
     symbol: str
@@ -148,6 +173,8 @@ class Driver:
     stop: Quantity = 0.0
     step: Quantity = 0.0
     values: tuple[Quantity, ...] = ()
+    speed: Node | None = None
+    acceleration: Node | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,7 +238,8 @@ class TableRequest:
 class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
-    `file` is the stem of the file that it was read from, "" when it was read from none.
+    rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
+    file         the stem of the file that it was read from, "" when it was read from none
     """
 
     name: str
@@ -232,6 +260,7 @@ class Mechanism:
     references: Literal["names", "anchors"] = "names"
     layout: Literal["sheets", "page"] = "sheets"
     drawn: bool = True
+    rate_points: tuple[str, ...] | None = None
     text: str = ""
     file: str = field(default="", compare=False)
 
@@ -246,6 +275,14 @@ class Mechanism:
             return unit
         known = self.angle_unit if unit.kind == "angle" else Unit(unit.kind, self.length_unit)
         return replace(known, per=unit.per)
+
+    @property
+    def driver_rates(self) -> tuple[str, str]:
+        """Symbols of the driver's speed and acceleration: omega12, alpha12."""
+        driver = self.driver
+        link = next((link for link in self.links if link.name == driver.link), None)
+        own = link.angle_symbol if link and driver.relative_to == self.ground.name else driver.symbol
+        return rate_symbols(own, not driver.joint)
 
     @property
     def ground(self) -> Link:

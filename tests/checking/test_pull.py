@@ -260,3 +260,15 @@ def test_a_foreign_workbook(tmp_path, four_bar):
     write(computed(workbook), tmp_path / "foreign.xlsx")
     with pytest.raises(MechsheetError, match="carries no description"):
         pull(tmp_path / "foreign.xlsx")
+
+
+def test_the_speed_of_the_driver(tmp_path):
+    text = template("four-bar").replace("[driver]", '[driver]\nspeed = { value = 60, unit = "rpm" }')
+    mechanism = loads(text)
+    workbook, plan = lay_out(mechanism, solve(mechanism))
+    path = saved(edited(workbook, **cells_of(plan, speed=90, alpha12=2)), tmp_path / "e.xlsx")
+    found = pull(path)
+    assert found.changes == ("speed of the driver: 60 -> 90", "acceleration of the driver: 0 -> 2")
+    assert 'speed = { value = 90, unit = "rpm" }' in found.text
+    assert loads(found.text).driver_rates == ("omega12", "alpha12")
+    assert held(found.text, path) == []

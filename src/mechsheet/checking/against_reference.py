@@ -14,10 +14,12 @@ from mechsheet import reference
 from mechsheet.checking.conditioning import excused
 from mechsheet.checking.inputs import Array, Inputs, inputs_in
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally
+from mechsheet.checking.steepness import EDGE, Steepness
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
+from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.model import Mechanism
@@ -56,17 +58,21 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     solution = reference.solve(mechanism, inputs.dimensions, start=start, values=inputs.driver)
     tally = Tally("reference")
     known = _Known(plan, values)
+    steep = Steepness(plan, known)
     ours = {symbol: known[symbol] for symbol in _judged(plan)}
     theirs = _theirs(solution, ours)
     placed = {symbol: known[symbol] for symbol in theirs if symbol in plan.at.spots or symbol in plan.plain}
     closed = _closed_rows(mechanism, solution, ours | placed)
     _judge_status(plan, tally, opened, solution.exists)
     for symbol, column in ours.items():
-        _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol))
+        if steep.concerns(symbol):
+            _compare_rate(plan, tally, symbol, column, theirs, solution, steep)
+        else:
+            _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol))
     return tally.result(), list(inputs.remarks)
 
 
-RESULTS = ("variable", "point", "output")
+RESULTS = ("variable", "point", "rate", "output")
 """Roles of the equations that are judged; intermediate quantities are nobody's but the sheet's."""
 
 EVERY = ""
@@ -143,6 +149,7 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array]) -> dict[str
     angles = {link.angle_symbol for link in solution.mechanism.links} & found.keys() & ours.keys()
     turned = {symbol: math.tau * np.round((ours[symbol] - found[symbol]) / math.tau) for symbol in angles}
     found |= {symbol: found[symbol] + np.nan_to_num(turns) for symbol, turns in turned.items()}
+    found |= {symbol: column for symbol, column in reference.by_time(solution).items() if symbol not in found}
     return found | reference.outputs(solution, found)
 
 
@@ -204,6 +211,31 @@ def _compare_column(
     if output is not None and (apart > TOLERANCE).any():
         steep = (apart > TOLERANCE) & excused(solution, found, symbol, ours, 1.0 if is_angle else scale)
         apart = np.where(steep, 0.0, apart)
+    tally.cells += len(apart) - 1
+    row = int(np.argmax(apart))
+    where = f"{_address(plan, symbol, row)} ({symbol}, row {row})"
+    tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
+
+
+def _compare_rate(
+    plan: Plan,
+    tally: Tally,
+    symbol: str,
+    ours: Array,
+    found: Mapping[str, Array],
+    solution: reference.Solution,
+    steep: Steepness,
+) -> None:
+    """A velocity or an acceleration, or an output of them: beside a dead centre it grows, and loses digits."""
+    theirs = np.asarray(found[symbol], float)
+    with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+        apart = np.abs(ours - theirs) / (steep.scale(symbol, solution, found) + np.abs(theirs)) * steep.sine**2
+    missing = np.isnan(ours)
+    fine = missing & (~solution.exists | np.isnan(theirs) | (steep.sine < DEAD * (1 + EDGE)))
+    fine |= ~solution.exists  # what does not depend on the group that comes apart goes on
+    fine |= ~missing & (ours == theirs)
+    wrong = np.isnan(apart) | (~missing & (steep.sine < DEAD * (1 - EDGE)) & steep.at_all(symbol))
+    apart = np.where(fine, 0.0, np.where(wrong, math.inf, apart))
     tally.cells += len(apart) - 1
     row = int(np.argmax(apart))
     where = f"{_address(plan, symbol, row)} ({symbol}, row {row})"

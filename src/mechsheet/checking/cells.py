@@ -13,6 +13,7 @@ from mechsheet.checking.rules import Rules, ignored_in
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar, shifted
 from mechsheet.formula.references import cell_address
+from mechsheet.kinematics.solve import is_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.units import turn
 
@@ -37,11 +38,7 @@ def angles_in(plan: Plan) -> Angles:
             continue
         if column.equation.unit.kind == "angle":
             periods[plan.table, column.col] = turn(plan.at.spots[column.symbol].degrees)
-    lengths = [
-        abs(dim.value)
-        for dim in plan.mechanism.dimensions
-        if isinstance(dim.value, float) and dim.unit.kind == "length"
-    ]
+    lengths = [abs(dim.value) for dim in plan.mechanism.dimensions if isinstance(dim.value, float) and is_length(dim)]
     return Angles(periods, min(1.0, max(lengths, default=1.0) or 1.0))
 
 

@@ -18,7 +18,7 @@ from mechsheet.sheet.table.two_way import table_sheets
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),
-("driver", "values", 3), ("tables", 0, 2)."""
+("driver", "speed"), ("driver", "values", 3), ("tables", 0, 2)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +81,9 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
         yield ("dimensions", symbol), (plan.main, row, VALUE)
         if mechanism.layout == "sheets":
             yield ("tolerance", symbol), (plan.main, row, TOLERANCE)
+    for dim in mechanism.dimensions:
+        if dim.driver_key and isinstance(dim.value, float):
+            yield ("driver", dim.driver_key), (plan.main, plan.blocks["motion"].rows[dim.symbol], VALUE)
     if "assembly" in plan.blocks:
         for symbol, row in plan.blocks["assembly"].rows.items():
             yield ("mode", symbol), (plan.main, row, VALUE)

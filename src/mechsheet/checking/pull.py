@@ -173,6 +173,9 @@ def _with_change(source: Source, change: Change) -> Source:
             path: Place = ("dimensions", symbol)
             inside: Place = (*path, "value")
             return with_number(source, inside if inside in source.spots else path, _given(change))
+        case ("driver", "speed" | "acceleration" as key):
+            inside = ("driver", str(key), "value")
+            return with_number(source, inside if inside in source.spots else change.key, _given(change))
         case ("tolerance", str(symbol)):
             path = ("dimensions", symbol, "tolerance")
             return without_key(source, path) if change.now is None else with_number(source, path, change.now)

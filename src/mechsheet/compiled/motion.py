@@ -7,13 +7,13 @@ import numpy as np
 from mechsheet.compiled.mechanism import Compiled
 from mechsheet.kinematics.numeric import Array
 
-SHOWN_ROLES = ("variable", "point", "output")
+SHOWN_ROLES = ("variable", "point", "rate", "output")
 
 
 def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
-    """Driver, variables, points and outputs, row by row, and the unit of each: "°", "mm", "" for a plain number.
+    """Driver, variables, points, rates and outputs, row by row, and the unit of each: "°", "mm", "" for a plain number.
 
-    Angles are continuous; NaN in rows in which some group cannot be joined. Raises MechanismError.
+    Angles are continuous; NaN in rows in which some group cannot be joined; no rates at dead centres. Raises MechanismError.
     """
     mechanism, values, exists = compiled.mechanism, compiled.values, compiled.closed
     unit = mechanism.driver.unit

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, joints, links, results
+from mechsheet.description import dimensions, driver, joints, links, rates, results
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -83,6 +83,8 @@ def with_layout(mechanism: Mechanism, layout: str | None) -> Mechanism:
         return mechanism
     if layout not in LAYOUTS:
         raise DescriptionError(Fault(f"unknown layout {quoted(layout)}", hint='layouts: "sheets", "page"'))
+    if layout == "page" and mechanism.driver.speed is not None:
+        raise DescriptionError(Fault(rates.NOT_ON_A_PAGE, hint="take the driver's speed away"))
     source, _ = parse_as_meant(mechanism.text, "<text>")
     found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text)
     sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
@@ -116,6 +118,12 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     if made and report.sound("links", "joints"):
         links.check_connected(made, sliding, scope)
 
+    rates.declare(made, sliding, driven, data["driver"], scope)
+    motion = rates.motion(data["driver"], made, driven, scope) if driven else None
+    if driven and motion:
+        driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
+        table = (*table, *motion.dimensions)
+
     results.declare(outputs, summary, scope)
     workbook = part(data, "workbook", {})
     parts: dict[str, Any] = {
@@ -127,8 +135,10 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "language": choice(workbook, "language", "en"),
         "layout": (layout := choice(workbook, "layout", "sheets")),
         "drawn": workbook.get("drawing", True) is not False,
+        "rate_points": rates.points(part(data, "rates", {}), scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
+    rates.check_layout(layout, scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

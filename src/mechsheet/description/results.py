@@ -8,6 +8,8 @@ from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
 from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
+from mechsheet.description.rates import is_rate
+from mechsheet.description.rates import known as known_rate
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, words
 from mechsheet.formula.nodes import Node, symbols
@@ -76,6 +78,8 @@ def _formula(text: Any, unit: Unit, output: Path, scope: Scope) -> Node | None:
         return None
     names = symbols(tree)
     good = [name in scope.units or _is_known(name, text, path, scope) for name in names]
+    if any(is_rate(name, scope) for name in names):
+        scope.of_rates.add(str(output[1]))
     scope.fits(tree, text, unit_kind(unit), path)
     if all(good) and all(name in scope.numbers for name in names):
         scope.value(tree, path)
@@ -95,14 +99,15 @@ def _check_label(tree: Node, text: str, unit: Unit, path: Path, scope: Scope) ->
 def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
     """True when a formula's symbol is a variable or a coordinate; reports what else it is."""
     where = "" if name == text.strip() else f"in {quoted(text)}: "
-    if name in scope.variables or _is_coordinate(name, path, scope, where):
+    if name in scope.variables or known_rate(name, path, scope) or _is_coordinate(name, path, scope, where):
         return True
     if "." in name or not scope.complete:
         return False
     if name in scope.outputs:
         scope.report.at(path, f"{where}{quoted(name)} is an output; only variables and dimensions are allowed")
         return False
-    hint = suggestion(name, [*scope.variables, *_coordinates(scope), *scope.units], "allowed")
+    rates = scope.rates if scope.moves else ()
+    hint = suggestion(name, [*scope.variables, *_coordinates(scope), *scope.units, *rates], "allowed")
     scope.report.at(path, f"{where}{quoted(name)} is not a variable or dimension", hint)
     return False
 
@@ -116,7 +121,8 @@ def _is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool
         hint = suggestion(point, scope.points, "points")
         scope.report.at(path, f"{where}no point is called {quoted(point)}", hint)
     elif axis not in ("x", "y"):
-        hint = f"write {point}.x or {point}.y"
+        rates = f"; {point}.v, {point}.a for its velocity and acceleration" if scope.moves else ""
+        hint = f"write {point}.x or {point}.y{rates}"
         scope.report.at(path, f"{where}a point has no {quoted(axis)}", hint)
     return point in scope.points and axis in ("x", "y")
 
@@ -127,11 +133,12 @@ def _coordinates(scope: Scope) -> list[str]:
 
 def _check_column(name: Any, path: Path, scope: Scope) -> None:
     """`name` must be a variable, a coordinate or an output: something with a value in every row."""
-    if name is BAD or name in scope.variables or name in scope.outputs:
+    if name is BAD or name in scope.variables or name in scope.outputs or known_rate(name, path, scope):
         return
     if _is_coordinate(name, path, scope) or "." in name or not scope.complete:
         return
-    hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope)], "allowed")
+    rates = scope.rates if scope.moves else ()
+    hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope), *rates], "allowed")
     message = f"no variable or output is called {quoted(name)}"
     if name in scope.units:
         message = f"{quoted(name)} is a dimension, the same in every row; a variable or an output is needed"
@@ -201,9 +208,19 @@ def tables(data: list[Any], driver: str | None, scope: Scope) -> tuple[TableRequ
             message = f"expected the driver's symbol {quoted(driver)}, found {quoted(rows)}"
             scope.report.at((*path, "rows"), message)
         _check_column(entry["value"], (*path, "value"), scope)
+        _check_no_rate(entry["value"], (*path, "value"), scope)
         column, values = _columns(entry["columns"], (*path, "columns"), scope)
         result.append(TableRequest(rows, column, values, entry["value"], words(entry.get("title"))))
     return tuple(result)
+
+
+def _check_no_rate(name: Any, path: Path, scope: Scope) -> None:
+    """A two-way table holds positions, one formula a cell: a rate would need its whole group there."""
+    if name is BAD or not (is_rate(name, scope) or name in scope.of_rates):
+        return
+    what = "reads" if name in scope.of_rates else "is"
+    message = f"{quoted(name)} {what} a velocity or an acceleration: two-way tables have positions only"
+    scope.report.at(path, message, "a summary or a chart can show it")
 
 
 def _columns(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Quantity, ...]]:

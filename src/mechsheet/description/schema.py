@@ -219,6 +219,16 @@ JOINT = Kinds(
     later=("gear",),
 )
 
+_SPEED_UNITS = ("rad/s", "deg/s", "rpm")
+_ACCELERATION_UNITS = ("rad/s^2", "deg/s^2", "rpm/s")
+
+
+def _rate(units: tuple[str, ...], per: str) -> Either:
+    """A number (of the first unit), an expression, or a number with its unit."""
+    note = " or ".join(f'"{unit}"' for unit in units) + f'; of a displacement "LENGTH UNIT/{per}"'
+    return Either((Quantity(), Table({"value": Key(Number(), "a number", True), "unit": Key(Text(), note, True)})))
+
+
 DRIVER = Table(
     {
         "link": Key(Text(names="link"), "the link that turns"),
@@ -229,9 +239,27 @@ DRIVER = Table(
         "stop": Key(Quantity(), "last value, when the steps land on it"),
         "step": Key(Quantity(), "from row to row"),
         "values": Key(Items(Quantity(), 1), "or all values one by one"),
+        "speed": Key(
+            _rate(_SPEED_UNITS, "s"),
+            "in rad/s (of a displacement in length units/s); an expression may read the driver, too",
+        ),
+        "acceleration": Key(
+            _rate(_ACCELERATION_UNITS, "s^2"),
+            "in rad/s^2; default 0, or as the speed changes with the driver",
+        ),
     },
     ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",))),
-    later=("speed", "acceleration"),
+    later=("motion",),
+)
+
+RATES = Table(
+    {
+        "points": Key(
+            Items(Text(names="point")),
+            "points whose velocity and acceleration are wanted; default: those with a path in a chart, "
+            "else those that are no joint",
+        )
+    }
 )
 
 OUTPUT = Table(
@@ -264,6 +292,7 @@ CHART = Table(
         "paths": Key(Items(Text(names="point"), 1, MOST_SERIES), "curves of points, x and y at the same scale"),
     },
     ways=((("x", "y"), ("paths",)),),
+    later=("hodographs",),
 )
 
 TABLE = Table(
@@ -300,6 +329,7 @@ DESCRIPTION = Table(
         "links": Key(Named(LINK, "link", 2), "rigid links; the first is the ground", True),
         "joints": Key(Items(JOINT), "sliding joints"),
         "driver": Key(DRIVER, "what is driven, and its values", True),
+        "rates": Key(RATES, "velocities and accelerations, where the driver has a speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),

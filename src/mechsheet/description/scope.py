@@ -61,6 +61,8 @@ class Scope:
     variables  symbols of angles, displacements and the driver
     points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
+    rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
+    of_rates   names of outputs that read rates
     """
 
     report: Report
@@ -75,6 +77,9 @@ class Scope:
     fixed: set[str] = field(default_factory=set)
     outputs: list[str] = field(default_factory=list)
     complete: bool = True
+    rates: dict[str, None] = field(default_factory=dict)
+    moves: bool = False
+    of_rates: set[str] = field(default_factory=set)
     symbols: Space = field(init=False)
     cells: Space = field(init=False)
 
@@ -126,9 +131,9 @@ class Scope:
             return None
         return tree
 
-    def only_dimensions(self, tree: Node, text: str, path: Path) -> bool:
-        """True when all symbols are dimensions; reports the others."""
-        others = [name for name in symbols(tree) if name not in self.units]
+    def only_dimensions(self, tree: Node, text: str, path: Path, besides: str = "") -> bool:
+        """True when all symbols are dimensions (or the one `besides`); reports the others."""
+        others = [name for name in symbols(tree) if name not in self.units and name != besides]
         for name in others:
             point, dot, _ = name.partition(".")
             if name in self.variables or name in self.outputs or (dot and point in self.points):

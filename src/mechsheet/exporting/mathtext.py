@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import unicodedata
 from collections.abc import Callable, Iterable
 
 from mechsheet.exporting.position import Position
@@ -30,6 +31,8 @@ EXACT = 12
 """Digits of a constant of the description: more than anybody writes, fewer than rounding makes of 0.1 + 0.2."""
 
 _COMMANDS = {letter: f"\\{name}" for name, letter in GREEK.items()} | {"φ": r"\varphi", "ε": r"\varepsilon"}
+_PRIMES = {"′": "'", "″": "''"}
+_DOTS = {"\u0307": r"\dot", "\u0308": r"\ddot"}
 _POINTS = re.compile(r"(?:[A-Z]\d*)+")
 _TRIGONOMETRY = ("SIN", "COS", "TAN")
 
@@ -39,14 +42,19 @@ def symbol_math(symbol: str) -> str:
     if symbol.startswith(RAW):
         return symbol.removeprefix(RAW)
     letter, subscript = parts(symbol)
+    plain = letter.rstrip("".join(_PRIMES))
+    primes = "".join(_PRIMES[sign] for sign in letter[len(plain) :])
     if not subscript:
-        return _letter(letter)
-    return f"{_letter(letter)}_{{{','.join(_subscript(part) for part in subscript.split(','))}}}"
+        return _letter(plain) + primes
+    return f"{_letter(plain)}_{{{','.join(_subscript(part) for part in subscript.split(','))}}}{primes}"
 
 
 def _letter(word: str) -> str:
     if word in _COMMANDS:
         return _COMMANDS[word]
+    base, dots = unicodedata.normalize("NFD", word)[:1], unicodedata.normalize("NFD", word)[1:]
+    if dots in _DOTS:
+        return rf"{_DOTS[dots]}{{{_letter(base)}}}"
     if len(word) == 1 and word.isascii():
         return word
     if _POINTS.fullmatch(word):
@@ -159,7 +167,7 @@ class Pen:
         """An expression of that unit with the position's numbers in place of its symbols."""
         prepared = self._prepared(node)
         if self.angle_unit.in_degrees:
-            prepared = _half_turns(prepared, unit.kind == "angle")
+            prepared = _half_turns(prepared, _is_angle(unit))
         return print_formula(prepared, "numbers", self._number)
 
     def _number(self, part: Symbol | Previous) -> str:
@@ -169,8 +177,8 @@ class Pen:
 
     def shown(self, value: float, unit: Unit) -> str:
         """A value in internal units as people read it, rounded; angles with their sign of degree."""
-        if unit.kind != "angle":
-            return self.rounded(value, unit.kind)
+        if not _is_angle(unit):
+            return self.rounded(value, "number" if unit.per else unit.kind)
         sign = r"^\circ" if self.angle_unit.in_degrees else ""
         return self.rounded(self.angle_unit.to_shown(value), unit.kind) + sign
 
@@ -192,8 +200,14 @@ class Pen:
 
     def unit_math(self, unit: Unit) -> str:
         """The unit after a number; degrees stand at the number itself."""
-        word = (self.angle_unit if unit.kind == "angle" else self.position.plan.mechanism.shown(unit)).text
+        word = (self.angle_unit if _is_angle(unit) else self.position.plan.mechanism.shown(unit)).text
+        word = word.replace("²", "^2")
         return rf"\ \mathrm{{{_plain(word)}}}" if word not in ("", "°") else ""
+
+
+def _is_angle(unit: Unit) -> bool:
+    """Angles are shown in the file's unit; angular velocities in radians per second."""
+    return unit.kind == "angle" and not unit.per
 
 
 def _units(position: Position) -> dict[str, Unit]:

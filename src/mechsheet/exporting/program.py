@@ -59,7 +59,7 @@ class Program:
     modes      assembly modes, +1 or -1
     start, stop, step, or values  the driver's, as expressions
     exists     true in a row that every group closes
-    shown      driver, variables, points and outputs: what the program hands back
+    shown      driver, variables, points, rates and outputs: what the program hands back
     names      symbol -> its name in the language
     """
 
@@ -141,7 +141,7 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
         else tuple(quantity(part, driver.unit) for part in (driver.start, driver.stop, driver.step))
     )
     columns = _columns(mechanism, equations)
-    kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "output")]
+    kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "rate", "output")]
     wanted = [driver.symbol, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
     wanted += [column.symbol for column in columns]
     return Program(

@@ -80,10 +80,13 @@ class Source:
 
     def parameters(self) -> tuple[Parameter, ...]:
         """The dimensions that are given, the driver, the assembly modes."""
+        read = (
+            _needed(self.variables(), self.steps) if any(dim.driver_key for dim in self.mechanism.dimensions) else set()
+        )
         given = [
             Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), dim.unit.internal)
             for dim in self.mechanism.dimensions
-            if not dim.derived
+            if not dim.derived and (not dim.driver_key or dim.symbol in read)
         ]
         driver = self.mechanism.driver
         given.append(Parameter(driver.symbol, Words("driver", "tahrik"), driver.unit.internal))

@@ -13,6 +13,24 @@ from mechsheet.model import Words
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import NOTHING
 
+DEAD = 1e-5
+"""Below this sine of the angle between its parts a group counts as being at a dead centre: then no rate is a number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Determinant:
+    """What the rates of a dyad are divided by: w1 x w2, where w is the closing point's velocity per unit of an unknown.
+
+    node     over what the positions have already;  lengths  of how many lengths it is a product
+    turned   True for a node that is minus that
+    dead     what must hold for rates to be numbers; None where the node is a number and never vanishes
+    """
+
+    node: Node
+    lengths: int
+    turned: bool
+    dead: Condition | None
+
 
 @dataclass(frozen=True, slots=True)
 class Solved:
@@ -26,11 +44,23 @@ class Solved:
     pins: tuple[str, ...]
     unknowns: tuple[str, ...]
     label: Words
+    determinant: Determinant
     transmission: str = ""
     sides: tuple[Node, ...] = ()
 
 
 ONE_ASSEMBLY = (NOTHING,)
+
+
+def lines_cross(sine: Node, turned: bool) -> Determinant:
+    """Of two lines with this sine of the angle between them."""
+    dead = None if al.value_of(sine) is not None else Condition(Call("ABS", (sine,)), al.number(DEAD))
+    return Determinant(sine, 0, turned, dead)
+
+
+def leg_left(mode: Node, leg: Node, hypotenuse: Node, turned: bool) -> Determinant:
+    """Of a right triangle whose leg vanishes at the dead centre."""
+    return Determinant(al.mul(mode, leg), 1, turned, Condition(leg, al.mul(al.number(DEAD), hypotenuse)))
 
 
 def half_turn_unless(mode: Node) -> Node:

@@ -19,7 +19,10 @@ from mechsheet.kinematics.closures import Loop
 from mechsheet.model import Words
 from mechsheet.units import Unit
 
-Role = Literal["constant", "driver", "intermediate", "variable", "point", "output"]
+Role = Literal["constant", "driver", "intermediate", "variable", "point", "coefficient", "rate", "output"]
+
+RATES: tuple[Role, ...] = ("coefficient", "rate")
+"""Roles of what only a mechanism with velocities has: influence coefficients with all they need, and what people read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +49,8 @@ class Condition:
 class Equation:
     """One assignment.
 
-    role    "constant" has one value for all rows (a cell beside the dimensions); the others are columns
+    role    "constant" has one value for all rows (a cell beside the dimensions); the others are columns: "coefficient" is
+            a derivative by the driver or what one is found from, "rate" a velocity or an acceleration
     unit    `LENGTH`, `ANGLE`, `NUMBER`: the expression's value is in internal units; of an output the one it is shown in
     exists  all that must hold for it to have a value, besides what it reads
     group   0 for the driver's side, n for the n-th group in order of solution, -1 for outputs
@@ -159,6 +163,9 @@ class Equations:
     positive   symbols of dimensions that are lengths between joints: they must stay greater than zero; the driver's, too
     tolerance  symbol of the constant below which a length counts as zero
     poses      where each link is, by its name
+    fits       by number of a group what is 0 in every row: how far its velocities (two parts), its accelerations (two parts)
+               are from fitting together, over points, velocities and accelerations
+    turning    how fast each link turns, by the symbol of its angle: its angular velocity and acceleration
     """
 
     constants: tuple[Equation, ...]
@@ -167,6 +174,8 @@ class Equations:
     positive: tuple[str, ...]
     tolerance: str
     poses: Mapping[str, LinkPose] = field(default_factory=dict)
+    fits: Mapping[int, tuple[Node, Node, Node, Node]] = field(default_factory=dict)
+    turning: Mapping[str, tuple[Node, Node]] = field(default_factory=dict)
 
     @property
     def all(self) -> tuple[Equation, ...]:

@@ -15,7 +15,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import ONE_ASSEMBLY, Solved
+from mechsheet.kinematics.dyads import ONE_ASSEMBLY, Solved, lines_cross
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.ledger import Ledger
@@ -30,8 +30,8 @@ PARALLEL = 1e-12
 
 def meet(
     ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle, names: tuple[str, str]
-) -> tuple[Node, Node, str, Node | None]:
-    """(k1, k2, symbol that is a number where the lines meet, condition for lines that coincide).
+) -> tuple[Node, Node, Node, str, Node | None]:
+    """(k1, k2, D, symbol that is a number where the lines meet, condition for lines that coincide).
 
     Raises MechanismError for lines that are parallel whatever the dimensions.
     """
@@ -63,7 +63,7 @@ def meet(
         parallel = Call("AND", (crossing.fails, al.less(Call("ABS", (ahead,)), ledger.tolerance)))
     k1 = al.div(al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2))), d)
     k2 = al.div(al.sub(al.mul(e_x, al.sin(delta1)), al.mul(e_y, al.cos(delta1))), d)
-    return k1, k2, closes, parallel
+    return k1, k2, d, closes, parallel
 
 
 def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
@@ -77,7 +77,7 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True)
     ]
     e = (al.sub(starts[1][0], starts[0][0]), al.sub(starts[1][1], starts[0][1]))
-    k1, k2, closes, parallel = meet(
+    k1, k2, sine, closes, parallel = meet(
         poses.ledger, e, guides[0].delta, guides[1].delta, (guides[0].symbol, guides[1].symbol)
     )
     for guide, k in zip(guides, (k1, k2), strict=True):
@@ -89,6 +89,7 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         "", ONE_ASSEMBLY, closes or guides[0].symbol, None, parallel, (inner.point,),
         (guides[0].symbol, guides[1].symbol),
         phrase("group_two_slides", links=poses.both(dyad), pin=inner.point, slides=symbols),
+        lines_cross(sine, turned=guides[0].sign == guides[1].sign),
     )  # fmt: skip
 
 
@@ -126,6 +127,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
         own, fixed = poses.through(joint), poses.own_place(inner.body, joint.point)
         sign = -1
     delta = ledger.hoist_angle(f"delta_{joint.symbol}", delta, phrase("direction_of", what=joint.symbol))
+    poses.directions[joint.symbol] = delta
     first_body, second_body = (inner.body, inner.on) if on_second else (inner.on, inner.body)
     own = poses.in_assembly(first_body, own, "slide")
     fixed = poses.in_assembly(second_body, fixed, "guide")
@@ -135,7 +137,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     xp, yp = poses.xy[p]
     e = (al.sub(al.add(xp, x1), al.add(guide.x, x2)), al.sub(al.add(yp, y1), al.add(guide.y, y2)))
     # guide + k1 d1 + (fixed) + sign s d2 = P + (own):  k1 d1 = e - k2 d2 with k2 = sign s, so k2 enters with a minus.
-    k1, k2, closes, parallel = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
+    k1, k2, sine, closes, parallel = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
     poses.displacement(guide.symbol, k1 if guide.sign > 0 else al.neg(k1))
     poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
     _fix_by_guide(poses, dyad.second, guide)
@@ -144,4 +146,5 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     return Solved(
         "", ONE_ASSEMBLY, closes or guide.symbol, None, parallel, (p,), (guide.symbol, joint.symbol),
         phrase("group_two_slides", links=poses.both(dyad), pin=p, slides=symbols),
+        lines_cross(sine, turned=guide.sign != sign),
     )  # fmt: skip

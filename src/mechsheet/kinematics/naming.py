@@ -18,7 +18,15 @@ def given_names(mechanism: Mechanism) -> list[str]:
         *(link.angle_symbol for link in mechanism.links),
         *(joint.symbol for joint in mechanism.joints),
         mechanism.driver.symbol,
+        *_rates(mechanism),
     ]
+
+
+def _rates(mechanism: Mechanism) -> tuple[str, ...]:
+    """The names of angular velocities and accelerations, where there are any."""
+    if mechanism.driver.speed is None:
+        return ()
+    return tuple(name for link in mechanism.links for name in link.rate_symbols)
 
 
 def without_group(symbol: str, group: int) -> str:

@@ -66,7 +66,10 @@ STILL = Member(Angle(), ORIGIN)
 
 
 class Poses:
-    """The state of the solution. `xy` holds the coordinates of solved points."""
+    """The state of the solution.
+
+    xy  the coordinates of solved points;  directions  those of lines, by displacement
+    """
 
     def __init__(self, mechanism: Mechanism, graph: Graph, ledger: Ledger) -> None:
         self.mechanism = mechanism
@@ -78,6 +81,7 @@ class Poses:
         self.known: dict[str, Pose] = {}
         self.xy: dict[str, tuple[Node, Node]] = {}
         self.turned: list[tuple[str, Angle]] = []
+        self.directions: dict[str, Angle] = {}
         self._ground(mechanism.ground)
 
     def _ground(self, ground: Link) -> None:
@@ -174,6 +178,7 @@ class Poses:
             x, y = self.xy[joint.point]
             moving, sign = self.through(joint), -1
         delta = self.ledger.hoist_angle(f"delta_{joint.symbol}", delta, label)
+        self.directions[joint.symbol] = delta
         place = self.in_assembly(inside, moving, "guide")
         return Guide(x, y, delta, sign, angle - self.members[inside].angle, place, joint.symbol)
 

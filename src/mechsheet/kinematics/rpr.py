@@ -17,7 +17,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Binary, Call, Node
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import Solved, half_turn_unless, leg
+from mechsheet.kinematics.dyads import Solved, half_turn_unless, leg, leg_left
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of
@@ -73,6 +73,7 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
         pins=(p, q),
         unknowns=(poses.angle_unknown(carrier), joint.symbol),
         label=phrase("group_slide", links=poses.both(dyad), pins=f"{p}, {q}", slide=joint.symbol),
+        determinant=leg_left(mode, w, r, turned=True),
         sides=(r, h),
     )
 

@@ -17,7 +17,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import Solved, along_and_across, half_turn_unless, leg
+from mechsheet.kinematics.dyads import Solved, along_and_across, half_turn_unless, leg, leg_left
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.poses import Poses
@@ -79,6 +79,7 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
         pins=(p, r),
         unknowns=(poses.angle_unknown(dyad.first), guide.symbol),
         label=phrase("group_slide", links=poses.both(dyad), pins=f"{p}, {r}", slide=guide.symbol),
+        determinant=leg_left(mode, w, a, turned=False),
         transmission=psi.name,
         sides=(a, n),
     )

@@ -14,7 +14,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Binary, Call, TriangleAngle
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import Solved
+from mechsheet.kinematics.dyads import DEAD, Determinant, Solved
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.places import triangle_closes
 from mechsheet.kinematics.poses import Poses
@@ -48,6 +48,7 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     # theta13 = theta14 - mu, as the text has it, where the second link's x axis is its arm; else from the arm itself.
     second = poses.known[dyad.second[0]].angle + line_b
     poses.fix(dyad.first, second - Angle(al.mul(mode, mu)) - line_a, poses.place(dyad.first, p), xp, yp)
+    sine = al.sin(Angle(mu))
     return Solved(
         mode.name,
         (
@@ -55,11 +56,14 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
             phrase("right_of", point=r, start=p, end=q),
         ),
         closes=psi.name,
-        apart=al.sin(Angle(mu)),  # the area of the triangle, of which two sides are links
+        apart=sine,  # the area of the triangle, of which two sides are links
         degenerate=Call("AND", (separate.fails, Binary(">=", reaches.margin, reaches.least))),
         pins=(p, q, r),
         unknowns=(poses.angle_unknown(dyad.first), poses.angle_unknown(dyad.second)),
         label=phrase("group_pins", links=poses.both(dyad), pins=f"{p}, {q}, {r}"),
+        determinant=Determinant(
+            al.mul(al.mul(al.mul(mode, a), b), sine), 2, True, Condition(Call("ABS", (sine,)), al.number(DEAD))
+        ),
         transmission=mu.name,
         sides=(a, b, s),
     )

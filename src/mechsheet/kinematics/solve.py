@@ -15,6 +15,7 @@ from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.closures import Loop
+from mechsheet.kinematics.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
@@ -122,6 +123,9 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> Equations:
         poses.settle_turns()
         found.append((dyad, solved, value, is_open))
     _note_lengths(poses)
+    rates = Written({}, {})
+    if wanted(mechanism):
+        rates = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
     _outputs(mechanism, ledger)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
@@ -131,6 +135,8 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> Equations:
         tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in ledger.positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
+        rates.fits,
+        rates.turning,
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
     return result
@@ -196,7 +202,7 @@ def _largest_length(mechanism: Mechanism) -> Node:
 
 def is_length(dimension: Dimension) -> bool:
     """True for a dimension in the length unit."""
-    return dimension.unit.kind == "length"
+    return dimension.unit.kind == "length" and not dimension.unit.per
 
 
 def largest_length(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:

@@ -27,11 +27,17 @@ class Motion(Mapping[str, NDArray[np.float64]]):
     """The columns of a sweep by name, the driver first: `motion["theta13"]`, `motion["C.x"]`.
 
     Each is an array of one value per row, as in the workbook: degrees for angles, the length unit for lengths, NaN in rows
-    that do not exist. Angles are continuous from row to row. `units` maps each name to "°", "mm", ... or "".
+    that do not exist. Angles are continuous from row to row. `units` maps each name to "°", "mm", "rad/s", ... or "".
     """
 
-    def __init__(self, columns: Mapping[str, NDArray[np.float64]], units: Mapping[str, str]) -> None:
+    def __init__(
+        self,
+        columns: Mapping[str, NDArray[np.float64]],
+        units: Mapping[str, str],
+        exists: NDArray[np.bool_] | None = None,
+    ) -> None:
         self._columns = dict(columns)
+        self._exists = exists
         self.units = dict(units)
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
@@ -46,6 +52,8 @@ class Motion(Mapping[str, NDArray[np.float64]]):
     @property
     def exists(self) -> NDArray[np.bool_]:
         """True in the rows where the linkage can be assembled."""
+        if self._exists is not None:
+            return self._exists
         return np.asarray(~np.isnan(np.array(list(self._columns.values()))).any(axis=0))
 
     def frame(self) -> Any:
@@ -96,11 +104,16 @@ class Linkage(Mechanism):
     def solve(self) -> Motion:
         """The whole sweep: driver, variables, points and outputs by name; the equations of the workbook, in numpy.
 
+        Velocities and accelerations, too, where the driver has a speed: `omega13`, `alpha13`, `s14.v`, `C.v`.
+
         Raises MechanismError when the linkage cannot be solved.
         """
         from mechsheet.compiled.motion import motion_of
 
-        return Motion(*motion_of(self._compiled))
+        columns, units = motion_of(self._compiled)
+        # at a dead centre there is a position, but there are no rates
+        exists = None if self.driver.speed is None else np.asarray(self._compiled.closed, bool)
+        return Motion(columns, units, exists)
 
     def build(
         self,

@@ -12,6 +12,7 @@ from mechsheet.compiled.motion import motion_of
 from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
+from mechsheet.kinematics.equations import RATES
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.library.building import told
@@ -35,6 +36,9 @@ def overview_text(mechanism: Mechanism) -> str:
         lines.append(f"group {group.number} {group.kind}: {group.label.en}{mode}")
     variables = [equation.symbol for equation in equations.columns if equation.role == "variable"]
     lines.append(f"variables: {', '.join(variables)}")
+    rates = [equation.symbol for equation in equations.columns if equation.role == "rate"]
+    if rates:
+        lines.append(f"velocities and accelerations: {', '.join(rates)}")
     if mechanism.outputs:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
     lines.append(verdict(compiled))
@@ -46,11 +50,12 @@ def equations_text(mechanism: Mechanism) -> str:
     equations = lowered(mechanism, told(mechanism).equations)
     lines = ["constants"]
     lines += [_line(equation) for equation in equations.constants]
-    group: int | None = None
+    part: tuple[int, bool] | None = None
     for equation in equations.columns:
-        if equation.group != group:
-            group = equation.group
-            lines += ["", _group_heading(equations, group)]
+        rate = equation.role in RATES
+        if (equation.group, rate) != part:
+            part = (equation.group, rate)
+            lines += ["", _group_heading(equations, equation.group) + ", velocities and accelerations" * rate]
         lines.append(_line(equation))
         if equation.first is not None:
             lines[-1] += f"    (first row: {print_formula(equation.first, 'text')})"
@@ -133,7 +138,7 @@ def json_value(value: Scalar) -> object:
 
 
 def variables_of(mechanism: Mechanism) -> dict[str, list[float | None]]:
-    """Driver, variables, points and outputs, row by row, as people read them (degrees); None where there is no position."""
+    """Driver, variables, points, rates and outputs, row by row, as people read them (degrees); None where there is none."""
     columns, _ = motion_of(compiled_of(mechanism))
     return {
         name: [value if math.isfinite(value) else None for value in column.tolist()] for name, column in columns.items()

@@ -6,12 +6,13 @@ It knows nothing of equations, formulas, cells or the groups that the workbook i
 from .continuity import leaps
 from .geometry import dimension_values, driver_values
 from .poses import Solution, assemblies, outputs, reached, solve, variables
-from .rates import rates
+from .rates import by_time, rates
 from .residual import residuals, worst
 
 __all__ = [
     "Solution",
     "assemblies",
+    "by_time",
     "dimension_values",
     "driver_values",
     "leaps",

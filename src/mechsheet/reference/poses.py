@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..formula.nodes import symbols
 from ..model import Mechanism
 from . import assembly, branches, geometry
 from .branches import Mask, Rows
@@ -89,10 +90,20 @@ def _variables(
 def outputs(solution: Solution, found: Mapping[str, Array]) -> dict[str, Array]:
     """The outputs, for any values of the variables (`found`, as `variables` names them)."""
     values: dict[str, Array] = {name: np.array(value) for name, value in solution.dimensions.items()} | dict(found)
+    own = {output.symbol for output in solution.mechanism.outputs}
+    if not {name for output in solution.mechanism.outputs for name in symbols(output.formula)} <= values.keys() | own:
+        values = _rates(solution) | values
     results: dict[str, Array] = {}
     for output in solution.mechanism.outputs:
         results[output.symbol] = values[output.symbol] = column(output.formula, values, len(solution.driver))
     return results
+
+
+def _rates(solution: Solution) -> dict[str, Array]:
+    """What outputs may read besides: velocities, accelerations, derivatives by the driver."""
+    from .rates import by_time  # which needs this module
+
+    return by_time(solution)
 
 
 def solve(

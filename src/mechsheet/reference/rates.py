@@ -11,11 +11,14 @@ derivatives of real functions", 1998), which has no rounding error of a differen
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 
 import numpy as np
 
-from ..model import Mechanism
+from ..formula.nodes import symbols
+from ..model import Mechanism, rate_symbols
 from . import geometry
+from .expressions import column as over_rows
 from .expressions import number
 from .geometry import Array
 from .poses import Solution
@@ -51,6 +54,40 @@ def rates(solution: Solution) -> dict[str, tuple[Array, Array]]:
     return found
 
 
+def by_time(solution: Solution) -> dict[str, Array]:
+    """Velocities and accelerations by name: omega13, alpha13, s14.v, C.vx, C.a; and theta13.d, theta13.dd by the driver.
+
+    In radians, the file's length unit and seconds. Nothing for a mechanism in which nobody asks for them.
+    """
+    mechanism = solution.mechanism
+    driver = mechanism.driver
+    read = {name for output in mechanism.outputs for name in symbols(output.formula)}
+    if driver.speed is None and not any(name.endswith((".d", ".dd")) for name in read):
+        return {}
+    slides = {joint.symbol for joint in mechanism.joints}
+    derivatives = rates(solution)
+    found: dict[str, Array] = {}
+    for symbol, (once, twice) in derivatives.items():
+        found |= {f"{symbol}.d": once, f"{symbol}.dd": twice}
+    if driver.speed is None or driver.acceleration is None:
+        return found
+    given = {name: np.array(value) for name, value in solution.dimensions.items()} | {driver.symbol: solution.driver}
+    speed, acceleration = (over_rows(node, given, len(solution.driver)) for node in (driver.speed, driver.acceleration))
+    moved = {
+        name: (once * speed, twice * speed**2 + once * acceleration) for name, (once, twice) in derivatives.items()
+    }
+    found |= dict(zip(mechanism.driver_rates, (speed, acceleration), strict=True))
+    for symbol, pair in moved.items():
+        if not symbol.endswith((".x", ".y")):
+            found |= dict(zip(rate_symbols(symbol, symbol not in slides), pair, strict=True))
+    for point in solution.points:
+        x, y = moved[f"{point}.x"], moved[f"{point}.y"]
+        for letter, first, second in (("v", x[0], y[0]), ("a", x[1], y[1])):
+            found |= {f"{point}.{letter}x": first, f"{point}.{letter}y": second}
+            found[f"{point}.{letter}"] = np.hypot(first, second)
+    return found
+
+
 def _of_poses(built: System, state: Array) -> tuple[Array, Array]:
     """First and second derivatives (m, columns) of the state by the driver, in the system's own lengths."""
     equations = [equation for block in built.blocks for equation in block.equations]
@@ -59,10 +96,22 @@ def _of_poses(built: System, state: Array) -> tuple[Array, Array]:
     first, second = np.zeros_like(state), np.zeros_like(state)
     jacobian, _ = _gradients(equations, state, first)
     jacobian = jacobian[:, :, unknown]
-    first[:, unknown] = np.linalg.solve(jacobian, driven)[:, :, 0]
+    first[:, unknown] = _solved(jacobian, np.broadcast_to(driven, (*jacobian.shape[:2], 1)))
     _, turning = _gradients(equations, state, first)
-    second[:, unknown] = np.linalg.solve(jacobian, -turning @ first[:, :, None])[:, :, 0]
+    second[:, unknown] = _solved(jacobian, -turning @ first[:, :, None])
     return first, second
+
+
+def _solved(matrix: Array, right: Array) -> Array:
+    """The solutions (m, k) of m systems of equations; NaN where one is singular to the last digit."""
+    try:
+        return np.asarray(np.linalg.solve(matrix, right)[:, :, 0])
+    except np.linalg.LinAlgError:
+        found = np.full(right.shape[:2], np.nan)
+        for row, (one, other) in enumerate(zip(matrix, right, strict=True)):
+            with suppress(np.linalg.LinAlgError):
+                found[row] = np.linalg.solve(one, other)[:, 0]
+        return found
 
 
 def _gradients(equations: Sequence[Equation], state: Array, along: Array) -> tuple[Array, Array]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.equations import RATES, Equations
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
 from mechsheet.kinematics.sweep import sweep
@@ -35,13 +35,16 @@ FIRST_BLOCK = 4
 """The row of the first block's heading."""
 
 SHEETS = ("mechanism", "positions", "drawing", "checks", "extremes", "notes", "description")
-"""Keys of the sheets that every workbook has."""
+"""Keys of the sheets that every workbook has; "rates" stands behind the positions of one with velocities."""
 
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""
 
 NUMBER, DRIVER, STATUS = range(3)
 """First columns of the table: row number, driver as shown, what it says of the row."""
+
+RATES_DRIVER, RATES_STATUS = range(2)
+"""First columns of the sheet of rates."""
 
 FOOTER_TITLE = 100
 """Characters of the title in the footer, which holds 255 in all."""
@@ -76,6 +79,7 @@ class Plan:
     """Addresses of everything; see `Addresses` for `at`.
 
     found   what can be said about the mechanism
+    rates   the columns of the sheet of rates behind its first two; none without velocities
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
     """
 
@@ -88,6 +92,7 @@ class Plan:
     found: Classification
     blocks: dict[str, Block] = field(default_factory=dict)
     columns: list[TableColumn] = field(default_factory=list)
+    rates: list[TableColumn] = field(default_factory=list)
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
@@ -155,7 +160,8 @@ class Plan:
 def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     """The plan of a mechanism's workbook."""
     language = mechanism.language
-    titles = {key: words(language, f"sheet.{key}") for key in SHEETS}
+    rates = any(equation.role in RATES for equation in equations.columns)
+    titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *(("rates",) if rates else ()))}
     values = driver_values(mechanism, dimension_values(mechanism))
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
@@ -170,8 +176,10 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
 def _plan_names_and_blocks(plan: Plan) -> None:
     mechanism = plan.mechanism
     order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
-    inputs = [dim for dim in mechanism.dimensions if not dim.derived]
-    derived = sorted((dim for dim in mechanism.dimensions if dim.derived), key=lambda dim: order[dim.symbol])
+    own = [dim for dim in mechanism.dimensions if not dim.driver_key]
+    inputs = [dim for dim in own if not dim.derived]
+    derived = sorted((dim for dim in own if dim.derived), key=lambda dim: order[dim.symbol])
+    motion = [dim.symbol for dim in mechanism.dimensions if dim.driver_key]
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
     taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
     plan.next_row = FIRST_BLOCK
@@ -179,10 +187,12 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
     if not mechanism.driver.values:
         _block(plan, "sweep", ["start", "step", "stop"])
+    if motion:
+        _block(plan, "motion", motion)
     modes = [group.mode for group in plan.equations.groups if group.mode]
     if modes:
         _block(plan, "assembly", modes)
-    variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "output")]
+    variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
@@ -222,7 +232,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
 
 
 def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
-    block = plan.blocks["derived" if dim.derived else "dimensions"]
+    block = plan.blocks["motion" if dim.driver_key else "derived" if dim.derived else "dimensions"]
     name = dim.cell or safe_name(dim.symbol, taken)
     _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit.in_degrees, name, taken)
 
@@ -249,9 +259,23 @@ def _plan_columns(plan: Plan) -> None:
     _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
     _add_column(plan, "#status", "status", 0, False)
     for equation in plan.equations.columns:
+        if equation.role in RATES:
+            continue
         degrees = equation.role != "intermediate" and plan.mechanism.shown(equation.unit).in_degrees
         group = -1 if equation.role == "output" else equation.group
         _add_column(plan, equation.symbol, "equation", group, degrees, equation)
+    _plan_rates(plan)
+
+
+def _plan_rates(plan: Plan) -> None:
+    """The columns of velocities and accelerations, on a sheet of their own in the rows of the positions."""
+    found = [equation for equation in plan.equations.columns if equation.role in RATES]
+    for col, equation in enumerate(found, RATES_STATUS + 1):
+        inner = equation.role == "coefficient"
+        plan.rates.append(TableColumn(col, equation.symbol, "equation", equation.group, inner, equation))
+        plan.at.spots[equation.symbol] = Spot(plan.at.titles["rates"], plan.at.first, col, column=True)
+    if found:
+        plan.at.spots["#rates"] = Spot(plan.at.titles["rates"], plan.at.first, RATES_STATUS, column=True)
 
 
 def _add_column(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 
 from mechsheet.sheet.workbook import Rich
 
@@ -13,12 +14,30 @@ GREEK = {
     "Psi": "Ψ", "Omega": "Ω", "Sigma": "Σ",
 }  # fmt: skip
 
+_PRIMES = {"d": "′", "dd": "″"}
+_DOTS = {"v": "\u0307", "a": "\u0308"}
+"""Derivatives by the driver, and by time."""
+
+_DISPLACEMENT = re.compile(r"s[0-9_]*")
+
 _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
 
 
 def parts(symbol: str) -> tuple[str, str]:
-    """(letter, subscript): theta13 -> (θ, 13), a2 -> (a, 2), C.x -> (x, C), phi_2 -> (φ, 2), A0B0 stays whole."""
+    """(letter, subscript): theta13 -> (θ, 13), a2 -> (a, 2), C.x -> (x, C), phi_2 -> (φ, 2), A0B0 stays whole.
+
+    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x)
+    """
+    whole, dot, order = symbol.rpartition(".")
+    if dot and order in _PRIMES:
+        letter, subscript = parts(whole)
+        return letter + _PRIMES[order], subscript
     point, dot, axis = symbol.partition(".")
+    if dot and axis in _DOTS and _DISPLACEMENT.fullmatch(point):
+        letter, subscript = parts(point)
+        return unicodedata.normalize("NFC", letter + _DOTS[axis]), subscript
+    if dot and len(axis) == 2:
+        return axis[0], f"{point},{axis[1]}"
     if dot:
         return axis, point
     match = _PARTS.fullmatch(symbol)

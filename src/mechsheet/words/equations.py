@@ -73,6 +73,26 @@ PHRASES = {
     "direction_of_guide": ("direction of the guide of {symbol}", "{symbol} kızağının doğrultusu"),
     "sine_between_lines": ("sine of the angle between the lines", "doğrular arasındaki açının sinüsü"),
     "sine_where_they_meet": ("the same; #N/A where the lines are parallel", "aynısı; doğrular paralelse #N/A"),
+    # velocities and accelerations
+    "velocity_word": ("velocity", "hız"),
+    "acceleration_word": ("acceleration", "ivme"),
+    "determinant": ("0 at a dead centre; #N/A there", "ölü konumda 0; orada #N/A"),
+    "coefficient": ("influence coefficient of {symbol} ({order})", "{symbol} etki katsayısı ({order})"),
+    "known_side": (
+        "known side of the {order} equations, {axis} part", "{order} denklemlerinin bilinen yanı, {axis} bileşeni"
+    ),
+    "driver_speed": ("speed of the driver", "tahrik hızı"),
+    "driver_acceleration": ("acceleration of the driver", "tahrik ivmesi"),
+    "angular_velocity": ("angular velocity of link {number}, {link}", "{number} numaralı uzvun açısal hızı ({link})"),
+    "angular_acceleration": (
+        "angular acceleration of link {number}, {link}", "{number} numaralı uzvun açısal ivmesi ({link})"
+    ),
+    "sliding_velocity": ("sliding velocity of {symbol}", "{symbol} kayma hızı"),
+    "sliding_acceleration": ("sliding acceleration of {symbol}, along the line", "{symbol} kayma ivmesi, doğru boyunca"),
+    "point_v": ("velocity of {point}", "{point} noktasının hızı"),
+    "point_a": ("acceleration of {point}", "{point} noktasının ivmesi"),
+    "point_v_part": ("velocity of {point}, {axis} part", "{point} noktasının hızı, {axis} bileşeni"),
+    "point_a_part": ("acceleration of {point}, {axis} part", "{point} noktasının ivmesi, {axis} bileşeni"),
     # what cells and programs need besides
     "area": ("area of triangle {name}", "{name} üçgeninin alanı"),
     "area_for": ("area of the triangle of {symbol}", "{symbol} üçgeninin alanı"),

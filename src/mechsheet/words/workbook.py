@@ -6,6 +6,7 @@ from typing import Literal
 
 from mechsheet.words.notes import NOTES
 from mechsheet.words.page import PAGE
+from mechsheet.words.rates import RATES
 
 Language = Literal["en", "tr"]
 
@@ -13,6 +14,7 @@ WORDS: dict[str, tuple[str, str]] = {
     # sheets
     "sheet.mechanism": ("Mechanism", "Mekanizma"),
     "sheet.positions": ("Positions", "Konumlar"),
+    "sheet.rates": ("Rates", "Hızlar"),
     "sheet.drawing": ("Drawing", "Çizim"),
     "sheet.checks": ("Checks", "Denetim"),
     "sheet.notes": ("Notes", "Notlar"),
@@ -173,6 +175,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.margin": ("margin, group {number}", "pay, {number}. grup"),
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
+    **RATES,
     **PAGE,
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.near": ("the first row within half a turn of:", "ilk satır bundan en çok yarım tur uzaktadır:"),

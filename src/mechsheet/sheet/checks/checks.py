@@ -13,10 +13,12 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
-from mechsheet.sheet.plan import DRIVER, STATUS, Plan
+from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.positions import heading, status_words
+from mechsheet.sheet.table.rates import dead_words
 from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Content, Fill, Merge, PrintSetup, Sheet, Style
 
 ROUNDING = 1e3
@@ -32,7 +34,10 @@ DRIVER_COL, COUNT_COL, DATA = range(3)
 LEAP = 90.0
 """A link that turns by more [deg] from one row to the next: the rows do not show what happens between."""
 
-Kind = Literal["gap", "margin", "leap"]
+Kind = Literal["gap", "margin", "leap", "velocity", "acceleration"]
+
+MEASURED: tuple[Kind, ...] = ("gap", "velocity", "acceleration")
+"""What is nothing but rounding where all is well."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +56,9 @@ class Checks:
         self.plan = plan
         self.title = plan.at.titles["checks"]
         groups = len(plan.equations.groups)
-        self.group_row = REASONS_ROW + groups + 2
+        self.dead_row = REASONS_ROW + groups + 1
+        self.dead = dead_words(plan)
+        self.group_row = self.dead_row + (len(self.dead) + 1 if self.dead else 0) + 1
         self.head_row, self.most_row, self.at_row, self.first = range(self.group_row + 1, self.group_row + 5)
         self.last = self.first + plan.rows - 1
         first = plan.at.first
@@ -63,6 +70,7 @@ class Checks:
             for number, symbol in plan.equations.margins.items()
         ]
         self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
+        self.checks += [Check(*found) for found in fit_columns(plan, self.title, first)]
         self._places()
 
     def _places(self) -> None:
@@ -73,6 +81,8 @@ class Checks:
         spots["#rounding"] = Spot(self.title, ROUNDING_ROW, VALUE)
         for index in range(len(self.plan.equations.groups) + 1):
             spots[f"#reason_{index}"] = Spot(self.title, REASONS_ROW + index, VALUE)
+        for index in range(len(self.dead) + 1 if self.dead else 0):
+            spots[f"#dead_{index}"] = Spot(self.title, self.dead_row + index, VALUE)
         for index, check in enumerate(self.checks):
             if check.kind == "margin":
                 spots[f"#least_{check.group}"] = Spot(self.title, self.first, DATA + index, column=True)
@@ -166,6 +176,12 @@ class _Writer:
         self._formula(ROUNDING_ROW, VALUE, rounding, styles.numbered(styles.RESULT, styles.ERROR.number_format))
         for index, words_ in enumerate([*status_words(plan), plan.text("status.ok")]):
             self._put(REASONS_ROW + index, VALUE, words_, styles.VERDICT)
+        if self.at.dead:
+            self._put(self.at.dead_row, 0, plan.text("checks.dead", rates=plan.at.titles["rates"]), styles.LABEL)
+            self._put(self.at.dead_row, 1, None, styles.LABEL)
+            self.merges.append(Merge(Area(self.at.dead_row, 0, self.at.dead_row, 1)))
+            for index, words_ in enumerate([*self.at.dead, plan.text("status.ok")]):
+                self._put(self.at.dead_row + index, VALUE, words_, styles.VERDICT)
 
     # --- the table --------------------------------------------------------------------------------------------
 
@@ -199,10 +215,9 @@ class _Writer:
         unit = plan.mechanism.length_unit
         words = plan.text(f"checks.{check.kind}", number=check.group)
         self._put(at.head_row, col, words if check.kind == "leap" else f"{words} [{unit}]", styles.HEAD)
-        style = {"gap": styles.ERROR, "margin": styles.decimals(styles.COLUMN, 4)}.get(
-            check.kind, styles.decimals(styles.COLUMN, 0)
-        )
-        skip = 0 if check.kind == "gap" else 1
+        style = styles.decimals(styles.COLUMN, 4 if check.kind == "margin" else 0)
+        style = styles.ERROR if check.kind in MEASURED else style
+        skip = 0 if check.kind in MEASURED else 1
         rows = plan.rows - skip - (1 if check.kind == "margin" else 0)
         if rows > 0:
             self._formula(at.first + skip, col, shifted(check.formula, skip), style, rows)
@@ -225,16 +240,27 @@ class _Writer:
             self.conditionals.append(Conditional(area, missing, styles.MISSING))
 
 
-_WORST = {"gap": "MAX", "margin": "MIN", "leap": "SUM"}
+_WORST = {"gap": "MAX", "margin": "MIN", "leap": "SUM", "velocity": "MAX", "acceleration": "MAX"}
 
 
 def typed_over(plan: Plan) -> Node:
-    """How many cells of the table of positions hold no formula any more."""
+    """How many cells of the tables hold no formula any more."""
     listed = plan.mechanism.driver.values
     cols = (0, len(plan.columns) - 1) if not listed else (STATUS, len(plan.columns) - 1)
     area = RangeRef(
         CellRef(plan.at.first, cols[0], True, True, plan.table), CellRef(plan.at.last, cols[1], True, True, plan.table)
     )
+    if not plan.rates:
+        return _without_formula(area)
+    title = plan.at.titles["rates"]
+    rates = RangeRef(
+        CellRef(plan.at.first, RATES_DRIVER, True, True, title),
+        CellRef(plan.at.last, plan.rates[-1].col, True, True, title),
+    )
+    return al.add(_without_formula(area), _without_formula(rates))
+
+
+def _without_formula(area: RangeRef) -> Node:
     # 0 in programs that do not ask a whole range
     return formula("IFERROR(ROWS(area)*COLUMNS(area)-SUMPRODUCT(ISFORMULA(area)*1),0)", area=area)
 

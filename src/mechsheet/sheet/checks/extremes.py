@@ -85,7 +85,7 @@ class Extremes:
         plan, probes = self.plan, self.probes
         probes.put(TITLE_ROW, 0, plan.text("extremes.title"), styles.TITLE)
         probes.put(ABOUT_ROW, 0, plan.text("extremes.about"), styles.SUBTITLE)
-        for column in plan.columns:
+        for column in probes.columns:
             if column.col != STATUS:
                 probes.put(HEAD_ROW, column.col, heading(plan, column), styles.HEAD)
         for work, key in ((AT, "row"), (VALUE, "value")):
@@ -164,7 +164,7 @@ class Extremes:
         """The block of the smallest or largest value of a quantity."""
         plan, probes, row = self.plan, self.probes, block.row
         column = Symbol(ALL + symbol)
-        name = heading(plan, plan.columns[plan.at.spots[symbol].col])
+        name = heading(plan, next(column for column in probes.columns if column.symbol == symbol))
         probes.put(row, STATUS, plan.text(f"extremes.{way}"), styles.LABEL)
         probes.put(row + 1, STATUS, name, styles.LABEL)
         of_rows = self._best_row(column, way, block)
@@ -177,7 +177,7 @@ class Extremes:
         self._first_probes(column, symbol, block)
         self._last_probe(block)
         for index in range(1, PROBES + 1):
-            cell = CellRef(row + index, plan.at.spots[symbol].col, False, True)
+            cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
         probes.work(row, VALUE, "best", best=of_rows)
         self._result(symbol, way, block)
@@ -257,7 +257,7 @@ class Extremes:
     def _half_turn(self, symbol: str) -> float:
         """Half a turn in the unit of a quantity that is an angle, else 0."""
         equation = self.plan.equations.of(symbol)
-        if equation.unit.kind != "angle":
+        if equation.unit.kind != "angle" or equation.unit.per:
             return 0.0
         return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
 

@@ -9,7 +9,7 @@ taken within half a turn of what the anchor has. Values of the driver are counte
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
 from mechsheet.sheet import styles
@@ -36,7 +36,15 @@ class Probes:
     def __init__(self, plan: Plan, title: str) -> None:
         self.plan = plan
         self.title = title
-        self.side = len(plan.columns) + 1
+        self.columns = [*plan.columns]
+        for column in plan.rates:  # behind those of the positions
+            self.columns.append(replace(column, col=len(self.columns)))
+        spots = {
+            column.symbol: replace(plan.at.spots[column.symbol], sheet=plan.table, col=column.col)
+            for column in self.columns[len(plan.columns) :]
+        }
+        self.at = replace(plan.at, spots=plan.at.spots | spots)
+        self.side = len(self.columns) + 1
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
         self._reads = {equation.symbol: equation.reads for equation in plan.equations.columns}
@@ -89,14 +97,13 @@ class Probes:
         driver = plan.at.bind(formula("_start+(at-1)*_step", at=at), self.title)
         self.fills.append(Fill(first, DRIVER, driver, styles.decimals(styles.COLUMN, 4), rows=block.probes))
         columns = self.needed(wanted)
-        for column in plan.columns:
+        for column in self.columns:
             if column.symbol not in columns or column.equation is None:
                 continue
             style = styles.decimals(styles.INNER, 4)
             expression = transform(column.equation.expression, lambda part: self._above(part, block.row))
-            value = cell_formula(
-                plan, column, expression, plan.table, first
-            )  # columns of the same letters, on this sheet
+            # columns of the same letters, on this sheet
+            value = cell_formula(plan, self.at, column, expression, plan.table, first)
             self.fills.append(Fill(first, column.col, value, style, rows=block.probes))
             if column.equation.first is not None:  # the next rows are taken near it
                 whole = Symbol(ALL + column.symbol)
@@ -106,5 +113,5 @@ class Probes:
     def _above(self, part: Node, anchor: int) -> Node:
         """The anchor's cell in place of the row above."""
         if isinstance(part, Previous):
-            return CellRef(anchor, self.plan.at.spots[part.name].col, True)
+            return CellRef(anchor, self.at.spots[part.name].col, True)
         return part

@@ -14,7 +14,7 @@ import numpy as np
 
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import ChartRequest, Mechanism
+from mechsheet.model import ChartRequest, Mechanism, rate_symbols
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.first.blocks import shown_unit
@@ -63,14 +63,24 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
         if equation.role == "variable" and equation.symbol != driver and not _stands_still(columns[equation.symbol]):
             (angles if equation.unit.kind == "angle" else displacements).append(equation.symbol)
     outputs = [output.symbol for output in mechanism.outputs if not _stands_still(columns[output.symbol])]
+    rates = [name for name in _rates(plan) if not _stands_still(columns[name])]
     sizes = {symbol: float(np.max(np.abs(column), initial=0.0)) for symbol, column in columns.items()}
     requests = []
-    for symbols in (angles, displacements, outputs):
+    for symbols in (angles, displacements, outputs, rates):
         requests += [ChartRequest(x=driver, y=group) for group in _shared(plan, symbols, sizes)]
     paths = remarkable_points(mechanism)
     if paths:
         requests.append(ChartRequest(paths=paths))
     return tuple(requests)
+
+
+def _rates(plan: Plan) -> list[str]:
+    """Velocities and accelerations of links, of slides on the ground, and of points."""
+    mechanism = plan.mechanism
+    ground = mechanism.ground.name
+    moving = {joint.symbol for joint in mechanism.joints if ground not in (joint.on, joint.link)}
+    hidden = {name for symbol in moving for name in rate_symbols(symbol, False)}
+    return [eq.symbol for eq in plan.equations.columns if eq.role == "rate" and eq.symbol not in hidden]
 
 
 def _probe(plan: Plan) -> dict[str, Array]:

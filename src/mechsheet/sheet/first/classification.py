@@ -53,6 +53,7 @@ class Classification:
     returning     symbols of those swings and strokes that move nothing further; they have a time ratio if the driver turns
     transmission  groups that have an angle of transmission
     limits        True where some group can come apart
+    rates         True where there are velocities
     """
 
     four_bars: tuple[FourBar, ...]
@@ -61,6 +62,7 @@ class Classification:
     returning: tuple[str, ...]
     transmission: tuple[Group, ...]
     limits: bool
+    rates: bool = False
 
     @property
     def entries(self) -> list[str]:
@@ -71,7 +73,8 @@ class Classification:
         lines += [f"swing_{link.angle_symbol}" for link in self.swings]
         lines += [f"stroke_{joint.symbol}" for joint in self.strokes]
         lines += [f"time_ratio_{symbol}" for symbol in self.returning]
-        return lines + [f"transmission_{group.number}" for group in self.transmission]
+        lines += [f"transmission_{group.number}" for group in self.transmission]
+        return lines + (["dead_centres", "velocities_fit", "accelerations_fit"] if self.rates else [])
 
     @property
     def placed(self) -> frozenset[str]:
@@ -104,6 +107,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         _returning(mechanism, equations, swings, strokes),
         tuple(group for group in equations.groups if group.transmission in names),
         bool(equations.margins),
+        mechanism.driver.speed is not None and bool(equations.groups),
     )
 
 

@@ -26,6 +26,7 @@ from mechsheet.sheet.plan import (
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.lowering import Assignment
+from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
@@ -65,6 +66,7 @@ def mechanism_sheet(
     _position(writer)
     _dimensions(writer)
     _sweep(writer)
+    _motion(writer)
     _assembly(writer)
     _variables(writer)
     write_summaries(writer)
@@ -124,7 +126,7 @@ def _dimensions(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("dimensions", plan.text("head.tolerance"))
     for dim in plan.mechanism.dimensions:
-        if not isinstance(dim.value, float):
+        if not isinstance(dim.value, float) or dim.driver_key:
             continue
         row = plan.blocks["dimensions"].rows[dim.symbol]
         writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim))
@@ -143,7 +145,7 @@ def _derived(writer: Writer) -> None:
     writer.heading("derived")
     rows = plan.blocks["derived"].rows
     for dim in plan.mechanism.dimensions:
-        if not isinstance(dim.value, float):
+        if not isinstance(dim.value, float) and not dim.driver_key:
             row = rows[dim.symbol]
             writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim) or dim.written)
             _result(writer, row, dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
@@ -193,6 +195,24 @@ def _sweep(writer: Writer) -> None:
             error_message=plan.text("hint.step"),
         )
     )
+
+
+def _motion(writer: Writer) -> None:
+    """The driver's speed and acceleration, where they are the same in every row."""
+    plan = writer.plan
+    if "motion" not in plan.blocks:
+        return
+    writer.heading("motion")
+    for symbol, row in plan.blocks["motion"].rows.items():
+        dim = next(dim for dim in plan.mechanism.dimensions if dim.symbol == symbol)
+        own = symbol == dim.driver_key  # in a unit of its own
+        name = plan.text(f"name.{symbol}") if own else rich(symbol)
+        writer.line(row, name, dim.unit.text, plan.text(f"motion.{dim.driver_key}{'.own' if own else ''}"))
+        if isinstance(dim.value, float):
+            writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
+            writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), symbol))
+        else:
+            _result(writer, row, dim.value, False, styles.decimals(styles.RESULT, places_of(plan, dim.unit)))
 
 
 def _assembly(writer: Writer) -> None:
@@ -269,7 +289,8 @@ def _variables(writer: Writer) -> None:
         equation: Assignment = plan.equations.of(symbol)
         writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
-        writer.formula(row, VALUE, node, value_style(plan, equation.unit.kind))
+        rate = styles.decimals(styles.RESULT, places_of(plan, equation.unit))
+        writer.formula(row, VALUE, node, rate if equation.unit.per else value_style(plan, equation.unit.kind))
 
 
 def controls(plan: Plan) -> tuple[Control, ...]:

@@ -11,6 +11,7 @@ from mechsheet.sheet.first.blocks import Writer, shown_unit, value_style
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Conditional
 
 
@@ -44,11 +45,12 @@ def _write(writer: Writer, summary: Summary) -> None:
     partial = formula("closed<rows", closed=closed, rows=plan.rows)
     writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
     driver = plan.mechanism.driver.symbol
-    unit = (plan.mechanism.driver if summary.of == driver else plan.equations.of(summary.of)).unit.kind
+    unit = (plan.mechanism.driver if summary.of == driver else plan.equations.of(summary.of)).unit
+    style = styles.decimals(styles.RESULT, places_of(plan, unit)) if unit.per else value_style(plan, unit.kind)
     value, where = _of(plan, summary)
     # over nothing: no number, and no 0 that somebody who looks for the smallest would take
     found = formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=closed, value=value)
-    writer.formula(row, VALUE, plan.at.bind(found, plan.main), value_style(plan, unit))
+    writer.formula(row, VALUE, plan.at.bind(found, plan.main), style)
     if where is not None:
         found = formula("IF(closed=0,NA(),IFERROR(where,NA()))", closed=closed, where=where)
         writer.formula(row, TOLERANCE, plan.at.bind(found, plan.main), value_style(plan, "angle"))

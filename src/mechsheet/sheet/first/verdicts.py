@@ -7,6 +7,7 @@ there, rows that exist only; whether these make a whole turn is asked of the cel
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
@@ -53,6 +54,10 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         block.ratio(symbol)
     for group in found.transmission:
         block.transmission(group)
+    if found.rates:
+        block.dead_centres()
+        block.fits("velocity", "velocities_fit")
+        block.fits("acceleration", "accelerations_fit")
     block.line_under_the_title()
     return [Merge(Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING))]
 
@@ -372,6 +377,29 @@ class _Block:
         self.at(key, self.bound("IFERROR(place,NA())", place=at_low))
         self.colour(key, "AND(ISNUMBER(value),poor)", styles.WARN, value=cell, poor=poor)
         self.colour(key, "ISNUMBER(value)", styles.GOOD, value=cell)
+
+    # --- velocities -------------------------------------------------------------------------------------------
+
+    def dead_centres(self) -> None:
+        """In how many rows that close there are no velocities."""
+        key, cell = "dead_centres", self.value("dead_centres")
+        count = self.bound("closed-COUNTIF(said,ok)", closed=self.value("rows_closed"), said=Symbol(f"{ALL}#rates"),
+                           ok=self.plan.text("status.ok"))  # fmt: skip
+        some = self.text("dead_centres.some", rates=self.plan.at.titles["rates"])
+        words = formula("IF(count=0,none,some)", count=cell, none=self.text("dead_centres.none"), some=some)
+        self.line(key, self.text(key), f"/ {self.plan.rows}", count, 0, words)
+        self.colour(key, "count>0", styles.WARN, count=cell)
+
+    def fits(self, kind: Literal["velocity", "acceleration"], key: str) -> None:
+        """The largest difference between the two ways round a group."""
+        rounding = self.plan.at.cell("#rounding", self.plan.main, None)
+        wrong = self.text("rates.not", sheet=self.checks.title)
+        words = formula("IF(gap>rounding,wrong,fine)", gap=self.value(key), rounding=rounding, wrong=wrong,
+                        fine=self.text("rates.fit"))  # fmt: skip
+        style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
+        self.line(key, self.text(key), self.plan.mechanism.length_unit, self.checks.worst(kind), style, words)
+        self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
+        self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
 
     # --- the line under the title -----------------------------------------------------------------------------
 

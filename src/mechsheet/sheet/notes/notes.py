@@ -6,8 +6,10 @@ import math
 
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.references import cell_name, column_letters
+from mechsheet.kinematics.equations import RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
+from mechsheet.sheet.notes.loops import LoopRates
 from mechsheet.sheet.notes.mathematics import Part, symbol_parts, written
 from mechsheet.sheet.plan import DRIVER, STATUS, Plan
 from mechsheet.sheet.symbols import plain
@@ -30,6 +32,7 @@ PARAGRAPHS = (
     "modes",
     "sweep",
     "positions",
+    "rates",
     "charts",
     "tables",
     "checks",
@@ -37,6 +40,7 @@ PARAGRAPHS = (
     "missing",
 )
 ASSUMPTIONS = ("planar", "angles", "radians", "cosines", "continuous", "constant_mode", "rounding")
+RATE_ASSUMPTIONS = ("rates", "coefficients", "dead")
 COLOURS: tuple[tuple[str, Style], ...] = (
     ("input", styles.INPUT),
     ("result", styles.RESULT),
@@ -53,7 +57,7 @@ def notes_sheet(plan: Plan) -> Sheet:
     page = _Page(plan)
     page.opening()
     page.colours()
-    page.list_of("assumptions", ASSUMPTIONS)
+    page.list_of("assumptions", ASSUMPTIONS + (RATE_ASSUMPTIONS if plan.equations.equations.turning else ()))
     page.links()
     page.equations()
     return Sheet(
@@ -127,6 +131,9 @@ class _Page:
             "positions": titles["positions"],
             "mechanism": titles["mechanism"],
             "table": plan.text("sheet.table"),
+            "rates": titles.get("rates", ""),
+            "speed": plain(plan.mechanism.driver_rates[0]),
+            "acceleration": plain(plan.mechanism.driver_rates[1]),
         }
 
     # --- parts ------------------------------------------------------------------------------------------------
@@ -145,6 +152,8 @@ class _Page:
             left_out.add("modes")
         if plan.mechanism.driver.values:
             left_out.add("sweep")
+        if not plan.rates:
+            left_out.add("rates")
         self.list_of("use", tuple(entry for entry in PARAGRAPHS if entry not in left_out))
 
     def colours(self) -> None:
@@ -235,11 +244,33 @@ class _Page:
         for equation in self.plan.equations.constants:
             self._equation(equation, self.plan.mechanism.shown(equation.unit).text)
         self._driver()
-        groups = dict.fromkeys(equation.group for equation in self.plan.equations.columns)
-        for number in groups:
+        columns = self.plan.equations.columns
+        self._groups([equation for equation in columns if equation.role not in RATES and equation.group >= 0])
+        rates = [equation for equation in columns if equation.role in RATES]
+        if rates:
+            self._group(self.plan.text("rates.title"))
+            self._loops()
+            self._groups(rates)
+        self._groups([equation for equation in columns if equation.group < 0])
+
+    def _loops(self) -> None:
+        """The loop equations of velocities and of accelerations, as a textbook has them."""
+        if not self.plan.equations.equations.turning:
+            return
+        loops = LoopRates(self.plan)
+        for group in self.plan.equations.groups:
+            for key, equation in (
+                ("velocities", loops.velocities(group.closure)),
+                ("accelerations", loops.accelerations(group.closure)),
+            ):
+                self._entry(self.text(f"loop.{key}"), "", equation, self.text("loop", number=group.number), "")
+
+    def _groups(self, equations: list[Assignment]) -> None:
+        """Equations, group by group."""
+        for number in dict.fromkeys(equation.group for equation in equations):
             if number != 0:
                 self._group(group_title(self.plan, number))
-            for equation in self.plan.equations.columns:
+            for equation in equations:
                 if equation.group == number:
                     self._equation(equation, self._unit(equation))
 
@@ -294,7 +325,7 @@ class _Page:
     def _place(self, symbol: str) -> str:
         """Where people read it: `Positions K`, `Mechanism B12`."""
         spot = self.plan.at.spots[symbol]
-        return self._column(spot.col) if spot.column else f"{spot.sheet} {cell_name(spot.row, spot.col)}"
+        return f"{spot.sheet} {column_letters(spot.col) if spot.column else cell_name(spot.row, spot.col)}"
 
     def _column(self, col: int) -> str:
         return f"{self.plan.table} {column_letters(col)}"

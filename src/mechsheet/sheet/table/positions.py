@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 
 from mechsheet.formula import algebra as al
@@ -20,6 +20,7 @@ from mechsheet.formula.nodes import (
     transform,
 )
 from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Addresses
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
@@ -39,6 +40,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
+from mechsheet.units import Unit
 from mechsheet.words.equations import body_words
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
@@ -60,7 +62,7 @@ def positions_sheet(plan: Plan) -> Sheet:
     cells: list[Cell] = []
     fills: list[Fill] = []
     comments: list[Comment] = []
-    mathematics = {column.col: _mathematics(plan, column) for column in plan.columns}
+    said = {column.col: mathematics(plan, column) for column in plan.columns}
     for column in plan.columns:
         cells.append(Cell(SYMBOL_ROW, column.col, heading(plan, column), styles.HEAD))
         if column.kind == "number":
@@ -69,7 +71,7 @@ def positions_sheet(plan: Plan) -> Sheet:
             fills.append(Fill(FORMULA_ROW, column.col, shown, styles.numbered(styles.FORMULA_TEXT, '"→ "0')))
             comments.append(Comment(SYMBOL_ROW, column.col, plan.text("column.here")))
         else:
-            cells.append(Cell(FORMULA_ROW, column.col, mathematics[column.col], styles.FORMULA_TEXT))
+            cells.append(Cell(FORMULA_ROW, column.col, said[column.col], styles.FORMULA_TEXT))
         if column.equation is not None:
             comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
         if column.kind == "driver" and plan.mechanism.driver.values:
@@ -81,14 +83,14 @@ def positions_sheet(plan: Plan) -> Sheet:
     headings, merges = group_headings(plan.columns, GROUP_ROW, lambda number: group_title(plan, number))
     cells += headings
     first, last, count = plan.at.first, plan.at.last, len(plan.columns)
-    widths = {column.col: _width(column, mathematics[column.col]) for column in plan.columns}
-    lines = max(_lines(mathematics[col], width) for col, width in widths.items())
+    fixed = {NUMBER: 5.0, DRIVER: 9.0, STATUS: 16.0}
+    widths = {column.col: fixed.get(column.col, width_for(said[column.col])) for column in plan.columns}
     return Sheet(
         plan.table,
         tuple(cells),
         tuple(fills),
-        columns=tuple(Column(col, col, width, level=_level(plan, col)) for col, width in widths.items()),
-        row_heights=((SYMBOL_ROW, 30.0), (FORMULA_ROW, LINE * max(FEWEST_LINES, min(MOST_LINES, lines)))),
+        columns=tuple(Column(col, col, width, level=int(plan.columns[col].inner)) for col, width in widths.items()),
+        row_heights=((SYMBOL_ROW, 30.0), (FORMULA_ROW, formula_height(said, widths))),
         merges=tuple(merges),
         conditionals=_conditionals(Area(first, 0, last, count - 1), plan.text("status.ok")),
         comments=tuple(comments),
@@ -109,7 +111,7 @@ def positions_sheet(plan: Plan) -> Sheet:
 
 def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: int) -> list[Fill]:
     """The formulas of a column in so many rows of a sheet."""
-    style = _style(plan, column)
+    style = style_of(plan, column)
     match column.kind:
         case "number":
             # counted from the heading: rows may be inserted above the table
@@ -123,21 +125,21 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
             return [Fill(first, STATUS, plan.at.bind(status(plan), sheet, first), style, rows=rows)]
     if column.equation is None:
         raise ValueError(f"a column without an equation: {column.symbol}")
-    value = cell_formula(plan, column, column.equation.expression, sheet, first)
+    value = cell_formula(plan, plan.at, column, column.equation.expression, sheet, first)
     if column.equation.first is None:
         return [Fill(first, column.col, value, style, rows=rows)]
-    start = Fill(first, column.col, cell_formula(plan, column, column.equation.first, sheet, first), style)
+    start = Fill(first, column.col, cell_formula(plan, plan.at, column, column.equation.first, sheet, first), style)
     if rows == 1:
         return [start]
     return [start, Fill(first + 1, column.col, shifted(value, 1), style, rows=rows - 1)]
 
 
-def cell_formula(plan: Plan, column: TableColumn, expression: Node, sheet: str, row: int) -> Node:
-    """What a cell of the column holds in a row that stands for one position."""
-    value = transform(plan.at.bind(expression, sheet, row), degrees_together)
+def cell_formula(plan: Plan, at: Addresses, column: TableColumn, expression: Node, sheet: str, row: int) -> Node:
+    """What a cell of the column holds in a row that stands for one position; `at` says where quantities stand there."""
+    value = transform(at.bind(expression, sheet, row), degrees_together)
     if column.symbol in plan.unguarded:
         value = while_inputs_can_be(plan, value, sheet)
-    return in_degrees(value) if plan.at.spots[column.symbol].degrees else value
+    return in_degrees(value) if at.spots[column.symbol].degrees else value
 
 
 def degrees_together(node: Node) -> Node:
@@ -244,41 +246,45 @@ def column_unit(plan: Plan, column: TableColumn) -> str:
     return plan.mechanism.shown(unit.internal if column.inner else unit).text
 
 
-def _mathematics(plan: Plan, column: TableColumn) -> Rich | str:
+def mathematics(plan: Plan, column: TableColumn) -> Rich | str:
     """The formula as people write it."""
     if column.kind == "driver" and not plan.mechanism.driver.values:
         return f"{plan.text('name.start')} + n·{plan.text('name.step')}"
     return "" if column.equation is None else written(column.equation.says, plan.language)
 
 
-def _width(column: TableColumn, mathematics: Rich | str) -> float:
-    """Wide enough for the formula over it in the lines that there are."""
-    fixed = {NUMBER: 5.0, DRIVER: 9.0, STATUS: 16.0}
-    length = len(mathematics.plain if isinstance(mathematics, Rich) else mathematics)
-    return fixed.get(column.col, max(11.0, 11.0 * length / (CHARACTERS_OF_A_LINE * (MOST_LINES - 1))))
+def width_for(said: Rich | str) -> float:
+    """Of a column wide enough for the formula over it in the lines that there are."""
+    return max(11.0, 11.0 * _length(said) / (CHARACTERS_OF_A_LINE * (MOST_LINES - 1)))
 
 
-def _lines(mathematics: Rich | str, width: float) -> int:
-    length = len(mathematics.plain if isinstance(mathematics, Rich) else mathematics)
-    return 1 + math.ceil(length / (CHARACTERS_OF_A_LINE * width / 11.0))
+def formula_height(said: Mapping[int, Rich | str], widths: Mapping[int, float]) -> float:
+    """Of the row of formulas over columns of these widths."""
+    lines = (1 + math.ceil(_length(text) / (CHARACTERS_OF_A_LINE * widths[col] / 11.0)) for col, text in said.items())
+    return LINE * max(FEWEST_LINES, min(MOST_LINES, max(lines)))
 
 
-def _level(plan: Plan, col: int) -> int:
-    """Intermediate columns can be folded away."""
-    return 1 if plan.columns[col].inner else 0
+def _length(said: Rich | str) -> int:
+    return len(said.plain if isinstance(said, Rich) else said)
 
 
-def _style(plan: Plan, column: TableColumn) -> Style:
+def style_of(plan: Plan, column: TableColumn) -> Style:
+    """How the cells of a column look."""
     if column.kind == "number":
         return _decimals(styles.INNER, 0)
     if column.kind == "status":
         return styles.STATUS
     if column.equation is None:
         return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit.in_degrees else "length"))
-    kind = column.equation.unit.kind
+    unit = column.equation.unit
     if column.inner:
-        return _decimals(styles.INNER, 4 if kind == "angle" else places(plan, kind))
-    return _decimals(styles.COLUMN, places(plan, kind))
+        return _decimals(styles.INNER, 4 if unit.kind == "angle" else places(plan, unit.kind))
+    return _decimals(styles.COLUMN, places_of(plan, unit))
+
+
+def places_of(plan: Plan, unit: Unit) -> int:
+    """Decimals of a quantity: angular velocities have as many as plain numbers, whatever the unit of angles."""
+    return places(plan, "number" if unit.per and unit.kind == "angle" else unit.kind)
 
 
 def places(plan: Plan, kind: str) -> int:

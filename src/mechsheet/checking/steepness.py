@@ -1,0 +1,72 @@
+"""How near each row is to a dead centre, where velocities grow like 1/sin and lose digits like 1/sin^2."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from mechsheet import reference
+from mechsheet.checking.inputs import Array
+from mechsheet.formula.nodes import symbols
+from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.equations import RATES
+from mechsheet.kinematics.numeric import value
+from mechsheet.sheet.plan import Plan
+
+EDGE = 1e-6
+"""By so much the sine may be rounded where it decides whether a row has velocities."""
+
+
+class Steepness:
+    """The rows of a workbook.
+
+    sine  the least sine of the angle at which a group is driven, at most 1
+    """
+
+    def __init__(self, plan: Plan, known: Mapping[str, Array]) -> None:
+        self.plan = plan
+        self.sine = np.ones(plan.rows)
+        self._dead: dict[str, int] = {}
+        for equation in plan.equations.equations.columns:
+            if equation.role == "coefficient" and equation.exists:
+                self._dead[equation.symbol] = equation.group
+                names = {name for each in equation.exists for name in (*symbols(each.margin), *symbols(each.least))}
+                there = {name: known[name] for name in names}
+                with np.errstate(all="ignore"):
+                    for each in equation.exists:
+                        ratio = np.abs(value(each.margin, there) / value(each.least, there)) * DEAD
+                        self.sine = np.fmin(self.sine, ratio)
+        self._reads = self._readers()
+
+    def _readers(self) -> dict[str, bool]:
+        """Rates, and outputs that read them -> whether they depend on a group that has dead centres."""
+        found: dict[str, bool] = {}
+        roles = {equation.symbol: equation.role for equation in self.plan.equations.equations.columns}
+        for equation in self.plan.equations.equations.columns:
+            of_rates = [name for name in equation.reads if name in found]
+            if equation.role in RATES or (equation.role == "output" and of_rates):
+                dead = equation.symbol in self._dead or any(found[name] for name in of_rates)
+                found[equation.symbol] = dead
+        return {symbol: dead for symbol, dead in found.items() if roles[symbol] != "coefficient"}
+
+    def concerns(self, symbol: str) -> bool:
+        """True for velocities and accelerations, and outputs of them."""
+        return symbol in self._reads
+
+    def at_all(self, symbol: str) -> bool:
+        """True for one that certainly has no number where the first of all groups is at a dead centre."""
+        return self._reads[symbol] and len(self._dead) == 1
+
+    def scale(self, symbol: str, solution: reference.Solution, found: Mapping[str, Array]) -> Array:
+        """What a difference is measured by: the driver's own rate, as a length where it is one."""
+        mechanism = self.plan.mechanism
+        equation = self.plan.equations.of(symbol)
+        if equation.role == "output" or mechanism.driver.speed is None:
+            return np.ones(self.plan.rows)
+        size = solution.size or 1.0
+        speed, acceleration = (np.abs(found[name]) for name in mechanism.driver_rates)
+        if mechanism.driver.joint:
+            speed, acceleration = speed / size, acceleration / size
+        rate = speed if equation.unit.per == 1 else speed**2 + acceleration
+        return np.maximum(rate * (size if equation.unit.kind == "length" else 1.0), 1e-300)

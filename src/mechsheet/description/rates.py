@@ -1,0 +1,207 @@
+"""Velocities and accelerations: the driver's own in [driver], the points of [rates], and what all of them are called."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from mechsheet.description.index import Path
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, suggestion
+from mechsheet.description.scope import Scope
+from mechsheet.formula import algebra as al
+from mechsheet.formula.derivatives import derivative
+from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk
+from mechsheet.model import POINT_RATES, Dimension, Driver, Joint, Link, Quantity, rate_symbols
+from mechsheet.units import RAD, Unit
+
+_SIXTIETH = al.div(al.PI, al.number(30.0))
+_FACTORS: dict[str, Node] = {"deg/s": al.div(al.PI, al.number(180.0)), "rpm": _SIXTIETH}
+_FACTORS |= {"deg/s^2": _FACTORS["deg/s"], "rpm/s": _SIXTIETH}
+"""Unit -> radians per second (per second) of one of it."""
+
+_WITH_CORNERS = frozenset(("ABS", "SIGN", "MIN", "MAX", "ROUND", "IF"))
+
+NOT_ON_A_PAGE = "velocities and accelerations stand on a sheet of their own, which the layout page does not have"
+
+Key = Literal["speed", "acceleration"]
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """How the driver moves: see `Driver`; `dimensions` are those of its own that are cells."""
+
+    speed: Node
+    acceleration: Node
+    dimensions: tuple[Dimension, ...]
+
+
+def declare(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None, data: Any, scope: Scope) -> None:
+    """Enter the names of all rates; where the driver has a speed they must be free."""
+    names = {name: link.angle_symbol for link in links[1:] for name in link.rate_symbols}
+    names |= {name: joint.symbol for joint in joints for name in rate_symbols(joint.symbol, False)}
+    if driver is not None:
+        names |= dict.fromkeys(_names(links, driver), driver.symbol)
+    scope.rates = dict.fromkeys(names)
+    scope.moves = isinstance(data, dict) and "speed" in data
+    if not scope.moves:
+        return
+    for name, of in names.items():
+        scope.symbols.claim(name, f"rate of {of}", ("driver", "speed"), "rename it: the driver has a speed")
+    for joint in joints:
+        for link in scope.points.get(joint.symbol, ())[:1]:
+            message = f"the point has the name of a displacement: {joint.symbol}.v would be the velocity of either"
+            scope.report.at(("links", link, "points", joint.symbol), message, "rename one of them")
+
+
+def _names(links: tuple[Link, ...], driver: Driver) -> tuple[str, str]:
+    turned = next((link for link in links if link.name == driver.link), None)
+    own = turned is not None and driver.relative_to == links[0].name
+    return rate_symbols(turned.angle_symbol if turned and own else driver.symbol, not driver.joint)
+
+
+def motion(data: dict[str, Any], links: tuple[Link, ...], driver: Driver, scope: Scope) -> Motion | None:
+    """The driver's speed and acceleration, when it has a speed and no fault hides it."""
+    if not scope.moves:
+        if "acceleration" in data:
+            scope.report.at(("driver", "acceleration"), "goes with `speed`", "a driver at rest has speed = 0")
+        return None
+    names = _names(links, driver)
+    speed, cells = _rate("speed", data["speed"], names[0], driver, scope)
+    acceleration: Node | None
+    if "acceleration" in data:
+        acceleration, more = _rate("acceleration", data["acceleration"], names[1], driver, scope)
+        cells += more
+    elif speed is not None and driver.symbol in symbols(speed):
+        acceleration = _as_speed_changes(speed, data["speed"], driver.symbol, scope)
+    else:
+        acceleration = Symbol(names[1])
+        cells += (_cell("acceleration", names[1], 0.0, driver, scope),)
+    if speed is None or acceleration is None:
+        return None
+    return Motion(speed, acceleration, cells)
+
+
+def _unit(key: Key, driver: Driver, scope: Scope) -> Unit:
+    """Radians or lengths per second, per second squared."""
+    unit = Unit("length", scope.length_unit) if driver.joint else RAD
+    return unit.per_time() if key == "speed" else unit.per_time().per_time()
+
+
+def _cell(key: Key, symbol: str, value: Quantity, driver: Driver, scope: Scope, text: str = "") -> Dimension:
+    shown = value if isinstance(value, float) else None
+    return Dimension(symbol, value, _unit(key, driver, scope), shown=shown, written=text, driver_key=key)
+
+
+def _rate(key: Key, given: Any, name: str, driver: Driver, scope: Scope) -> tuple[Node | None, tuple[Dimension, ...]]:
+    """What the driver's rate is, over dimensions and the driver, and the cells it needs; None where it is faulty."""
+    path: Path = ("driver", key)
+    if given is BAD:
+        return None, ()
+    if isinstance(given, dict):
+        return _in_unit(key, given, name, driver, scope)
+    if not isinstance(given, str):
+        return Symbol(name), (_cell(key, name, float(given), driver, scope),)
+    tree = scope.parse(given, path)
+    if tree is None or not scope.only_dimensions(tree, given, path, driver.symbol):
+        return None, ()
+    if driver.symbol in symbols(tree):
+        return tree, ()
+    if all(symbol in scope.numbers for symbol in symbols(tree)) and scope.value(tree, path) is None:
+        return None, ()
+    return Symbol(name), (_cell(key, name, tree, driver, scope, given),)
+
+
+def _in_unit(
+    key: Key, given: dict[str, Any], name: str, driver: Driver, scope: Scope
+) -> tuple[Node | None, tuple[Dimension, ...]]:
+    """A number in a unit of its own: the cell that people fill in, and the rate in the program's units that follows."""
+    value, unit = given["value"], given["unit"]
+    if value is BAD or unit is BAD:
+        return None, ()
+    per = "s" if key == "speed" else "s^2"
+    plain = f"{scope.length_unit}/{per}" if driver.joint else f"rad/{per}"
+    turning = ("deg/s", "rpm") if key == "speed" else ("deg/s^2", "rpm/s")
+    allowed = [plain] if driver.joint else [plain, *turning]
+    word = unit.strip().replace("°", "deg").replace("²", "^2")
+    if word not in allowed:
+        what = "a displacement" if driver.joint else "an angle"
+        message = f"{quoted(unit)} is no unit of this {key}: the driver is {what}"
+        scope.report.at(("driver", key, "unit"), message, suggestion(unit, allowed, "units"))
+        return None, ()
+    if word == plain:
+        return Symbol(name), (_cell(key, name, value, driver, scope),)
+    scope.symbols.claim(
+        key, f"driver's {key}", ("driver", key), f"rename it: the {key} in {word} has a cell of its own"
+    )
+    shown = Unit("label", word.replace("deg", "°").replace("^2", "²"))
+    cell = Dimension(key, value, shown, shown=value, driver_key=key)
+    scope.numbers[key] = value
+    tree = al.mul(Symbol(key), _FACTORS[word])
+    return Symbol(name), (cell, _cell(key, name, tree, driver, scope, f"{key}*pi/{180 if 'deg' in word else 30}"))
+
+
+def _as_speed_changes(speed: Node, text: str, symbol: str, scope: Scope) -> Node | None:
+    """speed · d(speed)/d(driver)."""
+    path: Path = ("driver", "speed")
+    corners = [part.name.lower() for part in walk(speed) if isinstance(part, Call) and part.name in _WITH_CORNERS]
+    if corners:
+        message = f"{quoted(text)} depends on the driver and has no derivative where {corners[0]} has a corner"
+        scope.report.at(path, message, "give the driver an `acceleration`")
+        return None
+    try:
+        return al.mul(speed, derivative(speed, symbol))
+    except ValueError as error:
+        scope.report.at(path, f"{quoted(text)} depends on the driver: {error}", "give the driver an `acceleration`")
+        return None
+
+
+def points(data: dict[str, Any], scope: Scope) -> tuple[str, ...] | None:
+    """The points whose rates are wanted; None where the description does not say."""
+    if data and not scope.moves:
+        scope.report.at(("rates",), "needs the driver's speed", "write `speed` in [driver]")
+    if "points" not in data or data["points"] is BAD:
+        return None
+    found = []
+    for place, name in enumerate(data["points"]):
+        path: Path = ("rates", "points", place)
+        if name is BAD:
+            continue
+        if name not in scope.points:
+            scope.report.at(path, f"no point is called {quoted(name)}", suggestion(name, scope.points, "points"))
+        elif name in scope.fixed:
+            moving = [point for point in scope.points if point not in scope.fixed]
+            message = f"{quoted(name)} is a point of the ground: it does not move"
+            scope.report.at(path, message, suggestion("", moving, "moving points"))
+        elif name in found:
+            scope.report.at(path, f"{quoted(name)} is listed twice")
+        found.append(name)
+    return tuple(found)
+
+
+def is_rate(name: str, scope: Scope) -> bool:
+    """True for omega13, s14.v, theta13.d, C.vx."""
+    owner, dot, part = name.partition(".")
+    if name in scope.rates:
+        return True
+    return bool(dot) and (
+        (owner in scope.variables and part in ("d", "dd")) or (owner in scope.points and part in POINT_RATES)
+    )
+
+
+def known(name: str, path: Path, scope: Scope) -> bool:
+    """True for a rate; reports one that needs a speed of the driver where it has none."""
+    if not is_rate(name, scope) or name in scope.units or name in scope.outputs:
+        return False
+    scope.of_rates.add("")  # somebody reads one
+    if not scope.moves and not name.endswith((".d", ".dd")):
+        message = f"{quoted(name)} is a velocity or an acceleration: it needs the driver's speed"
+        scope.report.at(path, message, "write `speed` in [driver]")
+    return True
+
+
+def check_layout(layout: str, scope: Scope) -> None:
+    """The layout page has positions only."""
+    if layout == "page" and (scope.moves or scope.of_rates):
+        path: Path = ("driver", "speed") if scope.moves else ("workbook", "layout")
+        scope.report.at(path, NOT_ON_A_PAGE, 'take the speed away, or write layout = "sheets"')

@@ -1,0 +1,445 @@
+"""Velocities and accelerations as equations: influence coefficients of every group, then the rates that people read.
+
+A coefficient is a derivative by the driver's variable, `theta13.d`, `theta13.dd`: it depends on the position alone. A dyad's
+two follow from two linear equations (`motions`), by Cramer's rule,
+
+    q1' = u x w2 / D,    q2' = w1 x u / D,    q1'' = k x w2 / D,    q2'' = w1 x k / D,    D = w1 x w2
+
+(or with the opposite signs in all of them), where w is the velocity of the closing point per unit of q', u what the known
+side moves, k what is left of the second derivative. Then omega = q' omega12 and alpha = q'' omega12^2 + q' alpha12. D is
+what vanishes at a dead centre, written with what the positions have: a3 a4 sin(mu), w, or the sine between two lines.
+Source: Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, section 3.12 (kinematic coefficients).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.derivatives import derivative
+from mechsheet.formula.nodes import Binary, Call, Node, Symbol, symbols, transform
+from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.assur import Drive, Dyad, Pin
+from mechsheet.kinematics.dyads import Determinant, Solved
+from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.motions import (
+    Meeting,
+    Motions,
+    PointRate,
+    Rate,
+    Vector,
+    cross,
+    minus,
+    plus,
+    times,
+)
+from mechsheet.kinematics.poses import Poses
+from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
+from mechsheet.units import LENGTH, NUMBER, RAD, Unit
+from mechsheet.words.equations import link_words, phrase
+
+LONGEST, INLINE = 118, 75
+"""Characters of a cell's formula, and of a point's rate that is written where it is read."""
+
+_COEFFICIENTS = (".d", ".dd")
+
+REFERENCE = 13
+"""Characters of a reference to another sheet: `Positions!AB4`."""
+
+
+def asked(mechanism: Mechanism) -> dict[str, None]:
+    """Every symbol that an output, a summary or a chart reads."""
+    found = dict.fromkeys(name for output in mechanism.outputs for name in symbols(output.formula))
+    found |= dict.fromkeys(summary.of for summary in mechanism.summaries)
+    return found | dict.fromkeys(name for chart in mechanism.charts for name in (chart.x, *chart.y) if name)
+
+
+def wanted(mechanism: Mechanism) -> bool:
+    """Whether a mechanism has velocities, or at least derivatives by its driver."""
+    return mechanism.driver.speed is not None or any(name.endswith((".d", ".dd")) for name in asked(mechanism))
+
+
+def free_points(mechanism: Mechanism) -> tuple[str, ...]:
+    """Points of a single moving link, at which nothing is joined."""
+    at: dict[str, int] = {}
+    for link in mechanism.links:
+        for point in link.points:
+            at[point] = at.get(point, 0) + 1
+    joined = {joint.point for joint in mechanism.joints} | set(mechanism.ground.points)
+    return tuple(point for point, count in at.items() if count == 1 and point not in joined)
+
+
+def points_of(mechanism: Mechanism) -> dict[str, None]:
+    """Points whose rates are wanted: those that the description names, those whose rates are read."""
+    if mechanism.driver.speed is None:
+        return {}
+    own = mechanism.rate_points
+    if own is None:
+        fixed = mechanism.ground.points
+        charted = [point for chart in mechanism.charts for point in chart.paths if point not in fixed]
+        own = tuple(charted) or free_points(mechanism)
+    found = dict.fromkeys(own)
+    moving = {point for link in mechanism.links[1:] for point in link.points}
+    for name in asked(mechanism):
+        point, _, part = name.partition(".")
+        if part in POINT_RATES and point in moving:
+            found[point] = None
+    return found
+
+
+def primed(symbol: str) -> Rate:
+    """Both coefficients of a symbol."""
+    return Rate(Symbol(f"{symbol}.d"), Symbol(f"{symbol}.dd"))
+
+
+class _ByDriver:
+    """Derivatives by the driver's variable."""
+
+    def __init__(self) -> None:
+        self.points: dict[str, PointRate] = {}
+        self.unknown: dict[str, None] = {}
+
+    def of_driver(self) -> Rate:
+        return Rate(al.ONE, al.ZERO)
+
+    def of(self, symbol: str) -> Rate:
+        self.unknown |= dict.fromkeys(f"{symbol}{part}" for part in _COEFFICIENTS)
+        return primed(symbol)
+
+    def of_point(self, point: str) -> PointRate | None:
+        return self.points.get(point)
+
+
+class _ByTime:
+    """Derivatives by time, over velocities and accelerations that have columns."""
+
+    def __init__(self, mechanism: Mechanism, points: Mapping[str, PointRate]) -> None:
+        self.driver = Rate(*(Symbol(name) for name in mechanism.driver_rates))
+        self.angles = {link.angle_symbol for link in mechanism.links}
+        self.points = points
+
+    def of_driver(self) -> Rate:
+        return self.driver
+
+    def of(self, symbol: str) -> Rate:
+        return Rate(*(Symbol(name) for name in rate_symbols(symbol, symbol in self.angles)))
+
+    def of_point(self, point: str) -> PointRate | None:
+        found = self.points.get(point)
+        if found is None:
+            return None
+        speed, acceleration = self.driver.first, self.driver.second
+        second = plus(times(al.square(speed), found.second), times(acceleration, found.first))
+        return PointRate(times(speed, found.first), second)
+
+
+@dataclass(frozen=True, slots=True)
+class _Cramer:
+    """Two linear equations: the vectors of the unknowns, and what the known sides differ by."""
+
+    first: Vector
+    second: Vector
+    right: Vector
+
+    def solved(self, right: Vector, det: Determinant) -> tuple[Node, Node]:
+        """Both unknowns, `right` standing for the right side."""
+        one, other = (cross(right, self.second), cross(self.first, right))
+        if det.turned:
+            one, other = cross(self.second, right), cross(right, self.first)
+        return al.div(one, det.node), al.div(other, det.node)
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """See `Equations`."""
+
+    fits: Mapping[int, tuple[Node, Node, Node, Node]]
+    turning: Mapping[str, tuple[Node, Node]]
+
+
+def add_rates(poses: Poses, drive: Drive, dyads: Sequence[tuple[Dyad, Solved]]) -> Written:
+    """Write all equations of velocities and accelerations down, behind those of positions."""
+    return _Writer(poses, drive, dyads).write()
+
+
+class _Writer:
+    def __init__(self, poses: Poses, drive: Drive, dyads: Sequence[tuple[Dyad, Solved]]) -> None:
+        self.poses, self.drive, self.dyads = poses, drive, dyads
+        self.mechanism, self.ledger = poses.mechanism, poses.ledger
+        self.timed = self.mechanism.driver.speed is not None
+        self.asked = asked(self.mechanism)
+        self.points = points_of(self.mechanism)
+        self.angles = {link.angle_symbol for link in self.mechanism.links}
+        self.names = _ByDriver()
+        self.own: set[str] = set()
+        self.shown: set[Node] = {al.ZERO, al.ONE}
+        self.ledger.group = 0
+        self.motions = Motions(poses, drive, self.names)
+        lengths = self.mechanism.driver.joint
+        self.per = self.mechanism.length_unit if lengths else ""
+
+    def write(self) -> Written:
+        self._driver()
+        self._after_group()
+        for number, (dyad, solved) in enumerate(self.dyads, 1):
+            self.ledger.group = number
+            self._dyad(dyad, solved)
+            self._after_group()
+        return self._by_time_alone() if self.timed else Written({}, {})
+
+    # --- the driver -------------------------------------------------------------------------------------------
+
+    def _driver(self) -> None:
+        """Its speed and acceleration, where they differ from row to row."""
+        driver = self.mechanism.driver
+        if driver.speed is None or driver.acceleration is None:
+            return
+        names = self.mechanism.driver_rates
+        for order, (name, node) in enumerate(zip(names, (driver.speed, driver.acceleration), strict=True), 1):
+            if node != Symbol(name):
+                label = phrase("driver_speed" if order == 1 else "driver_acceleration")
+                self.ledger.define(name, node, self._rate_unit(not driver.joint, order), label, "rate")
+
+    def _rate_unit(self, turns: bool, order: int) -> Unit:
+        unit = (RAD if turns else LENGTH).per_time()
+        return unit if order == 1 else unit.per_time()
+
+    # --- a group ----------------------------------------------------------------------------------------------
+
+    def _dyad(self, dyad: Dyad, solved: Solved) -> None:
+        pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
+        for force in (False, True):
+            meeting = self.motions.meet(dyad, {pin: self._outer(pin, force) for pin in pins})
+            once, twice = (self._cramer(meeting, order) for order in (1, 2))
+            longest = max(map(self.length, (*once.right, *twice.right)))
+            if longest <= LONGEST:
+                break
+        self._solve(solved, meeting, once, twice)
+
+    def _outer(self, point: str, force: bool) -> PointRate:
+        """The rates of an outer pin, as columns where they are long."""
+        found = self.motions.of_point(point, self.length)
+        parts = (*found.first, *found.second)
+        if max(map(self.length, parts)) > INLINE or (force and not all(map(al.is_simple, parts))):
+            found = self._columns_of(point, found)
+        return found
+
+    def length(self, node: Node) -> float:
+        """About so many characters a cell's formula has."""
+        return len(print_formula(node, "text", lambda symbol: "x" * self._wide(symbol.name)))
+
+    def _wide(self, name: str) -> int:
+        """Of a symbol: a cell of the same sheet, a name, or a cell of another sheet."""
+        if name in self.own or name in self.names.unknown:
+            return 4
+        constant = name in self.ledger.constant_symbols
+        return len(name) if constant and self.mechanism.references == "names" else REFERENCE
+
+    def _cramer(self, meeting: Meeting, order: int) -> _Cramer:
+        """The equations of the first or of the second coefficients."""
+        unknowns = [f"{symbol}{_COEFFICIENTS[order - 1]}" for symbol in meeting.unknowns]
+        left, right = ((way.first if order == 1 else way.second) for way in meeting.ways)
+        columns = []
+        for name in unknowns:
+            parts = [al.sub(derivative(a, name), derivative(b, name)) for a, b in zip(left, right, strict=True)]
+            columns.append((parts[0], parts[1]))
+        zero = dict.fromkeys(unknowns, al.ZERO)
+        known = minus(_without(right, zero), _without(left, zero))
+        return _Cramer(columns[0], columns[1], known)
+
+    def _solve(self, solved: Solved, meeting: Meeting, once: _Cramer, twice: _Cramer) -> None:
+        """D, both first coefficients, k, both second ones; then the rates."""
+        det = self._determinant(solved.determinant)
+        names = meeting.unknowns
+        u = self._short(once, "u", det)
+        for name, node in zip(names, once.solved(u, det), strict=True):
+            self._coefficient(name, 1, node)
+        k = self._hoisted(twice.right, "k", 2)
+        for name, node in zip(names, twice.solved(k, det), strict=True):
+            self._coefficient(name, 2, node)
+        if self.timed:
+            for name in names:
+                self._rates(name)
+
+    def _determinant(self, given: Determinant) -> Determinant:
+        """D as a column that has no value at a dead centre; a number where the lines keep their angle."""
+        if given.dead is None:
+            return given
+        column = self._define("D", given.node, self._unit(given.lengths), phrase("determinant"), given.dead)
+        return replace(given, node=column)
+
+    def _short(self, once: _Cramer, base: str, det: Determinant) -> Vector:
+        """The right side where it is read, as columns where the formulas would become long."""
+        longest = max(self.length(node) for node in once.solved(once.right, det))
+        return once.right if longest <= LONGEST else self._hoisted(once.right, base, 1)
+
+    def _hoisted(self, right: Vector, base: str, order: int) -> Vector:
+        unit = self._unit(1, order)
+        found = []
+        for axis, node in zip("xy", right, strict=True):
+            label = phrase("known_side", axis=axis, order=_order(order))
+            if not al.is_simple(node):
+                node = self._within(node, f"{base}_{axis}", unit, label)
+                node = node if al.is_simple(node) else self._define(f"{base}_{axis}", node, unit, label)
+            found.append(node)
+        return found[0], found[1]
+
+    def _unit(self, lengths: int, order: int = 0) -> Unit:
+        """The unit of lengths to a power, by the driver's unit to the power `order`."""
+        power = lengths - (order if self.per else 0)
+        length = self.mechanism.length_unit
+        if power == 0:
+            return NUMBER
+        name = length + {1: "", 2: "²"}.get(abs(power), f"^{abs(power)}")
+        return Unit("number", name if power > 0 else f"1/{name}")
+
+    def _within(self, node: Node, base: str, unit: Unit, label: Words) -> Node:
+        """A sum of which no cell holds more than can be read: its first terms stand in a column of their own."""
+        terms = _terms(node)
+        while len(terms) > 2 and self.length(al.total(terms)) > LONGEST:
+            count = next((n for n in range(len(terms) - 1, 1, -1) if self.length(al.total(terms[:n])) <= LONGEST), 1)
+            if count == 1:
+                break
+            terms = [self._define(base, al.total(terms[:count]), unit, label), *terms[count:]]
+        return al.total(terms)
+
+    def _define(self, base: str, node: Node, unit: Unit, label: Words, *exists: Condition) -> Symbol:
+        name = self.ledger.reserve(base)
+        self.own.add(name)
+        return self.ledger.define(name, node, unit, label, "coefficient", exists)
+
+    def _coefficient(self, symbol: str, order: int, node: Node) -> None:
+        turns = symbol in self.angles
+        label = phrase("coefficient", symbol=symbol, order=_order(order))
+        name = f"{symbol}{_COEFFICIENTS[order - 1]}"
+        self.ledger.define(name, node, self._unit(0 if turns else 1, order), label, "coefficient")
+
+    def _rates(self, symbol: str) -> None:
+        """omega, alpha of an angle; velocity and acceleration of a displacement."""
+        turns = symbol in self.angles
+        own = primed(symbol)
+        for order, node in enumerate(self._by_time(own), 1):
+            name = rate_symbols(symbol, turns)[order - 1]
+            self.ledger.define(
+                name, node, self._rate_unit(turns, order), self._rate_words(symbol, turns, order), "rate"
+            )
+
+    def _rate_words(self, symbol: str, turns: bool, order: int) -> Words:
+        if not turns:
+            return phrase("sliding_velocity" if order == 1 else "sliding_acceleration", symbol=symbol)
+        link = next(link for link in self.mechanism.links if link.angle_symbol == symbol)
+        key = "angular_velocity" if order == 1 else "angular_acceleration"
+        return phrase(key, number=str(link.number), link=link_words(link))
+
+    def _by_time(self, own: Rate) -> tuple[Node, Node]:
+        """q' omega12 and q'' omega12^2 + q' alpha12."""
+        speed, acceleration = (Symbol(name) for name in self.mechanism.driver_rates)
+        second = al.add(al.mul(own.second, al.square(speed)), al.mul(own.first, acceleration))
+        return al.mul(own.first, speed), second
+
+    # --- points, and what is asked for by name ----------------------------------------------------------------
+
+    def _after_group(self) -> None:
+        """Points that are wanted and solved now, and rates that are another's but are read by a name of their own."""
+        for point in list(self.points):
+            bodies = self.poses.graph.bodies_at(point)
+            if any(body in self.motions.motion for body in bodies):
+                self._point(point)
+                del self.points[point]
+        for link in self.mechanism.links[1:]:
+            if link.name in self.motions.turning:
+                self._other_names(link.angle_symbol, self.motions.turning[link.name], True)
+        driver = self.mechanism.driver
+        if driver.joint or driver.symbol not in self.angles:
+            self._other_names(driver.symbol, Rate(al.ONE, al.ZERO), not driver.joint)
+
+    def _other_names(self, symbol: str, own: Rate, turns: bool) -> None:
+        for order, node in enumerate((own.first, own.second), 1):
+            name = f"{symbol}{_COEFFICIENTS[order - 1]}"
+            if name in self.asked and name not in self.ledger.values:
+                self._coefficient(symbol, order, node)
+        if not self.timed:
+            return
+        own_column = turns and not al.is_simple(own.first) and own.first not in self.shown
+        self.shown.add(own.first)
+        for order, node in enumerate(self._by_time(own), 1):
+            name = rate_symbols(symbol, turns)[order - 1]
+            if (name in self.asked or own_column) and name not in self.ledger.values:
+                self.ledger.define(
+                    name, node, self._rate_unit(turns, order), self._rate_words(symbol, turns, order), "rate"
+                )
+
+    def _columns_of(self, point: str, found: PointRate) -> PointRate:
+        """A point's coefficients as columns."""
+        columns = []
+        for order, vector in ((1, found.first), (2, found.second)):
+            for axis, node in zip("xy", vector, strict=True):
+                name = f"{point}.{axis}{_COEFFICIENTS[order - 1]}"
+                label = phrase("coefficient", symbol=f"{axis} {point}", order=_order(order))
+                part = self._within(node, f"{point}_{axis}", self._unit(1, order), label)
+                self.own.add(name)
+                self.ledger.define(name, part, self._unit(1, order), label, "coefficient")
+                columns.append(Symbol(name))
+        known = PointRate((columns[0], columns[1]), (columns[2], columns[3]))
+        self.names.points[point] = known
+        return known
+
+    def _point(self, point: str) -> None:
+        """A point's velocity and acceleration."""
+        known = self.names.of_point(point)
+        if known is None:
+            known = self._columns_of(point, self.motions.of_point(point, self.length))
+        speed, acceleration = (Symbol(name) for name in self.mechanism.driver_rates)
+        parts = plus(times(al.square(speed), known.second), times(acceleration, known.first))
+        for letter, order, vector in (("v", 1, times(speed, known.first)), ("a", 2, parts)):
+            unit = self._rate_unit(False, order)
+            for axis, node in zip("xy", vector, strict=True):
+                name = f"{point}.{letter}{axis}"
+                if name in self.asked:
+                    label = phrase(f"point_{letter}_part", point=point, axis=axis)
+                    self.ledger.define(name, node, unit, label, "rate")
+            squares = known.first if order == 1 else vector
+            size = al.sqrt(al.add(al.square(squares[0]), al.square(squares[1])))
+            node = al.mul(Call("ABS", (speed,)), size) if order == 1 else size
+            self.ledger.define(f"{point}.{letter}", node, unit, phrase(f"point_{letter}", point=point), "rate")
+
+    # --- do they fit? -----------------------------------------------------------------------------------------
+
+    def _by_time_alone(self) -> Written:
+        """How fast each link turns; of each group by how much its two ways to the closing point differ."""
+        motions = Motions(self.poses, self.drive, _ByTime(self.mechanism, self.names.points))
+        found = {}
+        for number, (dyad, _) in enumerate(self.dyads, 1):
+            pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
+            meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
+            left, right = meeting.ways
+            found[number] = (*minus(left.first, right.first), *minus(left.second, right.second))
+        turning = {
+            link.angle_symbol: (motions.turning[link.name].first, motions.turning[link.name].second)
+            for link in self.mechanism.links[1:]
+        }
+        return Written(found, turning)
+
+
+def _order(order: int) -> Words:
+    return phrase("velocity_word" if order == 1 else "acceleration_word")
+
+
+def _terms(node: Node) -> list[Node]:
+    """The terms of a sum with their signs."""
+    match node:
+        case Binary("+", left, right):
+            return [*_terms(left), *_terms(right)]
+        case Binary("-", left, right):
+            return [*_terms(left), *(al.neg(term) for term in _terms(right))]
+    return [node]
+
+
+def _without(vector: Vector, zero: Mapping[str, Node]) -> Vector:
+    """The vector where some symbols are 0."""
+
+    def change(part: Node) -> Node:
+        return zero.get(part.name, part) if isinstance(part, Symbol) else al.tidied(part)
+
+    return transform(vector[0], change), transform(vector[1], change)

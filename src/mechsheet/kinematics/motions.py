@@ -1,0 +1,283 @@
+"""How every body moves, over symbols: the rates of its places, and where the two sides of a dyad meet.
+
+J v = (-v_y, v_x); d the direction of a line, n = J d; a prime is the derivative by the driver or by time, as `Rates` says.
+
+    turning about a known place P     X' = P' + theta' J(X-P),     X'' = P'' + theta'' J(X-P) - theta'^2 (X-P)
+    sliding on a solved body          X' = X_b' + s' d,            X'' = X_b'' + s'' d + 2 s' theta' n
+      where X_b is the place of that body at X (the last term is Coriolis's)
+
+So a dyad of any kind is two ways to the rates of one point, in which two unknown rates are linear.
+Source: Soeylemez, Mechanisms, chapter 4; Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapters 3 and 4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Binary, Node
+from mechsheet.kinematics.assur import Drive, Dyad, Pin
+from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.places import angle_of
+from mechsheet.kinematics.poses import Assembly, Poses
+
+Vector: TypeAlias = tuple[Node, Node]
+
+NOWHERE: Vector = (al.ZERO, al.ZERO)
+
+
+@dataclass(frozen=True, slots=True)
+class Rate:
+    """First and second derivative of an angle or a displacement."""
+
+    first: Node
+    second: Node
+
+    def __neg__(self) -> Rate:
+        return Rate(al.neg(self.first), al.neg(self.second))
+
+    def __add__(self, other: Rate) -> Rate:
+        return Rate(al.add(self.first, other.first), al.add(self.second, other.second))
+
+
+@dataclass(frozen=True, slots=True)
+class PointRate:
+    """First and second derivative of a place."""
+
+    first: Vector
+    second: Vector
+
+
+Motion: TypeAlias = Callable[[Vector], PointRate]
+"""The rates of the place of a body that is at some coordinates now."""
+
+STANDING = Rate(al.ZERO, al.ZERO)
+FIXED = PointRate(NOWHERE, NOWHERE)
+
+
+class Rates(Protocol):
+    """What the derivatives are called, and of which points they are known."""
+
+    def of_driver(self) -> Rate:
+        """The driver's own."""
+
+    def of(self, symbol: str) -> Rate:
+        """An unknown angle's or displacement's."""
+
+    def of_point(self, point: str) -> PointRate | None:
+        """Those of a point that has columns of its own, else None."""
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """Two ways to the rates of a dyad's closing point; `unknowns` are the symbols whose rates it decides."""
+
+    place: Vector
+    ways: tuple[PointRate, PointRate]
+    unknowns: tuple[str, str]
+
+
+def plus(a: Vector, b: Vector) -> Vector:
+    """a + b."""
+    return al.add(a[0], b[0]), al.add(a[1], b[1])
+
+
+def minus(a: Vector, b: Vector) -> Vector:
+    """a - b, without parentheses."""
+    return less(a[0], b[0]), less(a[1], b[1])
+
+
+def less(a: Node, b: Node) -> Node:
+    """a - b, its parts added one by one: a - (b - c) is a - b + c."""
+    match b:
+        case Binary("+", left, right):
+            return less(less(a, left), right)
+        case Binary("-", left, right):
+            return al.add(less(a, left), right)
+    return al.sub(a, b)
+
+
+def times(factor: Node, a: Vector) -> Vector:
+    """factor a."""
+    return al.mul(factor, a[0]), al.mul(factor, a[1])
+
+
+def turned(a: Vector) -> Vector:
+    """J a: a quarter turn counter-clockwise."""
+    return al.neg(a[1]), a[0]
+
+
+def cross(a: Vector, b: Vector) -> Node:
+    """a x b."""
+    return al.sub(al.mul(a[0], b[1]), al.mul(a[1], b[0]))
+
+
+def about(place: Vector, moves: PointRate, turning: Rate) -> Motion:
+    """Of a body that turns about a place that moves."""
+
+    def motion(at: Vector) -> PointRate:
+        arm = minus(at, place)
+        square = al.square(turning.first)
+        second = minus(plus(moves.second, times(turning.second, turned(arm))), times(square, arm))
+        return PointRate(plus(moves.first, times(turning.first, turned(arm))), second)
+
+    return motion
+
+
+def along(carrier: Motion, turning: Rate, direction: Vector, slide: Rate) -> Motion:
+    """Of a body that slides on a carrier, both turning alike."""
+    coriolis = al.mul(al.TWO, al.mul(slide.first, turning.first))
+
+    def motion(at: Vector) -> PointRate:
+        carried = carrier(at)
+        second = plus(plus(carried.second, times(slide.second, direction)), times(coriolis, turned(direction)))
+        return PointRate(plus(carried.first, times(slide.first, direction)), second)
+
+    return motion
+
+
+class Motions:
+    """The motion of every solved body; `turning`: how fast each turns."""
+
+    def __init__(self, poses: Poses, drive: Drive, rates: Rates) -> None:
+        self.poses, self.drive, self.rates = poses, drive, rates
+        ground = poses.mechanism.ground.name
+        self.turning: dict[str, Rate] = {ground: STANDING}
+        self.motion: dict[str, Motion] = {ground: lambda _: FIXED}
+        if drive.base == ground:
+            self._other_of_pair(drive.base)
+
+    # --- points -----------------------------------------------------------------------------------------------
+
+    def coordinates(self, point: str) -> Vector:
+        """Of a solved point."""
+        return self.poses.xy[point]
+
+    def of_point(self, point: str, length: Callable[[Node], float]) -> PointRate:
+        """The rates of a point: its own columns, or the shortest way to write them, measured by `length`."""
+        own = self.rates.of_point(point)
+        if own is not None:
+            return own
+        bodies = [body for body in self.poses.graph.bodies_at(point) if body in self.motion]
+        ways = [self.motion[body](self.coordinates(point)) for body in bodies]
+        return min(ways, key=lambda way: sum(map(length, (*way.first, *way.second))))
+
+    # --- bodies -----------------------------------------------------------------------------------------------
+
+    def _direction(self, slide: Slide) -> Vector:
+        """Of a sliding joint's line."""
+        joint = slide.joint
+        angle = self.poses.directions.get(joint.symbol)
+        if angle is None:
+            angle = self.poses.known[slide.on].angle + angle_of(joint.angle)
+        return al.cos(angle), al.sin(angle)
+
+    def _other_of_pair(self, body: str) -> str:
+        """The other body at the driven joint, when the motion of this one is known."""
+        drive = self.drive
+        other, outwards = (drive.moving, True) if body == drive.base else (drive.base, False)
+        rate = self.rates.of_driver()
+        if isinstance(drive.joint, Pin):
+            driver = self.poses.mechanism.driver
+            positive = outwards == (drive.moving == driver.link)
+            pin = drive.joint.point
+            turning = self.turning[body] + (rate if positive else -rate)
+            self._turns(other, pin, self.motion[body](self.coordinates(pin)), turning)
+        else:
+            self._slides(other, drive.joint, rate)
+        return other
+
+    def _turns(self, body: str, pin: str, moves: PointRate, turning: Rate) -> None:
+        self.turning[body] = turning
+        self.motion[body] = about(self.coordinates(pin), moves, turning)
+
+    def _slides(self, body: str, slide: Slide, rate: Rate) -> None:
+        """A body on another whose motion is known; a positive displacement moves `slide.body` on `slide.on`."""
+        carrier = slide.other(body)
+        self.turning[body] = self.turning[carrier]
+        own = rate if body == slide.body else -rate
+        self.motion[body] = along(self.motion[carrier], self.turning[carrier], self._direction(slide), own)
+
+    def _whole(self, assembly: Assembly, body: str) -> None:
+        """The bodies of an assembly, of which one is known."""
+        if len(assembly) > 1:
+            self._other_of_pair(body)
+
+    def _with_point(self, assembly: Assembly, point: str) -> str:
+        return next(body for body in assembly if point in self.poses.graph.points[body])
+
+    # --- dyads ------------------------------------------------------------------------------------------------
+
+    def _pinned(self, assembly: Assembly, pin: Pin, moves: PointRate) -> str:
+        """An assembly at an outer pin: the angle that is unknown."""
+        body = self._with_point(assembly, pin.point)
+        symbol = self.poses.links[body].angle_symbol if body in self.poses.links else ""
+        self._turns(body, pin.point, moves, self.rates.of(symbol))
+        self._whole(assembly, body)
+        return symbol
+
+    def _guided(self, assembly: Assembly, slide: Slide) -> str:
+        """An assembly on a guide of a solved body: the displacement that is unknown."""
+        body = slide.body if slide.body in assembly else slide.on
+        self._slides(body, slide, self.rates.of(slide.joint.symbol))
+        self._whole(assembly, body)
+        return slide.joint.symbol
+
+    def meet(self, dyad: Dyad, outer: Mapping[str, PointRate]) -> Meeting:
+        """The two ways to a dyad's closing point.
+
+        outer  the rates of its outer pins
+        """
+        if isinstance(dyad.inner, Pin):
+            return self._meet_at_pin(dyad, dyad.inner, outer)
+        first, second = dyad.outer
+        if isinstance(first, Pin) and isinstance(second, Pin):
+            return self._meet_on_slide(dyad, dyad.inner, (first, second), outer)
+        if isinstance(first, Pin) and isinstance(second, Slide):
+            return self._meet_on_slides(dyad, dyad.inner, first, second, outer)
+        raise TypeError(f"no such dyad: {dyad}")
+
+    def _meet_at_pin(self, dyad: Dyad, inner: Pin, outer: Mapping[str, PointRate]) -> Meeting:
+        """RRR, RRP, PRP: at the inner pin."""
+        place = self.coordinates(inner.point)
+        unknowns, ways = [], []
+        for assembly, contact in zip((dyad.first, dyad.second), dyad.outer, strict=True):
+            if isinstance(contact, Pin):
+                unknowns.append(self._pinned(assembly, contact, outer[contact.point]))
+            else:
+                unknowns.append(self._guided(assembly, contact))
+            ways.append(self.motion[self._with_point(assembly, inner.point)](place))
+        return Meeting(place, (ways[0], ways[1]), (unknowns[0], unknowns[1]))
+
+    def _meet_on_slide(
+        self, dyad: Dyad, inner: Slide, pins: tuple[Pin, Pin], outer: Mapping[str, PointRate]
+    ) -> Meeting:
+        """RPR: at the outer pin of the link that does not carry the line."""
+        carries = inner.on in dyad.first
+        carrier, slider = (dyad.first, dyad.second) if carries else (dyad.second, dyad.first)
+        p, q = pins if carries else pins[::-1]
+        angle = self._pinned(carrier, p, outer[p.point])
+        self._slides(inner.body, inner, self.rates.of(inner.joint.symbol))
+        self._whole(slider, inner.body)
+        return Meeting(*self._at_known(slider, q, outer[q.point]), (angle, inner.joint.symbol))
+
+    def _at_known(self, assembly: Assembly, pin: Pin, moves: PointRate) -> tuple[Vector, tuple[PointRate, PointRate]]:
+        """An assembly that has slid to a known pin: where that is, and both ways to its rates; it then turns about it."""
+        body = self._with_point(assembly, pin.point)
+        place = self.coordinates(pin.point)
+        way = self.motion[body](place)
+        self._turns(body, pin.point, moves, self.turning[body])  # as sliding has it, and shorter
+        self._whole(assembly, body)
+        return place, (way, moves)
+
+    def _meet_on_slides(
+        self, dyad: Dyad, inner: Slide, pin: Pin, slide: Slide, outer: Mapping[str, PointRate]
+    ) -> Meeting:
+        """RPP: at the outer pin."""
+        guide = self._guided(dyad.second, slide)
+        body = inner.body if inner.body in dyad.first else inner.on
+        self._slides(body, inner, self.rates.of(inner.joint.symbol))
+        self._whole(dyad.first, body)
+        return Meeting(*self._at_known(dyad.first, pin, outer[pin.point]), (guide, inner.joint.symbol))

@@ -1,0 +1,142 @@
+"""The sheet of velocities and accelerations: in the rows of the positions, a block of columns for each group.
+
+Grey are the influence coefficients and what they are found from; black is what people read.
+"""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from mechsheet.sheet import styles
+from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, RATES_DRIVER, RATES_STATUS, Plan
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.table.positions import (
+    COLUMNS_OF_A_PAGE,
+    FORMULA_ROW,
+    GROUP_ROW,
+    SYMBOL_ROW,
+    column_fills,
+    first_open,
+    formula_height,
+    group_headings,
+    group_title,
+    heading,
+    mathematics,
+    style_of,
+    width_for,
+)
+from mechsheet.sheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, PrintSetup, Rich, Sheet
+from mechsheet.words.equations import body_words
+
+
+def rates_sheet(plan: Plan) -> Sheet:
+    """The sheet."""
+    title, first, rows = plan.at.titles["rates"], plan.at.first, plan.rows
+    said: dict[int, Rich | str] = {column.col: mathematics(plan, column) for column in plan.rates}
+    cells, fills = _first_columns(plan)
+    comments: list[Comment] = []
+    for column in plan.rates:
+        cells.append(Cell(SYMBOL_ROW, column.col, heading(plan, column), styles.HEAD))
+        cells.append(Cell(FORMULA_ROW, column.col, said[column.col], styles.FORMULA_TEXT))
+        if column.equation is not None:
+            comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
+        fills += column_fills(plan, column, title, first, rows)
+    headings, merges = _headings(plan)
+    widths = {RATES_DRIVER: 11.0, RATES_STATUS: 18.0} | {col: width_for(text) for col, text in said.items()}
+    inner = {column.col for column in plan.rates if column.inner}
+    last = plan.rates[-1].col
+    return Sheet(
+        title,
+        (*cells, *headings),
+        tuple(fills),
+        columns=tuple(Column(col, col, width, level=int(col in inner)) for col, width in widths.items()),
+        row_heights=((SYMBOL_ROW, 30.0), (FORMULA_ROW, formula_height(said, widths))),
+        merges=tuple(merges),
+        conditionals=(_missing(plan, Area(first, 0, plan.at.last, last)),),
+        comments=tuple(comments),
+        freeze=(HEADING_ROWS, RATES_STATUS + 1),
+        selected=(first, RATES_STATUS + 1),
+        print_setup=PrintSetup(
+            fit_width=1 + last // COLUMNS_OF_A_PAGE,
+            repeat_rows=(0, HEADING_ROWS - 1),
+            repeat_cols=(RATES_DRIVER, RATES_STATUS),
+            footer=plan.footer,
+        ),
+        tab_color="7C3AED",
+    )
+
+
+def _first_columns(plan: Plan) -> tuple[list[Cell], list[Fill]]:
+    """The driver's value, and what the sheet says of the row."""
+    first, rows = plan.at.first, plan.rows
+    driver = plan.columns[DRIVER]
+    unit = plan.mechanism.driver.unit.text
+    value = CellRef(first, DRIVER, sheet=plan.table)
+    cells = [
+        Cell(SYMBOL_ROW, RATES_DRIVER, rich(driver.symbol, f" [{unit}]" if unit else ""), styles.HEAD),
+        Cell(SYMBOL_ROW, RATES_STATUS, plan.text("rates.head"), styles.HEAD),
+        Cell(FORMULA_ROW, RATES_DRIVER, None, styles.FORMULA_TEXT),
+        Cell(FORMULA_ROW, RATES_STATUS, None, styles.FORMULA_TEXT),
+    ]
+    said = plan.at.bind(_status(plan), plan.at.titles["rates"], first)
+    return cells, [
+        Fill(first, RATES_DRIVER, value, style_of(plan, driver), rows=rows),
+        Fill(first, RATES_STATUS, said, styles.STATUS, rows=rows),
+    ]
+
+
+def _headings(plan: Plan) -> tuple[list[Cell], list[Merge]]:
+    """The sheet's title over its first columns, then each group's."""
+    cells, merges = group_headings(plan.rates, GROUP_ROW, lambda number: group_title(plan, number))
+    moved = [Cell(cell.row, cell.col + RATES_STATUS + 1, cell.content, cell.style) for cell in cells]
+    areas = [
+        Merge(
+            Area(GROUP_ROW, merge.area.first_col + RATES_STATUS + 1, GROUP_ROW, merge.area.last_col + RATES_STATUS + 1)
+        )
+        for merge in merges
+    ]
+    title = [
+        Cell(GROUP_ROW, RATES_DRIVER, plan.text("rates.title"), styles.SECTION),
+        Cell(GROUP_ROW, RATES_STATUS, None, styles.SECTION),
+    ]
+    return [*title, *moved], [Merge(Area(GROUP_ROW, RATES_DRIVER, GROUP_ROW, RATES_STATUS)), *areas]
+
+
+def determinants(plan: Plan) -> dict[int, str]:
+    """By number of a group that has dead centres: the column that has no number there."""
+    return {
+        equation.group: equation.symbol
+        for equation in plan.equations.equations.columns
+        if equation.role == "coefficient" and equation.exists
+    }
+
+
+def dead_words(plan: Plan) -> list[str]:
+    """What the sheet says of a group at a dead centre, in order of solution."""
+    found = []
+    for number in determinants(plan):
+        group = plan.equations.groups[number - 1]
+        links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
+        found.append(plan.text("rates.dead", links=links))
+    return found
+
+
+def _status(plan: Plan) -> Node:
+    """What the positions say; where they exist, "ok" or the first group at a dead centre."""
+    moving = [formula("ISNUMBER(value)", value=Symbol(name)) for name in determinants(plan).values()]
+    if not moving:
+        return Symbol("#status")
+    top, bottom = plan.at.spots["#dead_0"], plan.at.spots[f"#dead_{len(moving)}"]
+    words = RangeRef(
+        CellRef(top.row, top.col, True, True, top.sheet), CellRef(bottom.row, bottom.col, True, True, top.sheet)
+    )
+    return formula(
+        "IF(_status=ok,INDEX(words,first_dead),_status)",
+        ok=plan.text("status.ok"), words=words, first_dead=first_open(moving),
+    )  # fmt: skip
+
+
+def _missing(plan: Plan, area: Area) -> Conditional:
+    """Rows without rates are grey."""
+    said = CellRef(area.first_row, RATES_STATUS, col_abs=True)
+    return Conditional(area, formula("said<>ok", said=said, ok=plan.text("status.ok")), styles.MISSING)

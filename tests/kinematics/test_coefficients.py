@@ -1,0 +1,252 @@
+"""Velocities and accelerations from the equations: against the reference for all dyads, and against closed forms by hand."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chosen import IN_CI, some
+from mechsheet import reference
+from mechsheet.description import loads
+from mechsheet.diagnostics import MechsheetError
+from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.numeric import value
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.sweep import rough_poses, sweep
+from mechsheet.model import rate_symbols
+from random_mechanisms import Grower
+
+TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
+SPEED, ACCELERATION = 2.5, -1.7
+
+FOUR_BAR = """
+format = 1
+[mechanism]
+name = "parallelogram"
+[dimensions]
+a1 = 80
+a2 = 35
+[links.ground]
+points = { A0 = [0, 0], B0 = ["a1", 0] }
+[links.crank]
+points = { A0 = [0, 0], A = ["a2", 0] }
+[links.coupler]
+points = { A = [0, 0], B = ["a1", 0] }
+[links.rocker]
+points = { B0 = [0, 0], B = ["a2", 0] }
+[driver]
+link = "crank"
+start = 20
+stop = 160
+step = 10
+speed = 4
+acceleration = 3
+[assembly]
+B = [100, 30]
+"""
+
+SLIDER_CRANK = """
+format = 1
+[mechanism]
+name = "in-line"
+[dimensions]
+r = 50
+l = 200
+[links.ground]
+points = { A0 = [0, 0] }
+[links.crank]
+points = { A0 = [0, 0], A = ["r", 0] }
+[links.rod]
+points = { A = [0, 0], B = ["l", 0] }
+[links.piston]
+points = { B = [0, 0] }
+[[joints]]
+type = "prismatic"
+link = "piston"
+on = "ground"
+point = "B"
+through = [0, 0]
+symbol = "s14"
+[driver]
+link = "crank"
+start = 0
+stop = 360
+step = 15
+speed = { value = 90, unit = "rpm" }
+acceleration = 6
+[assembly]
+B = [250, 0]
+"""
+
+
+def moving(text):
+    """A description with a speed, in the layout that has rates."""
+    text = re.sub(r"(?m)^layout *=.*$", "", text)
+    return re.sub(r"(?m)^\[driver\]", f"[driver]\nspeed = {SPEED}\nacceleration = {ACCELERATION}", text)
+
+
+def solved(text):
+    mechanism = loads(text)
+    equations = solve(mechanism)
+    driver = driver_values(mechanism, dimension_values(mechanism))
+    return mechanism, equations, driver, sweep(mechanism, equations, driver)
+
+
+def sines(equations, values):
+    """Row by row the least sine of the angle at which a group is driven."""
+    found = np.ones(len(next(iter(values.values()))))
+    for equation in equations.columns:
+        for condition in equation.exists if equation.role == "coefficient" else ():
+            part = np.abs(DEAD * value(condition.margin, values) / value(condition.least, values))
+            found = np.fmin(found, part)
+    return found
+
+
+def expected(symbol, mechanism, rates):
+    """A rate by the reference's derivatives."""
+
+    def by_time(name):
+        once, twice = rates[name]
+        return once * SPEED, twice * SPEED**2 + once * ACCELERATION
+
+    for name in rates:
+        for turns in (True, False):
+            if symbol in (names := rate_symbols(name, turns)):
+                return by_time(name)[names.index(symbol)]
+    point, _, part = symbol.partition(".")
+    x, y = (by_time(f"{point}.{axis}")["va".index(part)] for axis in "xy")
+    return np.hypot(x, y)
+
+
+def worst_of(text):
+    """The largest difference from the reference, times sin^2 of the transmission angle; how many were compared."""
+    mechanism, equations, _, values = solved(text)
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes))
+    rates = reference.rates(solution)
+    sine = sines(equations, values)
+    rows = solution.exists & (sine > DEAD)
+    worst, compared = 0.0, 0
+    for equation in equations.columns:
+        if equation.role != "rate":
+            continue
+        theirs = expected(equation.symbol, mechanism, rates)
+        error = (np.abs(values[equation.symbol] - theirs) * sine**2 / (1 + np.abs(theirs)))[rows]
+        assert np.isfinite(error).all(), equation.symbol
+        assert np.isnan(values[equation.symbol][solution.exists & (sine < DEAD)]).all() or equation.group <= 1
+        worst, compared = max(worst, float(error.max(initial=0.0))), compared + len(error)
+    for fits in equations.fits.values():
+        for part in fits:
+            size = solution.size * (1 + SPEED**2)
+            assert np.nanmax(np.abs(value(part, values) * sine**2), initial=0.0) < 1e-12 * size
+    return worst, compared
+
+
+@pytest.mark.parametrize("template", some(TEMPLATES, 4), ids=lambda path: path.stem)
+def test_templates_against_the_reference(template):
+    worst, compared = worst_of(moving(template.read_text(encoding="utf-8")))
+    assert compared > 0
+    assert worst < 1e-12
+
+
+def test_random_mechanisms_of_all_dyads_against_the_reference():
+    kinds, judged = set(), 0
+    for seed in range(60 if IN_CI else 12):
+        text = moving(Grower(seed, 1 + seed % 3).text())
+        try:
+            worst, compared = worst_of(text)
+        except MechsheetError:  # it closes nowhere: a random one may
+            continue
+        kinds |= {group.kind for group in solve(loads(text)).groups}
+        assert worst < 2e-12, f"seed {seed}"
+        judged += compared
+    assert kinds == {"RRR", "RRP", "RPR", "PRP", "RPP"}
+    assert judged > 1000
+
+
+def test_in_line_slider_crank_by_its_closed_form():
+    _, _, theta, values = solved(SLIDER_CRANK)
+    r, length, omega, alpha = 50.0, 200.0, 90 * np.pi / 30, 6.0
+    root = np.sqrt(length**2 - (r * np.sin(theta)) ** 2)
+    once = -r * np.sin(theta) - r**2 * np.sin(theta) * np.cos(theta) / root
+    twice = -r * np.cos(theta) - r**2 * np.cos(2 * theta) / root - (r**2 * np.sin(theta) * np.cos(theta)) ** 2 / root**3
+    assert values["s14.v"] == pytest.approx(once * omega, abs=1e-10)
+    assert values["s14.a"] == pytest.approx(twice * omega**2 + once * alpha, abs=1e-9)
+    assert values["omega13"] == pytest.approx(-r * np.cos(theta) / root * omega, abs=1e-12)
+
+
+def test_scotch_yoke_swings_as_a_cosine():
+    text = (TEMPLATES[0].parent / "scotch-yoke.toml").read_text(encoding="utf-8")
+    mechanism, _, theta, values = solved(moving(text))
+    slide = next(joint.symbol for joint in mechanism.joints if joint.on == mechanism.ground.name)
+    amplitude = np.ptp(values[slide]) / 2
+    phase = values[slide] / np.max(np.abs(values[slide]))
+    assert np.max(np.abs(values[f"{slide}.v"])) == pytest.approx(amplitude * SPEED, rel=1e-2)
+    swing = values[slide] - (values[slide].max() + values[slide].min()) / 2
+    once = values[f"{slide}.v"] / SPEED
+    assert swing**2 + once**2 == pytest.approx(np.full_like(theta, amplitude**2), rel=1e-12), phase
+    assert values[f"{slide}.a"] == pytest.approx(-swing * SPEED**2 + once * ACCELERATION, abs=1e-11 * amplitude)
+
+
+def test_parallelogram_turns_its_rocker_as_its_crank():
+    _, _, _, values = solved(FOUR_BAR)
+    assert values["omega14"] == pytest.approx(np.full(15, 4.0), rel=1e-13)
+    assert values["alpha14"] == pytest.approx(np.full(15, 3.0), rel=1e-12)
+    assert values["omega13"] == pytest.approx(np.zeros(15), abs=1e-12)
+
+
+def test_oldham_coupling_hands_the_speed_on():
+    text = (TEMPLATES[0].parent / "oldham.toml").read_text(encoding="utf-8")
+    text += '\n[outputs.ratio]\nformula = "omega14/omega12"\nunit = "1"\n'
+    _, _, theta, values = solved(moving(text))
+    assert values["omega14"] == pytest.approx(np.full_like(theta, SPEED), rel=1e-14)
+    assert "alpha14" not in values  # it would be the driver's: only what is asked for by name is written twice
+
+
+def test_a_rate_of_another_name_is_written_when_it_is_read():
+    text = (
+        FOUR_BAR
+        + '[summary]\nfast = { of = "B.vx", take = "max" }\n[outputs]\ngain = { formula = "1/theta14.d", unit = "1" }\n'
+    )
+    _, _, theta, values = solved(text)
+    assert values["B.vx"] == pytest.approx(-35 * np.sin(theta) * 4, abs=1e-11)
+    assert values["gain"] == pytest.approx(np.ones(15), rel=1e-13)
+    assert "B.vx" not in solved(FOUR_BAR)[3]
+
+
+def test_coefficients_need_no_speed():
+    text = FOUR_BAR.replace("speed = 4\nacceleration = 3\n", "")
+    text += '[outputs]\ngain = { formula = "1/theta14.d", unit = "1" }\n'
+    _, equations, _, values = solved(text)
+    assert values["gain"] == pytest.approx(np.ones(15), rel=1e-13)
+    assert not [equation for equation in equations.columns if equation.role == "rate"]
+
+
+def test_dead_centre_has_no_rates_but_a_position():
+    text = FOUR_BAR.replace("start = 20", "start = 160").replace("stop = 160", "stop = 200")
+    _, _, theta, values = solved(text)
+    dead = np.argmin(np.abs(theta - np.pi))
+    assert np.isnan(values["omega13"][dead])
+    assert np.isnan(values["alpha14"][dead])
+    assert np.isfinite(values["theta14"][dead])
+    assert values["omega14"][dead - 1] == pytest.approx(4.0, rel=1e-10)
+    assert np.isfinite(
+        values["omega14"][dead + 1]
+    )  # the assembly stays: beyond the change point that is the other motion
+
+
+def test_a_speed_that_depends_on_the_driver_brings_its_acceleration():
+    text = FOUR_BAR.replace("speed = 4\nacceleration = 3\n", 'speed = "2 + sin(theta12)"\n')
+    _, _, theta, values = solved(text)
+    assert values["omega14"] == pytest.approx(2 + np.sin(theta), rel=1e-12)
+    assert values["alpha14"] == pytest.approx((2 + np.sin(theta)) * np.cos(theta), abs=1e-11)
+
+
+def test_only_what_has_no_column_yet_gets_one():
+    """A four-bar: D, two coefficients, k, two second ones; four rates; six columns for a point asked for."""
+    _, equations, _, _ = solved(FOUR_BAR)
+    found = [equation.symbol for equation in equations.columns if equation.role in ("coefficient", "rate")]
+    assert len(found) == 11
+    _, equations, _, _ = solved(FOUR_BAR + '[rates]\npoints = ["B"]\n')
+    assert len([each for each in equations.columns if each.role in ("coefficient", "rate")]) == 17
