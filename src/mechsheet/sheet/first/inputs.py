@@ -43,10 +43,13 @@ class Input:
 
 
 def inputs_of(plan: Plan) -> list[Input]:
-    """Dimensions, start and step, modes, in the order in which they stand; the driver's listed values are not among them."""
+    """Dimensions, start and step, modes, in the order in which they stand: what positions depend on.
+
+    The driver's listed values are not among them.
+    """
     found = []
     for dim in plan.mechanism.dimensions:
-        if isinstance(dim.value, float):
+        if isinstance(dim.value, float) and not dim.driver_key:
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
             found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.blocks["dimensions"].rows[dim.symbol]))
     driver = plan.mechanism.driver
