@@ -103,7 +103,7 @@ class _Page:
         self.cells.append(Cell(self.row, SYMBOL, text, style))
         self.merges.append(Merge(Area(self.row, SYMBOL, self.row, PLACE)))
         lines = _lines(text, sum(WIDTHS))
-        self.heights[self.row] = max(LINE * lines, style.size * 1.6)
+        self.heights[self.row] = max(LINE * lines + (4 if lines > 1 else 0), style.size * 1.6)
         self.row += 1
 
     def heading(self, text: str) -> None:
