@@ -18,6 +18,7 @@ from mechsheet.engine import evaluate
 from mechsheet.formats import read
 from mechsheet.formula.nodes import CellRef, NameRef, RangeRef, shifted, walk
 from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.equations import RATES
 from mechsheet.sheet.workbook import Fill
 from office_macros import Job, with_macros
 from published.printed_numbers import dimensions, table
@@ -88,6 +89,8 @@ def worst(page):
             ours, theirs = page.column(column.symbol), nominal[column.symbol]
             assert (np.isnan(ours) == np.isnan(theirs)).all(), column.symbol
             scale = page.plan.size if column.equation.unit.kind == "length" else 1.0
+            if column.equation.role in RATES:  # of any size, and less certain beside a dead centre
+                scale = max(1.0, float(np.nanmax(np.abs(theirs), initial=0.0)))
             found = max(found, float(np.nanmax(np.abs(ours - theirs), initial=0.0)) / scale)
     return found
 
