@@ -27,7 +27,7 @@ FOUR_BAR = {("sheets", "names"): 1_565, ("sheets", "anchors"): 1_590, ("page", "
 """Formulas of a four-bar of 25 rows. Its template has anchors: there a constant is a cell, a named one is typed in."""
 
 FOUR_BAR_COLUMNS = {"sheets": 19, "page": 15}
-ALL = 95_000
+ALL = 100_000
 """Formulas of all templates together, as they are described."""
 
 BESIDE, SHARE = 500, 2.5
@@ -51,6 +51,7 @@ class Size:
     cells       formulas of all sheets
     two_way     those of two-way tables
     table       those of the table of positions
+    rates       those of the sheet of velocities and accelerations
     columns     columns of that table
     longest     characters of its longest formula; outputs, which are as long as the description has them, left out
     elsewhere   characters of the longest formula of the other sheets, and on a page beside the table; no two-way tables
@@ -60,6 +61,7 @@ class Size:
     cells: int
     two_way: int
     table: int
+    rates: int
     columns: int
     longest: int
     elsewhere: int
@@ -95,6 +97,7 @@ def size_of(found: Compiled) -> Size:
         cells=sum(map(cells, sheets)),
         two_way=sum(map(cells, two_way)),
         table=sum(fill.rows * fill.cols for fill in table),
+        rates=sum(cells(sheet) for sheet in sheets if sheet.title == plan.at.titles.get("rates")),
         columns=len(plan.columns),
         longest=max(length(fill) for fill in table if fill.col not in outputs),
         elsewhere=max(map(length, others)),

@@ -77,13 +77,15 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
     """Every input that a description keeps, and its cell: not the position shown."""
     plan = expected.plan
     mechanism = plan.mechanism
+    keys = {dim.symbol: dim.driver_key for dim in mechanism.dimensions if dim.driver_key and not dim.derived}
+    for symbol, given in keys.items():
+        yield ("driver", given), (plan.main, plan.at.spots[symbol].row, VALUE)
     for symbol, row in plan.blocks["dimensions"].rows.items():
+        if symbol in keys:
+            continue
         yield ("dimensions", symbol), (plan.main, row, VALUE)
         if mechanism.layout == "sheets":
             yield ("tolerance", symbol), (plan.main, row, TOLERANCE)
-    for dim in mechanism.dimensions:
-        if dim.driver_key and isinstance(dim.value, float):
-            yield ("driver", dim.driver_key), (plan.main, plan.blocks["motion"].rows[dim.symbol], VALUE)
     if "assembly" in plan.blocks:
         for symbol, row in plan.blocks["assembly"].rows.items():
             yield ("mode", symbol), (plan.main, row, VALUE)

@@ -22,8 +22,6 @@ _FACTORS |= {"deg/s^2": _FACTORS["deg/s"], "rpm/s": _SIXTIETH}
 
 _WITH_CORNERS = frozenset(("ABS", "SIGN", "MIN", "MAX", "ROUND", "IF"))
 
-NOT_ON_A_PAGE = "velocities and accelerations stand on a sheet of their own, which the layout page does not have"
-
 Key = Literal["speed", "acceleration"]
 
 
@@ -193,15 +191,7 @@ def known(name: str, path: Path, scope: Scope) -> bool:
     """True for a rate; reports one that needs a speed of the driver where it has none."""
     if not is_rate(name, scope) or name in scope.units or name in scope.outputs:
         return False
-    scope.of_rates.add("")  # somebody reads one
     if not scope.moves and not name.endswith((".d", ".dd")):
         message = f"{quoted(name)} is a velocity or an acceleration: it needs the driver's speed"
         scope.report.at(path, message, "write `speed` in [driver]")
     return True
-
-
-def check_layout(layout: str, scope: Scope) -> None:
-    """The layout page has positions only."""
-    if layout == "page" and (scope.moves or scope.of_rates):
-        path: Path = ("driver", "speed") if scope.moves else ("workbook", "layout")
-        scope.report.at(path, NOT_ON_A_PAGE, 'take the speed away, or write layout = "sheets"')

@@ -83,8 +83,6 @@ def with_layout(mechanism: Mechanism, layout: str | None) -> Mechanism:
         return mechanism
     if layout not in LAYOUTS:
         raise DescriptionError(Fault(f"unknown layout {quoted(layout)}", hint='layouts: "sheets", "page"'))
-    if layout == "page" and mechanism.driver.speed is not None:
-        raise DescriptionError(Fault(rates.NOT_ON_A_PAGE, hint="take the driver's speed away"))
     source, _ = parse_as_meant(mechanism.text, "<text>")
     found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text)
     sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
@@ -138,7 +136,6 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
-    rates.check_layout(layout, scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

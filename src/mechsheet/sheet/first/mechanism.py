@@ -8,7 +8,7 @@ from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
-from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.blocks import Writer, driver_words, input_validation, shown_unit, value_style
 from mechsheet.sheet.first.inputs import gated_tolerance
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
@@ -205,9 +205,8 @@ def _motion(writer: Writer) -> None:
     writer.heading("motion")
     for symbol, row in plan.blocks["motion"].rows.items():
         dim = next(dim for dim in plan.mechanism.dimensions if dim.symbol == symbol)
-        own = symbol == dim.driver_key  # in a unit of its own
-        name = plan.text(f"name.{symbol}") if own else rich(symbol)
-        writer.line(row, name, dim.unit.text, plan.text(f"motion.{dim.driver_key}{'.own' if own else ''}"))
+        name = plan.text(f"name.{symbol}") if symbol == dim.driver_key else rich(symbol)
+        writer.line(row, name, dim.unit.text, driver_words(plan, dim))
         if isinstance(dim.value, float):
             writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
             writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), symbol))
