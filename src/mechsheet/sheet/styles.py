@@ -21,7 +21,10 @@ HEAD = Style(
     "mechsheet head", bold=True, color=INK, fill=BAND_FILL, border="bottom", align="center", valign="center", wrap=True
 )
 HEAD_LEFT = replace(HEAD, name="mechsheet head left", align="left")
-FORMULA_TEXT = Style("mechsheet formula text", italic=True, size=7, color=QUIET, align="left", valign="top", wrap=True)
+FORMULA_TEXT = Style(
+    "mechsheet formula text", italic=True, size=7, color=QUIET, align="left", valign="top", wrap=True,
+    border="thin", border_color="E5E7EB",  # neighbours would read as one
+)  # fmt: skip
 SYMBOL = Style("mechsheet symbol", color=INK, align="left", border="thin", border_color=RULE)
 LABEL = Style("mechsheet label", color=INK, align="left", indent=1, border="thin", border_color=RULE)
 UNIT = Style("mechsheet unit", color=QUIET, align="left", indent=1, border="thin", border_color=RULE)
