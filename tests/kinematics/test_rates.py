@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from closure_rates import PRIME, rates_over
 
 from chosen import IN_CI, some
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.rates import PRIME, rates_over
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
