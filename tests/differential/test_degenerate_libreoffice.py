@@ -1,20 +1,14 @@
 """Which rows exist in branches and degenerate geometry, as LibreOffice finds them from the same file: to the last row."""
 
-import sys
-from pathlib import Path
-
 import pytest
 
 from chosen import part
+from degenerate_cases import cases
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.description import loads
 from mechsheet.formats import write
 from mechsheet.library.building import compile_workbook
 from mechsheet.sheet.plan import STATUS
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "sheet"))
-
-from degenerate_cases import cases
 
 pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
 

@@ -21,7 +21,7 @@ from mechsheet.reference import variables
 from mechsheet.sheet.table.expansion import LIMIT, depth
 from mechsheet.sheet.table.two_way import FIRST, HEAD_ROW
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 CASES = tomllib.loads((ROOT / "tests/cases/tables.toml").read_text(encoding="utf-8"))["case"]
 
 

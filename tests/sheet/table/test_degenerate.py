@@ -5,12 +5,12 @@ Engine and reference agree on which rows exist, to the last row at a limit, and 
 
 import numpy as np
 import pytest
-from degenerate_cases import cases
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from laid import Laid, template_text
 
 from chosen import examples, part
+from degenerate_cases import cases
 from judging import judged
 from mechsheet.description import loads
 from mechsheet.description.schema import MOST_ROWS

@@ -4,7 +4,7 @@ The judge knows the equations as mathematics (`kinematics.sweep`), never the she
 between its first and last value on a fine grid, finds by bisection and narrowing where the mechanism closes and where
 quantities are extreme, and compares with the named cells after inputs were typed. A wrong word counts as a failure.
 
-    python tests/sheet/claims.py [--random N] [--changes N]       all templates and N random mechanisms; counts by kind
+    python tests/sheet/first/claims.py [--random N] [--changes N]       all templates and N random mechanisms; counts by kind
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from pathlib import Path
 
 import numpy as np
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "src")]
 
 from mechsheet.compiled.evaluation import book_of  # noqa: E402

@@ -22,7 +22,7 @@ from mechsheet.sheet.drawing.frames import SAMPLES
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import STATUS
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 FOUR_BAR = (ROOT / "templates/four-bar.toml").read_text(encoding="utf-8")
 

@@ -14,7 +14,7 @@ from chosen import ALL, part
 from mechsheet.exporting.kinds import KINDS
 from mechsheet.formula.nodes import Number
 
-CASES = Path(__file__).parents[1] / "cases/reference"
+CASES = Path(__file__).parents[2] / "cases/reference"
 FAR = math.hypot(3, 2)
 BOOM = 4.0
 """From the boom's pin to the barrel's, and to the rod's."""

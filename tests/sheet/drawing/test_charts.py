@@ -11,7 +11,7 @@ from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_reque
 from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.layout import lay_out
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 
 SLIDER_CRANK = """
