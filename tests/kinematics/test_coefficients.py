@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chosen import IN_CI, some
+from chosen import ALL, some
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
@@ -152,7 +152,7 @@ def test_templates_against_the_reference(template):
 
 def test_random_mechanisms_of_all_dyads_against_the_reference():
     kinds, judged = set(), 0
-    for seed in range(60 if IN_CI else 12):
+    for seed in range(60 if ALL else 12):
         text = moving(Grower(seed, 1 + seed % 3).text())
         try:
             worst, compared = worst_of(text)

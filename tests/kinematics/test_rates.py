@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from closure_rates import PRIME, rates_over
 
-from chosen import IN_CI, some
+from chosen import ALL, some
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError
@@ -65,7 +65,7 @@ def test_templates_against_the_reference(template):
 
 def test_random_mechanisms_against_the_reference():
     judged = 0
-    for seed in range(60 if IN_CI else 15):
+    for seed in range(60 if ALL else 15):
         try:
             worst, compared = worst_against_reference(loads(Grower(seed, 1 + seed % 3).text(), "random.toml"))
         except MechsheetError:  # it closes nowhere: a random one may
@@ -133,7 +133,7 @@ def test_templates_against_differences(template):
 
 def test_random_mechanisms_against_differences():
     judged = 0
-    for seed in range(120 if IN_CI else 25):
+    for seed in range(120 if ALL else 25):
         try:
             # Any length may be short against the others here, so that differences are the worse of the two.
             judged += assert_agree(loads(Grower(seed, 1 + seed % 3).text(), "random.toml"), 1e-5, 1e-3)
