@@ -40,7 +40,7 @@ IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anch
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
 
 ELSEWHERE = {"sheets": 460, "page": 400}
-KILOBYTES = {"four-bar.xlsx": 70, "four-bar-page.xlsx": 30}
+KILOBYTES = {"four-bar.xlsx": 74, "four-bar-page.xlsx": 30}
 """Of the files in generated/."""
 
 
