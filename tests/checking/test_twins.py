@@ -55,7 +55,7 @@ def with_twin(*paths):
 def test_twins_agree(folder):
     for name in ("scotch-yoke", "adjustable-pump"):
         first, second = with_twin(folder / f"{name}.xlsx", folder / f"{name}.ods")
-        assert [item.judge for item in first.comparisons] == ["stored values", "reference"]
+        assert [item.judge for item in first.comparisons] == ["stored values", "reference", "search"]
         twin = second.comparisons[-1]
         assert (twin.judge, twin.agrees, twin.worst, twin.subject) == ("twin .xlsx", True, 0.0, "this file")
         # Constants and formulas, and the stored value of each formula.

@@ -55,7 +55,7 @@ def test_new_does_not_overwrite(tmp_path):
 
 def test_check_json(built):
     reports = json.loads(run("check", built, "--json").stdout)
-    assert [item["judge"] for item in reports[0]["comparisons"]] == ["stored values", "reference"]
+    assert [item["judge"] for item in reports[0]["comparisons"]] == ["stored values", "reference", "search"]
     assert reports[0]["agrees"] is True
 
 

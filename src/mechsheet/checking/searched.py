@@ -28,7 +28,9 @@ class Searched:
 
     def __init__(self, plan: Plan, moves: Moves | None) -> None:
         known = {} if moves is None else moves.by_title
-        extremes = plan.at.titles.get("extremes", "")
+        extremes = plan.at.titles["extremes"]
+        if extremes == plan.main:  # a page has no probes
+            extremes = ""
         self.sheet = known[extremes].now if extremes in known else extremes
         rows = [row for key in ("verdicts", "summary") if key in plan.blocks for row in plan.blocks[key].rows.values()]
         rows.append(plan.at.spots["#verdict"].row)
