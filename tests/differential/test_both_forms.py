@@ -16,9 +16,9 @@ from lxml import etree
 
 from chosen import first, some
 from mechsheet.checking import check
-from mechsheet.checking.cells import angles_in, compare_cells
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
+from mechsheet.checking.searched import compare_program
 from mechsheet.checking.twins import compare_twins
 from mechsheet.description import loads
 from mechsheet.engine import evaluate
@@ -54,8 +54,8 @@ def random_ods(folder):
 def agrees(judge, source, answer):
     """Whether the program that wrote `answer` computed from `source` what the engine computes."""
     book = read(source)
-    angles = angles_in(plan_inside(description_in(book), source.name))
-    found = compare_cells(judge, book, evaluate(book), stored_values(answer).get, angles)
+    plan = plan_inside(description_in(book), source.name)
+    found = compare_program(judge, book, evaluate(book), stored_values(answer).get, plan, source.name)
     assert found.agrees, (source.name, found)
 
 

@@ -8,8 +8,8 @@ import pytest
 
 from chosen import ALL, IN_CI
 from mechsheet.checking import check
-from mechsheet.checking.cells import angles_in, compare_cells
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
+from mechsheet.checking.searched import compare_program
 from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.engine import evaluate
@@ -60,7 +60,7 @@ def agree(cases, tmp_path, say):
         report = check(path)
         assert report.agrees, report
         book = read(path)
-        theirs = compare_cells("libreoffice", book, evaluate(book), stored_values(answer).get, angles_in(plan))
+        theirs = compare_program("libreoffice", book, evaluate(book), stored_values(answer).get, plan, path.name)
         assert theirs.agrees, (path.name, theirs)
         worst["libreoffice"] = max(worst["libreoffice"], theirs.worst)
         worst["reference"] = max(worst["reference"], *(item.worst for item in report.comparisons))
@@ -89,5 +89,10 @@ def test_velocities_and_their_dead_centre(tmp_path):
     path = tmp_path / "folded.toml"
     path.write_text(text, encoding="utf-8")
     report = check(path, "libreoffice")
-    assert [comparison.judge for comparison in report.comparisons] == ["stored values", "reference", "libreoffice"]
+    assert [comparison.judge for comparison in report.comparisons] == [
+        "stored values",
+        "reference",
+        "search",
+        "libreoffice",
+    ]
     assert report.agrees, report

@@ -5,17 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import Comparison, Tally, difference
 from mechsheet.checking.rules import Rules, ignored_in
 from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar, shifted
+from mechsheet.formula.nodes import ErrorValue, Scalar, shifted
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.solve import is_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.units import turn
+
+Compared = Literal["value", "error", "nothing"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,11 +52,12 @@ def compare_cells(
     angles: Angles | None = None,
     rules: Rules | None = None,
     but: Collection[int] = (),
-    aside: Callable[[str, int], bool] = lambda _sheet, _row: False,
+    compared: Callable[[str, int], Compared] = lambda _sheet, _row: "value",
 ) -> Comparison:
     """The engine's value of every formula against `theirs(sheet, row, col)`.
 
-    but    blocks that are left out, by their number;  aside  whether the cells of a sheet's row are
+    but       blocks that are left out, by their number
+    compared  what is compared in a sheet's row: values, whether there is one or an error, nothing
     """
     angles, rules = angles or Angles(), rules or Rules()
     ignored = ignored_in(book, rules.ignore)
@@ -70,10 +73,13 @@ def compare_cells(
                 scale = column_scale(ours, angles.size)
                 period = angles.periods.get((sheet.title, col))
                 for row, value in enumerate(ours, block.row):
-                    if ignored.has(sheet.title, row, col) or aside(sheet.title, row):
+                    what = compared(sheet.title, row)
+                    if what == "nothing" or ignored.has(sheet.title, row, col):
                         continue
                     other = theirs(sheet.title, row, col)
                     apart = difference(value, other, scale, period)
+                    if what == "error" and isinstance(value, ErrorValue) == isinstance(other, ErrorValue):
+                        apart = 0.0
                     if apart > rules.tolerance and _is_near(value, other, rules.absolute):
                         apart = 0.0
                     if apart > rules.tolerance:

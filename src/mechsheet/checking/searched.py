@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection
 from dataclasses import replace
 from typing import Any
 
-from mechsheet.checking.cells import angles_in, compare_cells
+from mechsheet.checking.cells import Compared, angles_in, compare_cells
 from mechsheet.checking.inserted_rows import MovedValues, Moves
 from mechsheet.checking.report import Comparison
 from mechsheet.checking.rules import Rules
@@ -24,7 +24,7 @@ Find = Callable[[str, int, int], Scalar]
 
 
 class Searched:
-    """Cells that a search in the sheet decides: the sheet of extremes, and the verdicts and summaries on the first one."""
+    """Cells that a search in the sheet decides: the probes on the sheet of extremes, verdicts and summaries on the first."""
 
     def __init__(self, plan: Plan, moves: Moves | None) -> None:
         known = {} if moves is None else moves.by_title
@@ -39,8 +39,14 @@ class Searched:
         self.rows = set(rows if main is None else (main.rows.now(row) for row in rows))
 
     def has(self, sheet: str, row: int) -> bool:
-        """Whether a cell of that row is one."""
-        return (bool(sheet) and sheet == self.sheet) or (sheet == self.main and row in self.rows)
+        """Whether the cells of a row are verdicts or summaries."""
+        return sheet == self.main and row in self.rows
+
+    def compared(self, sheet: str, row: int) -> Compared:
+        """What may be compared cell by cell: of a verdict only whether there is one, of a probe nothing."""
+        if sheet == self.sheet:
+            return "nothing"
+        return "error" if self.has(sheet, row) else "value"
 
 
 class _Answered:
@@ -77,7 +83,7 @@ def compare_program(
     but           blocks that are left out, by their number
     """
     searched = Searched(plan, moves)
-    cells = compare_cells(program, book, values, theirs, angles_in(plan), rules, but, searched.has)
+    cells = compare_cells(program, book, values, theirs, angles_in(plan), rules, but, searched.compared)
     answered: Any = _Answered(values, theirs, searched)
     found = against_search(book, answered if moves is None else MovedValues(answered, moves), plan, shown)
     if found is None:

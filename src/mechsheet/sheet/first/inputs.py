@@ -6,6 +6,7 @@ the words beside it name that input. While it is not 0 no row has a position: th
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -28,8 +29,8 @@ CAN_BE: dict[Kind, str] = {
 """What holds of a cell of each kind; an empty cell counts as 0 for N, and so does a text."""
 
 
-MOST_NAMED = 254
-"""Choices that CHOOSE takes."""
+CHOICES = 29
+"""So many LibreOffice's CHOOSE takes beside the number; Excel takes more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,10 +90,19 @@ def _named(plan: Plan, wrong: Node) -> Node:
     """What the input of that number is called: the symbol beside it where the inputs stand one below another."""
     found = inputs_of(plan)
     first, last = found[0].row, found[-1].row
-    if last - first < len(found) or len(found) > MOST_NAMED:
+    if last - first < len(found):
         symbols = RangeRef(CellRef(first, SYMBOL, True, True), CellRef(last, SYMBOL, True, True))
         return formula("INDEX(symbols,wrong)", symbols=symbols, wrong=wrong)
-    return Call("CHOOSE", (wrong, *(Text(each.name) for each in found)))
+    return _choice(wrong, [Text(each.name) for each in found])
+
+
+def _choice(number: Node, texts: Sequence[Text]) -> Node:
+    """The text of that number, from 1."""
+    near = Call("CHOOSE", (number, *texts[:CHOICES]))
+    if len(texts) <= CHOICES:
+        return near
+    far = _choice(al.sub(number, al.number(CHOICES)), texts[CHOICES:])
+    return formula("IF(number>most,far,near)", number=number, most=CHOICES, far=far, near=near)
 
 
 def no_position(plan: Plan) -> str:
