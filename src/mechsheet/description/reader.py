@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, joints, links, rates, results
+from mechsheet.description import dimensions, driver, dynamics, joints, links, rates, results
 from mechsheet.description.kinds import plain_unit
 from mechsheet.description.overrides import with_values
 from mechsheet.description.quoting import quoted
@@ -118,6 +118,11 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
         table = (*table, *motion.dimensions)
 
+    loads = _part(data, "loads", [])
+    dynamics.declare(bodies, loads, made, sliding, driven, scope)
+    masses, cells = dynamics.read(bodies, _part(data, "dynamics", {}), loads, made, scope)
+    table = (*table, *cells)
+
     results.declare(outputs, summary, scope)
     workbook = _part(data, "workbook", {})
     parts: dict[str, Any] = {
@@ -130,6 +135,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "layout": (layout := _choice(workbook, "layout", "sheets")),
         "drawn": workbook.get("drawing", True) is not False,
         "rate_points": rates.points(_part(data, "rates", {}), scope),
+        "dynamics": masses,
         "references": _choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     rates.check_layout(layout, scope)
