@@ -76,3 +76,18 @@ def test_four_bars_and_slider_cranks(tmp_path, record_property):
 def test_all_five_dyads(tmp_path, record_property):
     cases = [written(seed, KINDS, 1 + seed % 6, tmp_path) for seed in range(1200, 1200 + SAMPLE)]
     agree(cases, tmp_path, lambda text: record_property("worst", text))
+
+
+def test_velocities_and_their_dead_centre(tmp_path):
+    """A parallelogram that folds in its last row: #N/A there and numbers beside it, as the engine has it."""
+    text = (
+        'format = 1\n[mechanism]\nname = "folded"\n[dimensions]\na1 = 80\na2 = 35\n'
+        '[links.ground]\npoints = { A0 = [0, 0], B0 = ["a1", 0] }\n[links.crank]\npoints = { A0 = [0, 0], A = ["a2", 0] }\n'
+        '[links.coupler]\npoints = { A = [0, 0], B = ["a1", 0] }\n[links.rocker]\npoints = { B0 = [0, 0], B = ["a2", 0] }\n'
+        '[driver]\nlink = "crank"\nstart = 150\nstop = 180\nstep = 10\nspeed = 4\n[assembly]\nB = [50, 20]\n'
+    )
+    path = tmp_path / "folded.toml"
+    path.write_text(text, encoding="utf-8")
+    report = check(path, "libreoffice")
+    assert [comparison.judge for comparison in report.comparisons] == ["stored values", "reference", "libreoffice"]
+    assert report.agrees, report

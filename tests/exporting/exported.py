@@ -34,7 +34,7 @@ def worst_against_reference(mechanism, found, dimensions=None, modes=None):
     modes = {group.mode: group.mode_value for group in equations.groups if group.mode} | (modes or {})
     start = rough_poses(mechanism, modes)
     solution = reference.solve(mechanism, dimensions, start=start, values=driver)
-    theirs = reference.variables(solution)
+    theirs = reference.by_time(solution) | reference.variables(solution)
     residual, _ = reference.worst(
         reference.residuals(mechanism, solution.dimensions, complete(mechanism, found, theirs))
     )
@@ -43,6 +43,8 @@ def worst_against_reference(mechanism, found, dimensions=None, modes=None):
     for symbol, values in found.items():
         gap = np.asarray(values, float) - theirs[symbol]
         unit = "angle" if symbol == mechanism.driver.symbol else equations.of(symbol).unit.kind
+        if symbol != mechanism.driver.symbol and equations.of(symbol).unit.per:
+            unit = "rate"
         if symbol == mechanism.driver.symbol:
             gap = gap / (1.0 if mechanism.driver.unit.kind == "angle" else solution.size)
         elif unit == "angle":

@@ -82,7 +82,7 @@ B = [250, 0]
 
 def moving(text):
     """A description with a speed, in the layout that has rates."""
-    text = re.sub(r"(?m)^layout *=.*$", "", text)
+    text = re.sub(r"(?m)^(layout|speed|acceleration) *=.*$", "", text)
     return re.sub(r"(?m)^\[driver\]", f"[driver]\nspeed = {SPEED}\nacceleration = {ACCELERATION}", text)
 
 

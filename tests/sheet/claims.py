@@ -76,7 +76,7 @@ class Sheets:
         self.equations = solve(mechanism)
         workbook, self.plan = lay_out(mechanism, self.equations)
         titles = self.plan.at.titles
-        needed = {titles[key] for key in ("mechanism", "positions", "checks", "extremes")}
+        needed = {titles[key] for key in ("mechanism", "positions", "rates", "checks", "extremes") if key in titles}
         self.rules = []
         sheets = []
         for sheet in workbook.sheets:

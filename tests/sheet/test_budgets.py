@@ -52,7 +52,10 @@ def test_cells_beside_the_table(name):
     workbook, plan = laid(name)
     table = cells(workbook.sheet(plan.table))
     tables = sum(cells(sheet) for sheet in workbook.sheets if sheet.title.startswith(plan.text("sheet.table")))
-    most = 2.5 * table + (650 if name in LARGE_BESIDE_FEW_ROWS else 500)
+    rates = cells(workbook.sheet(plan.at.titles["rates"])) if plan.rates else 0
+    assert rates <= 1.5 * table
+    # velocities and accelerations have their own checks: not more cells than they themselves
+    most = 2.5 * table + 2 * rates + (650 if name in LARGE_BESIDE_FEW_ROWS else 500)
     assert sum(map(cells, workbook.sheets)) - tables <= most
 
 

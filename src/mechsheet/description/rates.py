@@ -200,11 +200,7 @@ def known(name: str, path: Path, scope: Scope) -> bool:
 
 
 def check_layout(layout: str, scope: Scope) -> None:
-    """The layout page has positions only."""
+    """The layout page has no forces."""
     if layout == "page" and scope.forces:
         message = "masses and loads need sheets of their own, which the layout page does not have"
         scope.report.at(("workbook", "layout"), message, 'write layout = "sheets"')
-    elif layout == "page" and (scope.moves or scope.of_rates):
-        path: Path = ("driver", "speed") if scope.moves else ("workbook", "layout")
-        message = "velocities and accelerations stand on a sheet of their own, which the layout page does not have"
-        scope.report.at(path, message, 'take the speed away, or write layout = "sheets"')

@@ -178,6 +178,8 @@ class _Lowering:
 
     def _guards(self, equation: Equation) -> list[Condition]:
         """The conditions that the formula does not see by itself: pins that may coincide, lines that may be parallel."""
+        if equation.role == "coefficient":  # a dead centre is asked for in every row
+            return [Condition(self._seen(each.margin), self._seen(each.least)) for each in equation.exists]
         found = []
         for condition in equation.exists:
             if condition.reach:
@@ -241,7 +243,7 @@ class _Lowering:
         """Symbols that somebody reads: the roots, variables and outputs, and all that they read."""
         by_symbol = {each.symbol: each for each in (*self.constants, *self.columns)}
         waiting = [*roots, *self.kept, *(group.transmission for group in self.equations.groups)]
-        roles = ("variable", "output", "point") if self.drawn else ("variable", "output")
+        roles = ("variable", "rate", "output", "point") if self.drawn else ("variable", "rate", "output")
         waiting += [each.symbol for each in by_symbol.values() if each.role in roles]
         read: set[str] = set()
         while waiting:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.equations import RATES, Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
@@ -87,6 +87,9 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     kept = {f"{point}.{axis}" for point in traced for axis in ("x", "y")}
     kept |= {symbol for chart in mechanism.charts for symbol in (chart.x, *chart.y) if symbol}
     kept |= {summary.of for summary in mechanism.summaries}
+    # points that velocities are found from have columns: written out, they would make the formulas long
+    rates = (equation for equation in equations.columns if equation.role in RATES)
+    kept |= {name for equation in rates for name in equation.reads if name.endswith((".x", ".y"))}
     page = lowered(mechanism, equations, kept, drawn)
     at = Addresses(mechanism.references, titles, 0, 0)
     plan = PagePlan(
@@ -203,7 +206,7 @@ def _plan_table(plan: PagePlan) -> None:
     columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
     degrees = {driver.symbol: driver.unit.in_degrees}
     for col, equation in enumerate(plan.equations.columns, 1):
-        inner = equation.role == "intermediate"
+        inner = equation.role in ("intermediate", "coefficient")
         group = -1 if equation.symbol in outputs else equation.group
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
         degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees

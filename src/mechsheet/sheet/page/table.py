@@ -15,7 +15,7 @@ from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import degrees_together, first_open, group_headings, places
+from mechsheet.sheet.table.positions import degrees_together, first_open, group_headings, places, places_of
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
 
 MOST_STEPPED = 400
@@ -158,7 +158,7 @@ class Table:
             raise ValueError(f"a column without an equation: {column.symbol}")
         self.comments.append(Comment(plan.symbol_row, column.col, equation.label.of(plan.language)))
         inner = styles.INNER if column.inner else styles.COLUMN
-        style = styles.decimals(inner, places(plan, equation.unit.kind))
+        style = styles.decimals(inner, places_of(plan, equation.unit))
         node = self._bound(equation.expression, first)
         degrees = plan.at.spots[column.symbol].degrees
         value = in_degrees(node) if degrees else node

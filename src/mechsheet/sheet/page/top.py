@@ -9,14 +9,14 @@ from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRe
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
+from mechsheet.sheet.first.blocks import driver_words, input_validation, shown_unit, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.positions import degrees_together
+from mechsheet.sheet.table.positions import degrees_together, places_of
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.words.equations import body_words, link_words
 
@@ -112,7 +112,7 @@ class Top:
             if dim.derived:
                 continue
             row = plan.blocks["dimensions"].rows[dim.symbol]
-            label = dim.label.of(plan.language) if dim.label else ""
+            label = dim.label.of(plan.language) if dim.label else driver_words(plan, dim)
             if dim.tolerance:
                 label = f"{label} (±{dim.tolerance:g})".strip()
             self.line(row, rich(dim.symbol), dim.unit.text, label)
@@ -175,9 +175,11 @@ class Top:
         rows = plan.blocks["derived"].rows
         for dim in plan.mechanism.dimensions:
             if not isinstance(dim.value, float):
-                label = dim.label.of(plan.language) if dim.label else dim.written
+                label = dim.label.of(plan.language) if dim.label else driver_words(plan, dim) or dim.written
                 self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, label)
-                self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
+                rate = styles.decimals(styles.RESULT, places_of(plan, dim.unit))
+                style = rate if dim.unit.per else value_style(plan, dim.unit.kind)
+                self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, style)
         for key, tree in plan.lengths.items():
             words = plan.text("page.length", name=key.removeprefix("#"))
             self.line(rows[key], key.removeprefix("#"), plan.mechanism.length_unit, words)

@@ -21,7 +21,7 @@ NA = ErrorValue("#N/A")
 
 
 def with_speed(name, speed="10", more=""):
-    text = re.sub(r"(?m)^layout *=.*$", "", template_text(name))
+    text = re.sub(r"(?m)^(layout|speed) *=.*$", "", template_text(name))
     return re.sub(r"(?m)^\[driver\]", f"[driver]\nspeed = {speed}", text) + more
 
 
