@@ -26,6 +26,7 @@ def weighed(text, seed, static=False):
     text = re.sub(r"(?m)^layout *=.*$", "", text)
     mechanism = loads(text)
     if not static:
+        text = re.sub(r"(?m)^(speed|acceleration) *=.*$", "", text)
         text = re.sub(r"(?m)^\[driver\]", "[driver]\nspeed = 2.5\nacceleration = -1.7", text)
     size = 60.0
     extra = "[dynamics]\ngravity = [0.4, -9.81]\n" if mechanism.length_unit in ("mm", "cm", "m") else ""

@@ -175,8 +175,6 @@ def _with_change(source: Source, change: Change) -> Source:
             path: Place = ("dimensions", symbol)
             inside: Place = (*path, "value")
             return with_number(source, inside if inside in source.spots else path, _given(change))
-        case ("links" | "loads" | "dynamics", *_):
-            return with_number(source, change.key, _given(change))
         case ("driver", "speed" | "acceleration" as key):
             inside = ("driver", str(key), "value")
             return with_number(source, inside if inside in source.spots else change.key, _given(change))
