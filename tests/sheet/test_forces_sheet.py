@@ -118,7 +118,8 @@ def test_at_a_dead_centre_there_are_no_forces():
         '[links.ground]\npoints = { A0 = [0, 0], B0 = ["a1", 0] }\n[links.crank]\npoints = { A0 = [0, 0], A = ["a2", 0] }\n'
         '[links.coupler]\npoints = { A = [0, 0], B = ["a3", 0] }\nmass = 1\ncenter = "A"\n'
         '[links.rocker]\npoints = { B0 = [0, 0], B = ["a2", 0] }\n'
-        '[driver]\nlink = "crank"\nstart = 150\nstop = 180\nstep = 10\n[dynamics]\ngravity = 9.81\n[assembly]\nB = [50, 20]\n'
+        '[driver]\nlink = "crank"\nstart = 150\nstop = 180\nstep = 10\n'
+        "[dynamics]\ngravity = 9.81\n[assembly]\nB = [50, 20]\n"
         '[[loads]]\nlink = "rocker"\ntorque = 2\n'
     )
     laid = Laid(kite, "tr")

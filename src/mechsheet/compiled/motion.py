@@ -11,7 +11,7 @@ SHOWN_ROLES = ("variable", "point", "rate", "force", "output")
 
 
 def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
-    """Driver, variables, points, rates, forces and outputs, row by row, and the unit of each: "°", "mm", "" for a plain number.
+    """Driver, variables, points, rates, forces and outputs, row by row; the unit of each: "°", "mm", "" for a plain number.
 
     Angles are continuous; NaN in rows in which some group cannot be joined; no rates at dead centres. Raises MechanismError.
     """

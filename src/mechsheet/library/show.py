@@ -40,7 +40,9 @@ def overview_text(mechanism: Mechanism) -> str:
     rates = [equation.symbol for equation in equations.columns if equation.role == "rate"]
     if rates:
         lines.append(f"velocities and accelerations: {', '.join(rates)}")
-    forces = [eq.symbol for eq in equations.columns if eq.role == "force" and not eq.symbol.endswith((".x", ".y", ".work"))]
+    forces = [
+        eq.symbol for eq in equations.columns if eq.role == "force" and not eq.symbol.endswith((".x", ".y", ".work"))
+    ]
     if forces:
         lines.append(f"forces: {', '.join(forces)}")
         lines += ["speed 0: static forces"] * _stands(mechanism)
