@@ -15,7 +15,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.motions import NOWHERE, Motions, Vector, cross, minus, plus
-from mechsheet.kinematics.places import LinkPlaces
+from mechsheet.kinematics.places import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.solve import Found
 from mechsheet.model import Dynamics, Link, Load, Mass, Words
@@ -204,7 +204,13 @@ class ActingForces:
             return self.poses.xy[given]
         own = LinkPlaces(Link(link.name, link.number, {**link.points, name: given}, link.label), self.poses.ledger)
         pose = self.poses.known[link.name]
-        x, y = (own.place(name) - pose.base).turned(pose.angle)
+        way = own.place(name) - pose.base
+        if not pose.base.is_zero and self.poses.ledger.is_constant(al.add(way.u, way.v)):
+            # in cells of its own: each of the two is read twice
+            words = phrase("way_in_link", point=name, link=link_words(link))
+            u = self.columns.grey(f"u_{name}", way.u, LENGTH, words)
+            way = cartesian(u, self.columns.grey(f"v_{name}", way.v, LENGTH, words))
+        x, y = way.turned(pose.angle)
         parts = []
         for axis, node in zip("xy", plus((pose.x, pose.y), (x, y)), strict=True):
             symbol = f"{name}.{axis}"

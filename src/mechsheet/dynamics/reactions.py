@@ -28,6 +28,7 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.motions import NOWHERE, Motions, Vector, cross, minus, plus, times, turned
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.solve import Found
+from mechsheet.words.equations import phrase
 
 
 def dot(a: Vector, b: Vector) -> Node:
@@ -161,12 +162,18 @@ class Reactions:
     def _prp(self, dyad: Dyad, outer: tuple[Slide, Slide], inner: Pin, det: Node) -> None:
         (d1, d2), r = (self.motions.direction(slide) for slide in outer), self._at(inner)
         s1, s2 = self._sum(dyad.first), self._sum(dyad.second)
-        f1, f2 = al.neg(dot(s1, d1)), dot(s2, d2)
+        f1, f2 = al.neg(self._along(dyad.first, s1, d1)), self._along(dyad.second, s2, d2)
         x = al.sub(al.mul(f1, d2[1]), al.mul(f2, d1[1]))
         y = al.sub(al.mul(f2, d1[0]), al.mul(f1, d2[0]))
         force = self._inner(dyad, inner, self._over((x, y), det))
         self._guide(dyad.first, outer[0], minus(negative(s1), force), r)
         self._guide(dyad.second, outer[1], minus(force, s2), r)
+
+    def _along(self, assembly: Assembly, total: Vector, d: Vector) -> Node:
+        """S . d of an assembly, as a column: it is read twice."""
+        what = self.poses.name(assembly)
+        label = phrase("sum_along", link=what)
+        return self.columns.grey(f"S{self.acting.number(assembly[0])}_d", dot(total, d), self.columns.force, label)
 
     def _rpp(self, dyad: Dyad, pin: Pin, inner: Slide, slide: Slide, det: Node) -> None:
         d1, p = self.motions.direction(slide), self._at(pin)

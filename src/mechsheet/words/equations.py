@@ -46,6 +46,7 @@ PHRASES = {
     "coordinate": ("{point}, {axis} coordinate", "{point} noktası, {axis} koordinatı"),
     "point_on": ("{point} on {link}", "{link}: {point}"),
     "place_in_link": ("{point} in the frame of {link}", "{link} takımında {point}"),
+    "way_in_link": ("from the pin to {point}, in the frame of {link}", "{link} takımında mafsaldan {point} yerine"),
     "in_driven_pair": ("{name} in the frame of the driven pair", "{name}, tahrik çiftinin takımında"),
     "origin": ("origin of {link}", "{link}: başlangıç noktası"),
     "length_in_link": ("{start}–{end} on {link}", "{link}: {start}–{end}"),
@@ -101,6 +102,9 @@ PHRASES = {
     "load_part": ("load {name}, {axis} part", "{name} yükü, {axis} bileşeni"),
     "sum_of_forces": (
         "weight, inertia and loads of {link}: force, {axis} part", "{link}: ağırlık, atalet ve yükler, {axis} bileşeni"
+    ),
+    "sum_along": (
+        "weight, inertia and loads of {link}: force along the guide", "{link}: ağırlık, atalet ve yükler, kızak boyunca"
     ),
     "sum_of_moments": (
         "weight, inertia and loads of {link}: moment", "{link}: ağırlık, atalet ve yüklerin momenti"
