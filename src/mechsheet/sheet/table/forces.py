@@ -13,5 +13,5 @@ from mechsheet.sheet.workbook import Sheet
 
 
 def forces_sheet(plan: Plan) -> Sheet:
-    """The sheet; what it says of a row is what the rates say."""
-    return sheet_beside(plan, "forces", plan.forces, Symbol("#rates"), "B91C1C")
+    """The sheet; what it says of a row is what the rates say, or the positions where there is no group."""
+    return sheet_beside(plan, "forces", plan.forces, Symbol("#rates" if plan.rates else "#status"), "B91C1C")
