@@ -179,16 +179,33 @@ class Mass:
 class Load:
     """A force at a point of a link, or a torque on it: expressions over dimensions, positions and rates.
 
+    order    its number in the file, from 0
     force    components [N] in the ground's frame, or in the link's own where `in_link`; None for a torque [N m]
     point    one of the link's points by name, or a place in its frame; "" for a torque
     """
 
     name: str
+    order: int
     link: str
     point: str | Place = ""
     force: tuple[Node, Node] | None = None
     torque: Node | None = None
     in_link: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Spring:
+    """A spring and damper between two points: it pulls with stiffness (L - free length) + damping L'.
+
+    ends     (link, point) of both; the ground may be one
+    """
+
+    name: str
+    order: int
+    ends: tuple[tuple[str, str], tuple[str, str]]
+    stiffness: Node
+    free_length: Node
+    damping: Node
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,6 +221,7 @@ class Dynamics:
     loads: tuple[Load, ...]
     gravity: tuple[Node, Node]
     metre: float | None
+    springs: tuple[Spring, ...] = ()
     force_unit: str = "N"
     mass_unit: str = "kg"
 

@@ -31,6 +31,7 @@ from mechsheet.model import (
     Mass,
     Place,
     Quantity,
+    Spring,
     pair_symbol,
 )
 from mechsheet.units import Unit, unit_of
@@ -125,8 +126,8 @@ class _Reader:
         gravity = self._gravity()
         found = [self._load(number, entry) for number, entry in enumerate(loads) if entry is not BAD]
         dynamics = Dynamics(
-            tuple(masses), tuple(load for load in found if load is not None), gravity, self.metre,
-            self.force_unit, self.mass_unit,
+            tuple(masses), tuple(load for load in found if isinstance(load, Load)), gravity, self.metre,
+            tuple(load for load in found if isinstance(load, Spring)), self.force_unit, self.mass_unit,
         )  # fmt: skip
         return dynamics, tuple(self.cells)
 
@@ -254,7 +255,7 @@ class _Reader:
 
     # ---- loads
 
-    def _load(self, number: int, entry: dict[str, Any]) -> Load | None:
+    def _load(self, number: int, entry: dict[str, Any]) -> Load | Spring | None:
         path: Path = ("loads", number)
         scope = self.scope
         name = entry.get("name", f"L{number + 1}")
@@ -262,9 +263,16 @@ class _Reader:
             if name is not BAD:
                 scope.report.at((*path, "name"), f"the name {quoted(name)} {reason}")
             name = f"L{number + 1}"
-        link = next((one for one in self.links if one.name == entry["link"]), None)
+        if "between" in entry:
+            return self._spring(name, number, entry)
+        for key in ("stiffness", "free_length", "damping"):
+            if key in entry:
+                scope.report.at((*path, key), "goes with `between`: the two points that a spring joins")
+        if "link" not in entry:
+            scope.report.at((*path, "link"), "is missing: the link that is loaded")
+        link = next((one for one in self.links if one.name == entry.get("link", BAD)), None)
         if link is None:
-            if entry["link"] is not BAD:
+            if entry.get("link", BAD) is not BAD:
                 hint = suggestion(entry["link"], [one.name for one in self.links[1:]], "moving links")
                 scope.report.at((*path, "link"), f"no link is called {quoted(entry['link'])}", hint)
             return None
@@ -277,7 +285,7 @@ class _Reader:
                 if key in entry:
                     scope.report.at((*path, key), "goes with `force`: a torque is the same wherever it acts")
             torque = self._effort(name, entry["torque"], self.torque, (*path, "torque"))
-            return None if torque is None else Load(name, link.name, torque=torque)
+            return None if torque is None else Load(name, number, link.name, torque=torque)
         if "force" not in entry:
             return None  # reported already
         given = entry["force"]
@@ -290,7 +298,42 @@ class _Reader:
         )
         if x is None or y is None:
             return None
-        return Load(name, link.name, point, (x, y), in_link=entry.get("frame") == "link")
+        return Load(name, number, link.name, point, (x, y), in_link=entry.get("frame") == "link")
+
+    def _spring(self, name: str, number: int, entry: dict[str, Any]) -> Spring | None:
+        path: Path = ("loads", number)
+        scope = self.scope
+        for key in ("link", "point", "frame"):
+            if key in entry:
+                scope.report.at((*path, key), "goes with a force: a spring has its two points in `between`")
+        points = entry["between"] if entry["between"] is not BAD else []
+        ends = []
+        for place, point in enumerate(points):
+            owner = next((link.name for link in self.links if point in link.points), None)
+            if owner is None and point is not BAD:
+                hint = suggestion(point, scope.points, "points")
+                scope.report.at((*path, "between", place), f"no point is called {quoted(point)}", hint)
+            elif owner is not None:
+                ends.append((owner, point))
+        if len(ends) == 2 and ends[0][0] == ends[1][0]:
+            message = f"both points belong to the link {quoted(ends[0][0])}: the spring never changes its length"
+            scope.report.at((*path, "between"), message, "each point belongs to the first link, in the file's order")
+        length = scope.length_unit
+        units = {
+            "stiffness": Unit("label", f"{self.force_unit}/{length}"),
+            "free_length": unit_of(length, length),
+            "damping": Unit("label", f"{self.force_unit} s/{length}"),
+        }
+        cells = [
+            self._cell(f"{letter}_{name}", entry[key], unit, (*path, key), key.replace("_", " "), 0.0)
+            if entry.get(key, 0) != 0
+            else al.ZERO
+            for letter, (key, unit) in zip("klc", units.items(), strict=True)
+        ]
+        if len(ends) < 2 or any(cell is None for cell in cells):
+            return None
+        stiffness, free, damping = (cell or al.ZERO for cell in cells)
+        return Spring(name, number, (ends[0], ends[1]), stiffness, free, damping)
 
     def _point(self, entry: dict[str, Any], name: str, path: Path, link: Link) -> str | Place:
         if "point" in entry:

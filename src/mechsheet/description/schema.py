@@ -282,16 +282,23 @@ DYNAMICS = Table(
 LOAD = Table(
     {
         "name": Key(Text(longest=40), "what its cells are called; by default L1, L2 …"),
-        "link": Key(Text(names="link"), "the link that is loaded", True),
+        "link": Key(Text(names="link"), "the link that is loaded"),
         "point": Key(
             _SPOT, "where the force acts: a point of the link, or a place in its frame; default: its only point"
         ),
         "force": Key(PAIR, "its components in N: numbers, or expressions over dimensions, positions and rates"),
         "torque": Key(Quantity(), "or a torque in N m, counter-clockwise, likewise"),
         "frame": Key(Text(("ground", "link")), "in which the components are given; default ground"),
+        "between": Key(
+            Items(Text(names="point"), 2, 2),
+            "or a spring and damper between two points, each of the first link that has it",
+        ),
+        "stiffness": Key(Quantity(), "of the spring, in N per length unit; default 0"),
+        "free_length": Key(Quantity(), "of the spring; default 0"),
+        "damping": Key(Quantity(), "of the damper, in N s per length unit; default 0"),
     },
-    ways=((("force",), ("torque",)),),
-    later=("between", "stiffness", "free_length", "damping", "friction"),
+    ways=((("force",), ("torque",), ("between",)),),
+    later=("friction",),
 )
 
 OUTPUT = Table(

@@ -14,11 +14,12 @@ from mechsheet.dynamics.columns import LONGEST, Columns
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.motions import NOWHERE, Motions, Vector, cross, minus, plus
 from mechsheet.kinematics.places import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.solve import Found
-from mechsheet.model import Dynamics, Link, Load, Mass, Words
+from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words
 from mechsheet.model import Place as GivenPlace
 from mechsheet.units import LENGTH, Unit
 from mechsheet.words.equations import body_words, link_words, phrase
@@ -55,6 +56,7 @@ class ActingForces:
         self.poses: Poses = found.poses
         self._bodies: dict[str, Acting] = {}
         self._hung: dict[str, Acting] = {}
+        self._pulls: dict[int, Vector] = {}
 
     def of(self, body: str) -> Acting:
         """What acts on a body so far."""
@@ -68,6 +70,12 @@ class ActingForces:
                 for load in self.dynamics.loads:
                     if load.link == body:
                         self._load(acting, load, link)
+                for spring in self.dynamics.springs:
+                    for at, (name, point) in zip((0, 1), spring.ends, strict=True):
+                        if name == body:
+                            force = self.pull(spring)
+                            force = force if at == 0 else (al.neg(force[0]), al.neg(force[1]))
+                            acting.forces.append(Force(force, self.poses.xy[point]))
             acting.settle()
             hung = self._hung.pop(body, Acting())
             acting.forces += hung.forces
@@ -195,6 +203,34 @@ class ActingForces:
             x, y = parts
             parts = (al.sub(al.mul(x, c), al.mul(y, s)), al.add(al.mul(x, s), al.mul(y, c)))
         return self.columns.pair(base, parts, self.columns.force, "load_part", name=load.name)
+
+    def pull(self, spring: Spring) -> Vector:
+        """The force of a spring on its first end, towards the second; #N/A where the two coincide.
+
+        f = k (L - L0) + c L',    L' = (p2 - p1) . (v2 - v1) / L
+        """
+        if spring.order in self._pulls:
+            return self._pulls[spring.order]
+        columns, ledger = self.columns, self.poses.ledger
+        (_, start), (_, end) = spring.ends
+        way = minus(self.poses.xy[end], self.poses.xy[start])
+        label = phrase("spring_length", name=spring.name, start=start, end=end)
+        length = columns.grey(f"{spring.name}_l", al.sqrt(al.add(al.square(way[0]), al.square(way[1]))), LENGTH, label)
+        tension = al.mul(spring.stiffness, al.sub(length, spring.free_length))
+        motions = self.found.rates.by_time
+        if motions is not None and not al.is_zero(spring.damping):
+            one, other = (motions.of_point(point, columns.lengths.of).first for point in (start, end))
+            parts = columns.pair(
+                f"{spring.name}_v", minus(other, one), LENGTH.per_time(), "spring_velocity", name=spring.name
+            )
+            grows = al.total(al.mul(a, b) for a, b in zip(way, parts, strict=True))
+            tension = al.add(tension, al.div(al.mul(spring.damping, grows), length))
+        apart = Condition(length, ledger.tolerance)
+        words = phrase("spring_force", name=spring.name)
+        force = ledger.define(columns.name(spring.name), tension, columns.force, words, "dynamic", [apart])
+        parts = al.div(al.mul(force, way[0]), length), al.div(al.mul(force, way[1]), length)
+        self._pulls[spring.order] = columns.pair(spring.name, parts, columns.force, "load_part", name=spring.name)
+        return self._pulls[spring.order]
 
     # ---- places
 

@@ -48,6 +48,12 @@ class Columns:
         """A free name; links have numbers, so that no group's is added."""
         return self.ledger.reserve(base, numbered=False)
 
+    def name(self, base: str) -> str:
+        """A free name for a column of this sheet."""
+        name = self._reserve(base)
+        self.lengths.own.add(name)
+        return name
+
     def pair(self, base: str, vector: Vector, unit: Unit, label: str, **parts: str | Words) -> Vector:
         """A vector, its parts as `grey` has them."""
         x, y = (

@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..formula.nodes import Node
-from ..model import Dynamics, Link, Mechanism, Place, pair_symbol
+from ..model import Dynamics, Link, Mechanism, Place, Spring, pair_symbol
 from .expressions import column as over_rows
-from .geometry import Array, link_places
+from .geometry import ROUNDING, Array, link_places
 from .poses import Solution, reached
 from .rates import by_time, gradients, of_poses, solved
-from .system import Equation, System
+from .system import Equation, System, residual
 
 
 def forces(solution: Solution) -> dict[str, Array]:
@@ -96,7 +96,33 @@ class _Applied:
                     x, y = x * c - y * s, x * s + y * c
                 for axis, part in zip(self._place(load.link, load.point), (x, y), strict=True):
                     total += (part * self.unit)[:, None] * self._moved(axis)[0]
+        for spring in self.dynamics.springs:
+            for end, pull in zip(spring.ends, self._pulls(spring), strict=True):
+                for axis, part in zip(self._place(*end), pull, strict=True):
+                    total += (part * self.unit)[:, None] * self._moved(axis)[0]
         return total
+
+    def _pulls(self, spring: Spring) -> tuple[Array, Array]:
+        """The forces (2, m) of a spring on its two ends."""
+        places, velocities = [], []
+        for end in spring.ends:
+            axes = self._place(*end)
+            places.append(np.array([self._coordinate(axis) for axis in axes]))
+            moved = [self._moved(axis)[0] for axis in axes]
+            velocities.append(np.array([np.einsum("mc,mc->m", each, self.first) * self.speed for each in moved]))
+        scale = self.built.scale
+        way, opens = (places[1] - places[0]) * scale, (velocities[1] - velocities[0]) * scale
+        length = np.hypot(*way)
+        length = np.where(length > ROUNDING * self.solution.size, length, np.nan)  # ends that coincide: no direction
+        with np.errstate(invalid="ignore", divide="ignore"):
+            stretched = self._values(spring.stiffness) * (length - self._values(spring.free_length))
+            pull = (stretched + self._values(spring.damping) * (way * opens).sum(axis=0) / length) * way / length
+        return pull, -pull
+
+    def _coordinate(self, axis: Equation) -> Array:
+        """The value of a place's coordinate, in the system's own lengths, counted from its origin."""
+        value, _ = residual(axis, self.state, np.zeros(len(self.state)))
+        return value
 
     def _values(self, node: Node) -> Array:
         return over_rows(node, self.known, len(self.rows))

@@ -100,6 +100,9 @@ PHRASES = {
     "loaded_place": ("where {name} acts", "{name} yükünün yeri"),
     "load": ("load {name}", "{name} yükü"),
     "load_part": ("load {name}, {axis} part", "{name} yükü, {axis} bileşeni"),
+    "spring_length": ("length of the spring {name}, {start}–{end}", "{name} yayının boyu, {start}–{end}"),
+    "spring_velocity": ("ends of {name}, relative velocity, {axis} part", "{name} uçlarının bağıl hızı, {axis} bileşeni"),
+    "spring_force": ("force of the spring {name}, positive where it pulls", "{name} yayının kuvveti, artıysa çeker"),
     "sum_of_forces": (
         "weight, inertia and loads of {link}: force, {axis} part", "{link}: ağırlık, atalet ve yükler, {axis} bileşeni"
     ),

@@ -26,6 +26,9 @@ FORCES: dict[str, tuple[str, str]] = {
     ),
     "loads.torque": ("torque on link {number}, {link}", "{number} numaralı uzva moment ({link})"),
     "loads.point": ("where it acts, {axis} in the link's frame", "etkidiği yer, uzvun takımında {axis}"),
+    "loads.stiffness": ("stiffness of the spring, load {number}", "yay katsayısı, {number}. yük"),
+    "loads.free_length": ("free length of the spring, load {number}", "yayın serbest boyu, {number}. yük"),
+    "loads.damping": ("damping, load {number}", "sönüm katsayısı, {number}. yük"),
     "chart.effort": (
         "{symbol} against {driver}; dashed: by virtual work", "{driver} değerine göre {symbol}; kesik: virtüel iş ile"
     ),

@@ -20,7 +20,10 @@ def given_words(plan: Plan, dim: Dimension) -> str:
         case ("links", str(name), str(key), *rest):
             return plan.text(f"masses.{key}", axis="xy"[int(rest[0])] if rest else "", **_link(plan, name))
         case ("loads", int(number), str(key), *rest):
-            load = (plan.mechanism.dynamics.loads if plan.mechanism.dynamics else ())[number]
+            dynamics = plan.mechanism.dynamics
+            load = next((load for load in dynamics.loads if load.order == number), None) if dynamics else None
+            if load is None:
+                return plan.text(f"loads.{key}", number=number + 1)
             own = ".link" if load.in_link and key == "force" else ""
             return plan.text(f"loads.{key}{own}", axis="xy"[int(rest[0])] if rest else "", **_link(plan, load.link))
     raise ValueError(f"a dimension from nowhere: {dim.symbol}")
