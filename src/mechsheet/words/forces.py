@@ -10,10 +10,10 @@ FORCES: dict[str, tuple[str, str]] = {
     "masses.mass": ("mass of link {number}, {link}", "{number} numaralı uzvun kütlesi ({link})"),
     "masses.inertia": (
         "moment of inertia of link {number}, about G",
-        "{number} numaralı uzvun kütle atalet momenti, G'ye göre",
+        "{number}. uzvun kütle atalet momenti, G'ye göre",
     ),
     "masses.center": (
-        "mass centre of link {number}, {axis} in its frame", "{number} numaralı uzvun kütle merkezi, kendi takımında {axis}"
+        "mass centre of link {number}, {axis} in its frame", "{number}. uzvun kütle merkezi, takımında {axis}"
     ),
     "masses.gravity": ("acceleration of gravity, downwards", "yerçekimi ivmesi, aşağı doğru"),
     "masses.gravity.part": ("acceleration of gravity, {axis} part", "yerçekimi ivmesi, {axis} bileşeni"),

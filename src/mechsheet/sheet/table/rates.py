@@ -49,7 +49,8 @@ def sheet_beside(plan: Plan, key: str, columns: Sequence[TableColumn], status: N
             comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
         fills += column_fills(plan, column, title, first, rows)
     headings, merges = _headings(plan, key, columns)
-    widths = {RATES_DRIVER: 11.0, RATES_STATUS: 18.0} | {col: width_for(text) for col, text in said.items()}
+    beside = max(18.0, 1.1 * len(plan.text(f"{key}.title")) - 11.0)  # the sheet's title stands over both
+    widths = {RATES_DRIVER: 11.0, RATES_STATUS: beside} | {col: width_for(text) for col, text in said.items()}
     inner = {column.col for column in columns if column.inner}
     last = columns[-1].col
     return Sheet(
