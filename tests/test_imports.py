@@ -20,11 +20,13 @@ ALLOWED = {
     "engine": {"formula"},
     "description": {"model", "formula", "units"},
     "kinematics": {"model", "formula", "units", "words"},
+    # forces, from what is solved already; kinematics knows nothing of them
+    "dynamics": {"model", "formula", "kinematics", "units", "words"},
     "sheet": {"model", "formula", "kinematics", "units", "words"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
-    "compiled": {"model", "formula", "kinematics", "sheet", "engine"},
+    "compiled": {"model", "formula", "kinematics", "dynamics", "sheet", "engine"},
     # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
     "plotting": {
         "model",

@@ -35,6 +35,11 @@ def rate_symbols(symbol: str, turns: bool) -> tuple[str, str]:
     return f"omega{tail}", f"alpha{tail}"
 
 
+def pair_symbol(letter: str, first: int, second: int) -> str:
+    """`F34` of links 3 and 4; `F3_10` where a number has two digits."""
+    return f"{letter}{first}{second}" if max(first, second) < 10 else f"{letter}{first}_{second}"
+
+
 @dataclass(frozen=True, slots=True)
 class Words:
     """A text in both languages; a description that gives one string has it in both."""
@@ -57,7 +62,8 @@ class Dimension:
     tolerance  in the unit shown
     shown      a plain number as the description wrote it, in its unit (30 for 30 degrees), else None
     written    the expression of a derived dimension as the description wrote it, else ""
-    driver_key the key of the driver that gives it, "speed" or "acceleration"; "" for a dimension of the description's own
+    place      where the description gives one that is not among its dimensions: ("driver", "speed"),
+               ("links", "crank", "mass"), ("loads", 0, "force", 1); () for its own
     """
 
     symbol: str
@@ -68,7 +74,12 @@ class Dimension:
     tolerance: float | None = None
     shown: float | None = None
     written: str = ""
-    driver_key: Literal["", "speed", "acceleration"] = ""
+    place: tuple[str | int, ...] = ()
+
+    @property
+    def driver_key(self) -> str:
+        """The key of the driver that gives it, "speed" or "acceleration"; "" for any other."""
+        return str(self.place[1]) if self.place[:1] == ("driver",) else ""
 
     @property
     def derived(self) -> bool:
@@ -147,6 +158,76 @@ class Joint:
     angle: Quantity
     orientation: Quantity
     symbol: str
+
+
+@dataclass(frozen=True, slots=True)
+class Mass:
+    """What a link weighs.
+
+    mass     [kg] or the description's unit;  None for a link that has a moment of inertia alone
+    center   one of the link's points by name, or a place in its frame
+    inertia  about the mass centre [kg m²]; None where it counts as 0
+    """
+
+    link: str
+    mass: Node | None
+    center: str | Place
+    inertia: Node | None
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """A force at a point of a link, or a torque on it: expressions over dimensions, positions and rates.
+
+    order    its number in the file, from 0
+    force    components [N] in the ground's frame, or in the link's own where `in_link`; None for a torque [N m]
+    point    one of the link's points by name, or a place in its frame; "" for a torque
+    """
+
+    name: str
+    order: int
+    link: str
+    point: str | Place = ""
+    force: tuple[Node, Node] | None = None
+    torque: Node | None = None
+    in_link: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Spring:
+    """A spring and damper between two points: it pulls with stiffness (L - free length) + damping L'.
+
+    ends     (link, point) of both; the ground may be one
+    """
+
+    name: str
+    order: int
+    ends: tuple[tuple[str, str], tuple[str, str]]
+    stiffness: Node
+    free_length: Node
+    damping: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Dynamics:
+    """What forces come from.
+
+    gravity  its acceleration in the ground's frame
+    metre    metres in a length unit, where masses are in kg, forces in N and torques in N m; None where all units are
+             the description's own and consistent
+    """
+
+    masses: tuple[Mass, ...]
+    loads: tuple[Load, ...]
+    gravity: tuple[Node, Node]
+    metre: float | None
+    springs: tuple[Spring, ...] = ()
+    force_unit: str = "N"
+    mass_unit: str = "kg"
+
+    def torque_unit(self, length_unit: str) -> str:
+        """The unit of a torque."""
+        return f"{self.force_unit} {length_unit if self.metre is None else 'm'}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,6 +320,7 @@ class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
     rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
+    dynamics     masses and loads; None where the description has none
     file         the stem of the file that it was read from, "" when it was read from none
     """
 
@@ -261,6 +343,7 @@ class Mechanism:
     layout: Literal["sheets", "page"] = "sheets"
     drawn: bool = True
     rate_points: tuple[str, ...] | None = None
+    dynamics: Dynamics | None = None
     text: str = ""
     file: str = field(default="", compare=False)
 

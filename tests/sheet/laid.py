@@ -6,8 +6,8 @@ from pathlib import Path
 
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
+from mechsheet.dynamics.solve import solve
 from mechsheet.engine import compile_book, evaluate
-from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING
 

@@ -72,7 +72,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     return tally.result(), list(inputs.remarks)
 
 
-RESULTS = ("variable", "point", "rate", "output")
+RESULTS = ("variable", "point", "rate", "force", "output")
 """Roles of the equations that are judged; intermediate quantities are nobody's but the sheet's."""
 
 EVERY = ""
@@ -150,7 +150,18 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array]) -> dict[str
     turned = {symbol: math.tau * np.round((ours[symbol] - found[symbol]) / math.tau) for symbol in angles}
     found |= {symbol: found[symbol] + np.nan_to_num(turns) for symbol, turns in turned.items()}
     found |= {symbol: column for symbol, column in reference.by_time(solution).items() if symbol not in found}
+    found |= _forces(solution, ours)
     return found | reference.outputs(solution, found)
+
+
+def _forces(solution: reference.Solution, ours: Mapping[str, Array]) -> dict[str, Array]:
+    """The reference's forces, the driver's effort once more for virtual work; 0 for what it has no name for."""
+    found = reference.forces(solution)
+    for symbol in ours:
+        if symbol.endswith(".work"):
+            whole = symbol.removesuffix(".work")
+            found[symbol] = found[whole if whole.startswith("T") else f"{whole}.t"]
+    return found
 
 
 def _judged(plan: Plan) -> list[str]:

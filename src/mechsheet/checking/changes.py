@@ -18,7 +18,7 @@ from mechsheet.sheet.table.two_way import table_sheets
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),
-("driver", "speed"), ("driver", "values", 3), ("tables", 0, 2)."""
+("driver", "speed"), ("driver", "values", 3), ("tables", 0, 2), ("links", "crank", "mass"), ("loads", 0, "force", 1)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +39,10 @@ class Change:
                 return f"driver value {index + 1}"
             case ("tables", int(table), int(column)):
                 return f"column {column + 1} of table {table + 1}"
+            case ("links", str(link), str(key), *part):
+                return f"{key} of {link}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
+            case ("loads", int(number), str(key), *part):
+                return f"{key} of load {number + 1}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
         return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[1]} of the driver"
 
 
@@ -77,9 +81,9 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
     """Every input that a description keeps, and its cell: not the position shown."""
     plan = expected.plan
     mechanism = plan.mechanism
-    keys = {dim.symbol: dim.driver_key for dim in mechanism.dimensions if dim.driver_key and not dim.derived}
+    keys = {dim.symbol: dim.place for dim in mechanism.dimensions if dim.place and not dim.derived}
     for symbol, given in keys.items():
-        yield ("driver", given), (plan.main, plan.at.spots[symbol].row, VALUE)
+        yield given, (plan.main, plan.at.spots[symbol].row, VALUE)
     for symbol, row in plan.blocks["dimensions"].rows.items():
         if symbol in keys:
             continue

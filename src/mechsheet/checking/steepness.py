@@ -10,7 +10,7 @@ from mechsheet import reference
 from mechsheet.checking.inputs import Array
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.dyads import DEAD
-from mechsheet.kinematics.equations import RATES
+from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.numeric import value
 from mechsheet.sheet.plan import Plan
 
@@ -45,13 +45,14 @@ class Steepness:
         roles = {equation.symbol: equation.role for equation in self.plan.equations.equations.columns}
         for equation in self.plan.equations.equations.columns:
             of_rates = [name for name in equation.reads if name in found]
-            if equation.role in RATES or (equation.role == "output" and of_rates):
+            if equation.role in (*RATES, *FORCES) or (equation.role == "output" and of_rates):
                 dead = equation.symbol in self._dead or any(found[name] for name in of_rates)
                 found[equation.symbol] = dead
-        return {symbol: dead for symbol, dead in found.items() if roles[symbol] != "coefficient"}
+        inner = ("coefficient", "dynamic")
+        return {symbol: dead for symbol, dead in found.items() if roles[symbol] not in inner}
 
     def concerns(self, symbol: str) -> bool:
-        """True for velocities and accelerations, and outputs of them."""
+        """True for velocities, accelerations and forces, and outputs of them."""
         return symbol in self._reads
 
     def at_all(self, symbol: str) -> bool:
@@ -59,9 +60,11 @@ class Steepness:
         return self._reads[symbol] and len(self._dead) == 1
 
     def scale(self, symbol: str, solution: reference.Solution, found: Mapping[str, Array]) -> Array:
-        """What a difference is measured by: the driver's own rate, as a length where it is one."""
+        """What a difference is measured by: the driver's own rate, as a length where it is one; the largest joint force."""
         mechanism = self.plan.mechanism
         equation = self.plan.equations.of(symbol)
+        if equation.role == "force":
+            return self._largest(equation.unit.kind, solution, found)
         if equation.role == "output" or mechanism.driver.speed is None:
             return np.ones(self.plan.rows)
         size = solution.size or 1.0
@@ -70,3 +73,20 @@ class Steepness:
             speed, acceleration = speed / size, acceleration / size
         rate = speed if equation.unit.per == 1 else speed**2 + acceleration
         return np.maximum(rate * (size if equation.unit.kind == "length" else 1.0), 1e-300)
+
+    def _largest(self, kind: str, solution: reference.Solution, found: Mapping[str, Array]) -> Array:
+        """Of each row the largest force, as a torque at the largest length where that is asked for; all torques, too."""
+        dynamics = self.plan.mechanism.dynamics
+        metre = (dynamics.metre if dynamics else None) or 1.0
+        lever = metre * (solution.size or 1.0)
+        forces, torques = np.zeros(self.plan.rows), np.zeros(self.plan.rows)
+        for equation in self.plan.equations.equations.columns:
+            if equation.role == "force" and equation.symbol in found:
+                size = np.nan_to_num(np.abs(found[equation.symbol]))
+                if equation.unit.kind == "force":
+                    forces = np.maximum(forces, size)
+                else:
+                    torques = np.maximum(torques, size)
+        # a joint that is pressed by couples alone has forces of their size over the lever, and the other way round
+        largest = np.maximum(forces * lever, torques) if kind == "moment" else np.maximum(forces, torques / lever)
+        return np.maximum(largest, 1e-300)

@@ -9,10 +9,11 @@ from functools import cached_property
 import numpy as np
 
 from mechsheet.compiled.evaluation import computed
+from mechsheet.dynamics.solve import solve
 from mechsheet.formula.nodes import Scalar
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import dimension_values, driver_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot

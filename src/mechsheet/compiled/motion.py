@@ -7,11 +7,11 @@ import numpy as np
 from mechsheet.compiled.mechanism import Compiled
 from mechsheet.kinematics.numeric import Array
 
-SHOWN_ROLES = ("variable", "point", "rate", "output")
+SHOWN_ROLES = ("variable", "point", "rate", "force", "output")
 
 
 def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
-    """Driver, variables, points, rates and outputs, row by row, and the unit of each: "°", "mm", "" for a plain number.
+    """Driver, variables, points, rates, forces and outputs, row by row; the unit of each: "°", "mm", "" for a plain number.
 
     Angles are continuous; NaN in rows in which some group cannot be joined; no rates at dead centres. Raises MechanismError.
     """

@@ -57,7 +57,7 @@ def kind_of(node: Node, kinds: Mapping[str, str], multiples: bool = True) -> str
     """
     match node:
         case Symbol(name):
-            return LENGTH if name.endswith((".x", ".y")) else kinds.get(name, ANY)
+            return kinds.get(name, LENGTH if name.endswith((".x", ".y")) else ANY)
         case Unary(_, operand):
             return kind_of(operand, kinds, multiples)
         case Binary("+" | "-", left, right):

@@ -52,9 +52,9 @@ def _name_is_good(name: str, path: Path, scope: Scope) -> None:
 
 def _declare_points(data: dict[str, Any], scope: Scope) -> None:
     space = Space(scope.report)
-    for place, (link, entry) in enumerate(data.items()):
+    for order, (link, entry) in enumerate(data.items()):
         points = points_of(entry)
-        if place == 0:
+        if order == 0:
             scope.fixed.update(points or {})
         for point in points or {}:
             path: Path = ("links", link, "points", point)
@@ -76,13 +76,14 @@ def read(data: dict[str, Any], links: tuple[Link, ...], scope: Scope) -> tuple[L
     for link in links:
         points = points_of(data[link.name]) or {}
         path: Path = ("links", link.name, "points")
-        places = {name: _place(value, (*path, name), scope) for name, value in points.items() if value is not BAD}
+        places = {name: place(value, (*path, name), scope) for name, value in points.items() if value is not BAD}
         _check_distances(places, points, path, scope)
         result.append(Link(link.name, link.number, places, link.label))
     return tuple(result)
 
 
-def _place(value: Any, path: Path, scope: Scope) -> Place:
+def place(value: Any, path: Path, scope: Scope) -> Place:
+    """A place in a link's frame in any of the three ways of writing it."""
     if isinstance(value, list):
         x, y = pair(value, path, scope)
         return Cartesian(x, y)

@@ -88,7 +88,7 @@ def _unit(key: Key, driver: Driver, scope: Scope) -> Unit:
 
 def _cell(key: Key, symbol: str, value: Quantity, driver: Driver, scope: Scope, text: str = "") -> Dimension:
     shown = value if isinstance(value, float) else None
-    return Dimension(symbol, value, _unit(key, driver, scope), shown=shown, written=text, driver_key=key)
+    return Dimension(symbol, value, _unit(key, driver, scope), shown=shown, written=text, place=("driver", key))
 
 
 def _rate(key: Key, given: Any, name: str, driver: Driver, scope: Scope) -> tuple[Node | None, tuple[Dimension, ...]]:
@@ -133,7 +133,7 @@ def _in_unit(
         key, f"driver's {key}", ("driver", key), f"rename it: the {key} in {word} has a cell of its own"
     )
     shown = Unit("label", word.replace("deg", "°").replace("^2", "²"))
-    cell = Dimension(key, value, shown, shown=value, driver_key=key)
+    cell = Dimension(key, value, shown, shown=value, place=("driver", key))
     scope.numbers[key] = value
     tree = al.mul(Symbol(key), _FACTORS[word])
     return Symbol(name), (cell, _cell(key, name, tree, driver, scope, f"{key}*pi/{180 if 'deg' in word else 30}"))
@@ -188,10 +188,19 @@ def is_rate(name: str, scope: Scope) -> bool:
 
 
 def known(name: str, path: Path, scope: Scope) -> bool:
-    """True for a rate; reports one that needs a speed of the driver where it has none."""
+    """True for a rate or a force; reports one that needs a speed of the driver where it has none."""
+    if name in scope.forces:
+        return True
     if not is_rate(name, scope) or name in scope.units or name in scope.outputs:
         return False
     if not scope.moves and not name.endswith((".d", ".dd")):
         message = f"{quoted(name)} is a velocity or an acceleration: it needs the driver's speed"
         scope.report.at(path, message, "write `speed` in [driver]")
     return True
+
+
+def check_layout(layout: str, scope: Scope) -> None:
+    """The layout page has no forces."""
+    if layout == "page" and scope.forces:
+        message = "masses and loads need sheets of their own, which the layout page does not have"
+        scope.report.at(("workbook", "layout"), message, 'write layout = "sheets"')

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, joints, links, rates, results
+from mechsheet.description import dimensions, driver, dynamics, joints, links, rates, results
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -122,6 +122,11 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
         table = (*table, *motion.dimensions)
 
+    loads = part(data, "loads", [])
+    dynamics.declare(bodies, loads, made, sliding, driven, scope)
+    masses, cells = dynamics.read(bodies, part(data, "dynamics", {}), loads, made, scope)
+    table = (*table, *cells)
+
     results.declare(outputs, summary, scope)
     workbook = part(data, "workbook", {})
     parts: dict[str, Any] = {
@@ -134,8 +139,10 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "layout": (layout := choice(workbook, "layout", "sheets")),
         "drawn": workbook.get("drawing", True) is not False,
         "rate_points": rates.points(part(data, "rates", {}), scope),
+        "dynamics": masses,
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
+    rates.check_layout(layout, scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

@@ -78,7 +78,7 @@ def _formula(text: Any, unit: Unit, output: Path, scope: Scope) -> Node | None:
         return None
     names = symbols(tree)
     good = [name in scope.units or _is_known(name, text, path, scope) for name in names]
-    if any(is_rate(name, scope) for name in names):
+    if any(is_rate(name, scope) or name in scope.forces for name in names):
         scope.of_rates.add(str(output[1]))
     scope.fits(tree, text, unit_kind(unit), path)
     if all(good) and all(name in scope.numbers for name in names):
@@ -107,7 +107,7 @@ def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
         scope.report.at(path, f"{where}{quoted(name)} is an output; only variables and dimensions are allowed")
         return False
     rates = scope.rates if scope.moves else ()
-    hint = suggestion(name, [*scope.variables, *_coordinates(scope), *scope.units, *rates], "allowed")
+    hint = suggestion(name, [*scope.variables, *_coordinates(scope), *scope.units, *rates, *scope.forces], "allowed")
     scope.report.at(path, f"{where}{quoted(name)} is not a variable or dimension", hint)
     return False
 
@@ -138,7 +138,7 @@ def _check_column(name: Any, path: Path, scope: Scope) -> None:
     if _is_coordinate(name, path, scope) or "." in name or not scope.complete:
         return
     rates = scope.rates if scope.moves else ()
-    hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope), *rates], "allowed")
+    hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope), *rates, *scope.forces], "allowed")
     message = f"no variable or output is called {quoted(name)}"
     if name in scope.units:
         message = f"{quoted(name)} is a dimension, the same in every row; a variable or an output is needed"
@@ -216,10 +216,13 @@ def tables(data: list[Any], driver: str | None, scope: Scope) -> tuple[TableRequ
 
 def _check_no_rate(name: Any, path: Path, scope: Scope) -> None:
     """A two-way table holds positions, one formula a cell: a rate would need its whole group there."""
-    if name is BAD or not (is_rate(name, scope) or name in scope.of_rates):
+    if name is BAD or not (is_rate(name, scope) or name in scope.forces or name in scope.of_rates):
         return
     what = "reads" if name in scope.of_rates else "is"
-    message = f"{quoted(name)} {what} a velocity or an acceleration: two-way tables have positions only"
+    which = "a force" if name in scope.forces else "a velocity, an acceleration or a force"
+    if not scope.forces:
+        which = "a velocity or an acceleration"
+    message = f"{quoted(name)} {what} {which}: two-way tables have positions only"
     scope.report.at(path, message, "a summary or a chart can show it")
 
 

@@ -171,13 +171,19 @@ POINT = Table(
     ways=((("r", "angle"), ("distances", "side")),),
 )
 
+_SPOT = Either((Text(names="point"), PAIR, POINT))
+"""A point of a link by its name, or a place in the link's frame."""
+
 LINK = Table(
     {
         "points": Key(Named(Either((PAIR, POINT)), "point"), "its points, in its own frame", True),
         "label": _LABEL,
         "number": Key(Integer(1, 999), "overrides the counting; the ground is 1"),
+        "mass": Key(Quantity(), "in kg; a number or an expression over dimensions"),
+        "center": Key(_SPOT, "its mass centre: one of its points, or a place in its frame; default: its only point"),
+        "inertia": Key(Quantity(), "moment of inertia about the mass centre, in kg m²; default 0"),
     },
-    later=("mass", "center", "inertia"),
+    later=("friction",),
 )
 
 _TYPE = Key(Text(), "kind of the joint", True)
@@ -262,6 +268,39 @@ RATES = Table(
     }
 )
 
+DYNAMICS = Table(
+    {
+        "gravity": Key(
+            Either((Quantity(), PAIR)),
+            "acceleration of gravity downwards, in m/s², or [gx, gy]; 9.81 on earth; default 0",
+        ),
+        "force_unit": Key(Text(longest=20), "label of forces, where the length unit is not mm, cm, dm or m"),
+        "mass_unit": Key(Text(longest=20), "label of masses, likewise"),
+    }
+)
+
+LOAD = Table(
+    {
+        "name": Key(Text(longest=40), "what its cells are called; by default L1, L2 …"),
+        "link": Key(Text(names="link"), "the link that is loaded"),
+        "point": Key(
+            _SPOT, "where the force acts: a point of the link, or a place in its frame; default: its only point"
+        ),
+        "force": Key(PAIR, "its components in N: numbers, or expressions over dimensions, positions and rates"),
+        "torque": Key(Quantity(), "or a torque in N m, counter-clockwise, likewise"),
+        "frame": Key(Text(("ground", "link")), "in which the components are given; default ground"),
+        "between": Key(
+            Items(Text(names="point"), 2, 2),
+            "or a spring and damper between two points, each of the first link that has it",
+        ),
+        "stiffness": Key(Quantity(), "of the spring, in N per length unit; default 0"),
+        "free_length": Key(Quantity(), "of the spring; default 0"),
+        "damping": Key(Quantity(), "of the damper, in N s per length unit; default 0"),
+    },
+    ways=((("force",), ("torque",), ("between",)),),
+    later=("friction",),
+)
+
 OUTPUT = Table(
     {
         "formula": Key(Text(longest=8000), "an expression over variables and dimensions", True),
@@ -330,6 +369,8 @@ DESCRIPTION = Table(
         "joints": Key(Items(JOINT), "sliding joints"),
         "driver": Key(DRIVER, "what is driven, and its values", True),
         "rates": Key(RATES, "velocities and accelerations, where the driver has a speed"),
+        "dynamics": Key(DYNAMICS, "gravity and units, where links have masses or loads"),
+        "loads": Key(Items(LOAD), "forces and torques on links"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
@@ -337,5 +378,5 @@ DESCRIPTION = Table(
         "tables": Key(Items(TABLE), "two-way tables"),
         "workbook": Key(WORKBOOK, "how the workbook is written"),
     },
-    later=("drivers", "loads"),
+    later=("drivers", "flywheel", "friction"),
 )

@@ -141,7 +141,7 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
         else tuple(quantity(part, driver.unit) for part in (driver.start, driver.stop, driver.step))
     )
     columns = _columns(mechanism, equations)
-    kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "rate", "output")]
+    kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "rate", "force", "output")]
     wanted = [driver.symbol, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
     wanted += [column.symbol for column in columns]
     return Program(

@@ -270,7 +270,7 @@ class _Writer:
     def result(self) -> None:
         """All variables, points and outputs at the position."""
         self.heading(2, self.say(words.RESULT))
-        kinds = ("variable", "point", "rate", "output")
+        kinds = ("variable", "point", "rate", "force", "output")
         rows = []
         for equation in self.equations.columns:
             if equation.role in kinds:

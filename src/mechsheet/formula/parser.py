@@ -6,11 +6,11 @@ from ..diagnostics import Fault, FormulaError, near_miss
 from .dialects import DESCRIPTION, DIALECTS, Dialect
 from .functions import MANY
 from .lexer import Token
-from .nodes import Call, Node, Number, Symbol
+from .nodes import Binary, Call, Node, Number, Symbol
 from .precedence import Parser, number_value
 from .sheet_parser import SheetParser
 
-_DESCRIPTION_ARITY = {"atan2": (2, 2), "hypot": (2, 2), "min": (1, MANY), "max": (1, MANY)}
+_DESCRIPTION_ARITY = {"atan2": (2, 2), "hypot": (2, 2), "where": (3, 3), "min": (1, MANY), "max": (1, MANY)}
 DESCRIPTION_FUNCTIONS = {
     name: name.upper()
     for name in (
@@ -20,7 +20,7 @@ DESCRIPTION_FUNCTIONS = {
 }  # fmt: skip
 """Description's function -> the tree's; `hypot` is beside them, as SQRT(SUMSQ(a, b))."""
 
-_ALLOWED = (*DESCRIPTION_FUNCTIONS, "hypot")
+_ALLOWED = (*DESCRIPTION_FUNCTIONS, "hypot", "where")
 
 RESERVED = frozenset(("pi", *_ALLOWED))
 """Names that mean something in every expression."""
@@ -29,7 +29,8 @@ RESERVED = frozenset(("pi", *_ALLOWED))
 def parse_description(text: str) -> Node:
     """The tree of a description's expression: `+ - * / ^`, parentheses, numbers, `pi`, symbols (`C.x` too) and functions.
 
-    `atan2(y, x)` becomes Call("ATAN2", (x, y)), `hypot(a, b)` SQRT(SUMSQ(a, b)), `pi` PI(). Raises FormulaError with the
+    `atan2(y, x)` becomes Call("ATAN2", (x, y)), `hypot(a, b)` SQRT(SUMSQ(a, b)),
+    `where(c, x, y)` (x where c is greater than 0, else y) IF(c>0, x, y), `pi` PI(). Raises FormulaError with the
     column and what was expected; unknown functions and wrong numbers of arguments are all reported together.
     """
     return _DescriptionParser(text, DESCRIPTION).parse()
@@ -107,6 +108,8 @@ class _DescriptionParser(Parser):
             args.reverse()
         elif name.text == "hypot":
             return Call("SQRT", (Call("SUMSQ", tuple(args)),))
+        elif name.text == "where":
+            return Call("IF", (Binary(">", args[0], Number(0.0)), *args[1:]))
         return Call(DESCRIPTION_FUNCTIONS.get(name.text, "SQRT"), tuple(args))
 
     def unknown(self, name: Token) -> None:

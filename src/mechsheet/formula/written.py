@@ -111,6 +111,7 @@ LATEX = Dialect(
         "COS": r"\cos\left({0}\right)",
         "DEGREES": r"\frac{{180}}{{\pi}}\left({0}\right)",
         "EXP": r"\exp\left({0}\right)",
+        "IF": r"\begin{{cases}}{1} & {0} \\ {2} &\end{{cases}}",
         "LN": r"\ln\left({0}\right)",
         "MAX": r"\max\left({0};\ {1}\right)",
         "MIN": r"\min\left({0};\ {1}\right)",

@@ -14,13 +14,13 @@ Source: Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, section 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Binary, Call, Node, Symbol, symbols, transform
-from mechsheet.formula.printer import print_formula
+from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
+from mechsheet.kinematics.cell_lengths import LONGEST, CellLengths
 from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.motions import (
@@ -39,25 +39,28 @@ from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
 from mechsheet.units import LENGTH, NUMBER, RAD, Unit
 from mechsheet.words.equations import link_words, phrase
 
-LONGEST, INLINE = 118, 75
-"""Characters of a cell's formula, and of a point's rate that is written where it is read."""
+INLINE = 75
+"""Characters of a point's rate that is written where it is read."""
 
 _COEFFICIENTS = (".d", ".dd")
-
-REFERENCE = 13
-"""Characters of a reference to another sheet: `Positions!AB4`."""
 
 
 def asked(mechanism: Mechanism) -> dict[str, None]:
     """Every symbol that an output, a summary or a chart reads."""
     found = dict.fromkeys(name for output in mechanism.outputs for name in symbols(output.formula))
     found |= dict.fromkeys(summary.of for summary in mechanism.summaries)
+    for load in mechanism.dynamics.loads if mechanism.dynamics else ():
+        found |= dict.fromkeys(name for part in (*(load.force or ()), load.torque) if part for name in symbols(part))
     return found | dict.fromkeys(name for chart in mechanism.charts for name in (chart.x, *chart.y) if name)
 
 
 def wanted(mechanism: Mechanism) -> bool:
-    """Whether a mechanism has velocities, or at least derivatives by its driver."""
-    return mechanism.driver.speed is not None or any(name.endswith((".d", ".dd")) for name in asked(mechanism))
+    """Whether a mechanism has velocities, or at least derivatives by its driver: virtual work needs them."""
+    return (
+        mechanism.dynamics is not None
+        or mechanism.driver.speed is not None
+        or any(name.endswith((".d", ".dd")) for name in asked(mechanism))
+    )
 
 
 def free_points(mechanism: Mechanism) -> tuple[str, ...]:
@@ -152,10 +155,17 @@ class _Cramer:
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """See `Equations`."""
+    """What has been written: `fits` and `turning` see `Equations`.
+
+    by_driver     the motion of every body by the driver's variable;  by_time: by time, None for a driver without a speed
+    determinants  by number of the group what its rates are divided by
+    """
 
     fits: Mapping[int, tuple[Node, Node, Node, Node]]
     turning: Mapping[str, tuple[Node, Node]]
+    by_driver: Motions | None = None
+    by_time: Motions | None = None
+    determinants: Mapping[int, Node] = field(default_factory=dict)
 
 
 def add_rates(poses: Poses, drive: Drive, dyads: Sequence[tuple[Dyad, Solved]]) -> Written:
@@ -172,7 +182,8 @@ class _Writer:
         self.points = points_of(self.mechanism)
         self.angles = {link.angle_symbol for link in self.mechanism.links}
         self.names = _ByDriver()
-        self.own: set[str] = set()
+        self.determinants: dict[int, Node] = {}
+        self.cells = CellLengths(self.mechanism, self.ledger)
         self.shown: set[Node] = {al.ZERO, al.ONE}
         self.ledger.group = 0
         self.motions = Motions(poses, drive, self.names)
@@ -186,7 +197,8 @@ class _Writer:
             self.ledger.group = number
             self._dyad(dyad, solved)
             self._after_group()
-        return self._by_time_alone() if self.timed else Written({}, {})
+        found = self._by_time_alone() if self.timed else Written({}, {})
+        return replace(found, by_driver=self.motions, determinants=self.determinants)
 
     # --- the driver -------------------------------------------------------------------------------------------
 
@@ -227,14 +239,8 @@ class _Writer:
 
     def length(self, node: Node) -> float:
         """About so many characters a cell's formula has."""
-        return len(print_formula(node, "text", lambda symbol: "x" * self._wide(symbol.name)))
-
-    def _wide(self, name: str) -> int:
-        """Of a symbol: a cell of the same sheet, a name, or a cell of another sheet."""
-        if name in self.own or name in self.names.unknown:
-            return 4
-        constant = name in self.ledger.constant_symbols
-        return len(name) if constant and self.mechanism.references == "names" else REFERENCE
+        self.cells.own |= self.names.unknown.keys()
+        return self.cells.of(node)
 
     def _cramer(self, meeting: Meeting, order: int) -> _Cramer:
         """The equations of the first or of the second coefficients."""
@@ -251,6 +257,7 @@ class _Writer:
     def _solve(self, solved: Solved, meeting: Meeting, once: _Cramer, twice: _Cramer) -> None:
         """D, both first coefficients, k, both second ones; then the rates."""
         det = self._determinant(solved.determinant)
+        self.determinants[self.ledger.group] = det.node
         names = meeting.unknowns
         u = self._short(once, "u", det)
         for name, node in zip(names, once.solved(u, det), strict=True):
@@ -296,17 +303,11 @@ class _Writer:
 
     def _within(self, node: Node, base: str, unit: Unit, label: Words) -> Node:
         """A sum of which no cell holds more than can be read: its first terms stand in a column of their own."""
-        terms = _terms(node)
-        while len(terms) > 2 and self.length(al.total(terms)) > LONGEST:
-            count = next((n for n in range(len(terms) - 1, 1, -1) if self.length(al.total(terms[:n])) <= LONGEST), 1)
-            if count == 1:
-                break
-            terms = [self._define(base, al.total(terms[:count]), unit, label), *terms[count:]]
-        return al.total(terms)
+        return self.cells.split(node, lambda part: self._define(base, part, unit, label))
 
     def _define(self, base: str, node: Node, unit: Unit, label: Words, *exists: Condition) -> Symbol:
         name = self.ledger.reserve(base)
-        self.own.add(name)
+        self.cells.own.add(name)
         return self.ledger.define(name, node, unit, label, "coefficient", exists)
 
     def _coefficient(self, symbol: str, order: int, node: Node) -> None:
@@ -378,7 +379,7 @@ class _Writer:
                 name = f"{point}.{axis}{_COEFFICIENTS[order - 1]}"
                 label = phrase("coefficient", symbol=f"{axis} {point}", order=_order(order))
                 part = self._within(node, f"{point}_{axis}", self._unit(1, order), label)
-                self.own.add(name)
+                self.cells.own.add(name)
                 self.ledger.define(name, part, self._unit(1, order), label, "coefficient")
                 columns.append(Symbol(name))
         known = PointRate((columns[0], columns[1]), (columns[2], columns[3]))
@@ -419,21 +420,11 @@ class _Writer:
             link.angle_symbol: (motions.turning[link.name].first, motions.turning[link.name].second)
             for link in self.mechanism.links[1:]
         }
-        return Written(found, turning)
+        return Written(found, turning, by_time=motions)
 
 
 def _order(order: int) -> Words:
     return phrase("velocity_word" if order == 1 else "acceleration_word")
-
-
-def _terms(node: Node) -> list[Node]:
-    """The terms of a sum with their signs."""
-    match node:
-        case Binary("+", left, right):
-            return [*_terms(left), *_terms(right)]
-        case Binary("-", left, right):
-            return [*_terms(left), *(al.neg(term) for term in _terms(right))]
-    return [node]
 
 
 def _without(vector: Vector, zero: Mapping[str, Node]) -> Vector:

@@ -19,10 +19,16 @@ from mechsheet.kinematics.closures import Loop
 from mechsheet.model import Words
 from mechsheet.units import Unit
 
-Role = Literal["constant", "driver", "intermediate", "variable", "point", "coefficient", "rate", "output"]
+Role = Literal[
+    "constant", "driver", "intermediate", "variable", "point", "coefficient", "rate", "dynamic", "force", "output"
+]
 
 RATES: tuple[Role, ...] = ("coefficient", "rate")
 """Roles of what only a mechanism with velocities has: influence coefficients with all they need, and what people read."""
+
+
+FORCES: tuple[Role, ...] = ("dynamic", "force")
+"""Roles of what only a mechanism with masses or loads has: what forces are found from, and what people read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +56,8 @@ class Equation:
     """One assignment.
 
     role    "constant" has one value for all rows (a cell beside the dimensions); the others are columns: "coefficient" is
-            a derivative by the driver or what one is found from, "rate" a velocity or an acceleration
+            a derivative by the driver or what one is found from, "rate" a velocity or an acceleration, "force" a force or
+            a torque, "dynamic" what one is found from
     unit    `LENGTH`, `ANGLE`, `NUMBER`: the expression's value is in internal units; of an output the one it is shown in
     exists  all that must hold for it to have a value, besides what it reads
     group   0 for the driver's side, n for the n-th group in order of solution, -1 for outputs

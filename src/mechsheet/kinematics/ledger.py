@@ -44,9 +44,9 @@ class Ledger:
         self.group = 0
         self._names = FreshNames(taken)
 
-    def reserve(self, base: str) -> str:
-        """A name like `base` that nothing else has: `phi`, in the second group `phi_2`."""
-        return self._names.reserve(base, self.group)
+    def reserve(self, base: str, numbered: bool = True) -> str:
+        """A name like `base` that nothing else has: `phi`, in the second group `phi_2` unless it is not `numbered`."""
+        return self._names.reserve(base, self.group if numbered else 0)
 
     def mode(self) -> Symbol:
         """The assembly mode of the present group, `mode_1`: a constant that is +1 until the sketch says otherwise."""

@@ -166,7 +166,7 @@ class Motions:
 
     # --- bodies -----------------------------------------------------------------------------------------------
 
-    def _direction(self, slide: Slide) -> Vector:
+    def direction(self, slide: Slide) -> Vector:
         """Of a sliding joint's line."""
         joint = slide.joint
         angle = self.poses.directions.get(joint.symbol)
@@ -198,21 +198,22 @@ class Motions:
         carrier = slide.other(body)
         self.turning[body] = self.turning[carrier]
         own = rate if body == slide.body else -rate
-        self.motion[body] = along(self.motion[carrier], self.turning[carrier], self._direction(slide), own)
+        self.motion[body] = along(self.motion[carrier], self.turning[carrier], self.direction(slide), own)
 
     def _whole(self, assembly: Assembly, body: str) -> None:
         """The bodies of an assembly, of which one is known."""
         if len(assembly) > 1:
             self._other_of_pair(body)
 
-    def _with_point(self, assembly: Assembly, point: str) -> str:
+    def with_point(self, assembly: Assembly, point: str) -> str:
+        """The body of an assembly that has a point."""
         return next(body for body in assembly if point in self.poses.graph.points[body])
 
     # --- dyads ------------------------------------------------------------------------------------------------
 
     def _pinned(self, assembly: Assembly, pin: Pin, moves: PointRate) -> str:
         """An assembly at an outer pin: the angle that is unknown."""
-        body = self._with_point(assembly, pin.point)
+        body = self.with_point(assembly, pin.point)
         symbol = self.poses.links[body].angle_symbol if body in self.poses.links else ""
         self._turns(body, pin.point, moves, self.rates.of(symbol))
         self._whole(assembly, body)
@@ -248,7 +249,7 @@ class Motions:
                 unknowns.append(self._pinned(assembly, contact, outer[contact.point]))
             else:
                 unknowns.append(self._guided(assembly, contact))
-            ways.append(self.motion[self._with_point(assembly, inner.point)](place))
+            ways.append(self.motion[self.with_point(assembly, inner.point)](place))
         return Meeting(place, (ways[0], ways[1]), (unknowns[0], unknowns[1]))
 
     def _meet_on_slide(
@@ -265,7 +266,7 @@ class Motions:
 
     def _at_known(self, assembly: Assembly, pin: Pin, moves: PointRate) -> tuple[Vector, tuple[PointRate, PointRate]]:
         """An assembly that has slid to a known pin: where that is, and both ways to its rates; it then turns about it."""
-        body = self._with_point(assembly, pin.point)
+        body = self.with_point(assembly, pin.point)
         place = self.coordinates(pin.point)
         way = self.motion[body](place)
         self._turns(body, pin.point, moves, self.turning[body])  # as sliding has it, and shorter

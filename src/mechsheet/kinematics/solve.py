@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -75,14 +76,29 @@ def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Arra
     return np.asarray(start + step * np.arange(count), dtype=np.float64)
 
 
-def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equations:
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What is known when all positions and rates are written down: what forces are found from."""
+
+    poses: Poses
+    drive: Drive
+    dyads: tuple[Dyad, ...]
+    rates: Written
+
+
+Further: TypeAlias = Callable[[Found], None]
+"""Writes further equations into the ledger, behind those of positions and rates and before the outputs."""
+
+
+def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further: Further | None = None) -> Equations:
     """The equations of a mechanism, in order of solution.
 
-    modes  assembly modes that are given instead of picked from the sketch, by symbol (`mode_1`)
+    modes    assembly modes that are given instead of picked from the sketch, by symbol (`mode_1`)
+    further  what else is to be written; without it outputs of forces are left out
     Raises MechanismError: mobility, a group of class III, a sketch between two modes, a group that never closes.
     """
     try:
-        return _solve(mechanism, modes or {})
+        return _solve(mechanism, modes or {}, further)
     except (BetweenModesError, NeverClosesError) as error:
         if mechanism.sketch.at is not None or modes:
             raise
@@ -96,7 +112,7 @@ def solve_unpicked(mechanism: Mechanism) -> Equations:
     return _solve(mechanism, None)
 
 
-def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> Equations:
+def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Further | None = None) -> Equations:
     """`modes`: those that are given, the sketch picks the others; None: none is picked."""
     graph = graph_of(mechanism)
     opened: list[str] = []
@@ -126,7 +142,9 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None) -> Equations:
     rates = Written({}, {})
     if wanted(mechanism):
         rates = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
-    _outputs(mechanism, ledger)
+    if further is not None:
+        further(Found(poses, order.drive, order.dyads, rates))
+    _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
         tuple(ledger.constants),
@@ -201,8 +219,8 @@ def _largest_length(mechanism: Mechanism) -> Node:
 
 
 def is_length(dimension: Dimension) -> bool:
-    """True for a dimension in the length unit."""
-    return dimension.unit.kind == "length" and not dimension.unit.per
+    """True for a dimension in the length unit, mass centres and loaded places apart."""
+    return dimension.unit.kind == "length" and not dimension.unit.per and not dimension.place
 
 
 def largest_length(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:
@@ -308,12 +326,17 @@ def _member(turn: Angle, at: Place, own: Place) -> Member:
     return Member(turn, at - cartesian(x, y))
 
 
-def _outputs(mechanism: Mechanism, ledger: Ledger) -> None:
-    """Outputs over variables, points and dimensions; each may use the ones before it."""
+def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:
+    """Outputs over variables, points and dimensions; each may use the ones before it.
+
+    whole  False where forces have not been written: outputs that read them are left out
+    """
     ledger.group = -1
     faults = []
     for output in mechanism.outputs:
         unknown = [name for name in symbols(output.formula) if name not in ledger.values]
+        if unknown and mechanism.dynamics is not None and not whole:
+            continue
         if unknown:
             faults.append(Fault(f'"{unknown[0]}" is not known here', key=f"outputs.{output.symbol}.formula"))
             continue

@@ -9,12 +9,13 @@ import math
 
 from mechsheet.compiled import compiled_of
 from mechsheet.compiled.motion import motion_of
-from mechsheet.formula.nodes import ErrorValue, Scalar
+from mechsheet.formula.nodes import ErrorValue, Scalar, Symbol
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
-from mechsheet.kinematics.equations import RATES
+from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import Mechanism
@@ -39,10 +40,26 @@ def overview_text(mechanism: Mechanism) -> str:
     rates = [equation.symbol for equation in equations.columns if equation.role == "rate"]
     if rates:
         lines.append(f"velocities and accelerations: {', '.join(rates)}")
+    forces = [
+        eq.symbol for eq in equations.columns if eq.role == "force" and not eq.symbol.endswith((".x", ".y", ".work"))
+    ]
+    if forces:
+        lines.append(f"forces: {', '.join(forces)}")
+        lines += ["speed 0: static forces"] * _stands(mechanism)
     if mechanism.outputs:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
     lines.append(verdict(compiled))
     return "\n".join(lines)
+
+
+def _stands(mechanism: Mechanism) -> bool:
+    """Whether the driver has no speed, or the speed 0 and no acceleration, in every row."""
+    driver = mechanism.driver
+    if driver.speed is None:
+        return True
+    values = dimension_values(mechanism)
+    rates = [rate for rate in (driver.speed, driver.acceleration) if rate is not None]
+    return all(isinstance(rate, Symbol) and values.get(rate.name) == 0 for rate in rates)
 
 
 def equations_text(mechanism: Mechanism) -> str:
@@ -50,12 +67,13 @@ def equations_text(mechanism: Mechanism) -> str:
     equations = lowered(mechanism, told(mechanism).equations)
     lines = ["constants"]
     lines += [_line(equation) for equation in equations.constants]
-    part: tuple[int, bool] | None = None
+    part: tuple[int, str] | None = None
     for equation in equations.columns:
-        rate = equation.role in RATES
-        if (equation.group, rate) != part:
-            part = (equation.group, rate)
-            lines += ["", _group_heading(equations, equation.group) + ", velocities and accelerations" * rate]
+        what = ", velocities and accelerations" if equation.role in RATES else ""
+        what = ", forces" if equation.role in FORCES else what
+        if (equation.group, what) != part:
+            part = (equation.group, what)
+            lines += ["", _group_heading(equations, equation.group) + what]
         lines.append(_line(equation))
         if equation.first is not None:
             lines[-1] += f"    (first row: {print_formula(equation.first, 'text')})"

@@ -4,6 +4,7 @@ It knows nothing of equations, formulas, cells or the groups that the workbook i
 """
 
 from .continuity import leaps
+from .forces import forces
 from .geometry import dimension_values, driver_values
 from .poses import Solution, assemblies, outputs, reached, solve, variables
 from .rates import by_time, rates
@@ -15,6 +16,7 @@ __all__ = [
     "by_time",
     "dimension_values",
     "driver_values",
+    "forces",
     "leaps",
     "outputs",
     "rates",

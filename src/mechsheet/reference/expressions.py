@@ -39,6 +39,7 @@ _FUNCTIONS: Mapping[str, Callable[..., Value]] = {
     "RADIANS": np.radians,
     "DEGREES": np.degrees,
     "PI": lambda: np.float64(np.pi),
+    "IF": np.where,
 }
 
 _OPERATORS: Mapping[str, Callable[[Value, Value], Value]] = {
@@ -47,6 +48,7 @@ _OPERATORS: Mapping[str, Callable[[Value, Value], Value]] = {
     "*": np.multiply,
     "/": np.divide,
     "^": np.power,
+    ">": np.greater,
 }
 
 

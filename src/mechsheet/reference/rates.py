@@ -36,11 +36,11 @@ def rates(solution: Solution) -> dict[str, tuple[Array, Array]]:
     built, mechanism = solution.system, solution.mechanism
     rows = np.flatnonzero(solution.exists)
     state = solution.state[rows]
-    first, second = _of_poses(built, state)
+    first, second = of_poses(built, state)
     driver_unit = built.scale if mechanism.driver.joint else 1.0
     found: dict[str, tuple[Array, Array]] = {}
     for symbol, quantity in _quantities(built, mechanism).items():
-        gradient, turning = _gradients([quantity], state, first)
+        gradient, turning = gradients([quantity], state, first)
         by_rows = (
             np.einsum("mkc,mc->m", gradient, first),
             np.einsum("mkc,mc->m", gradient, second) + np.einsum("mkc,mc->m", turning, first),
@@ -88,21 +88,21 @@ def by_time(solution: Solution) -> dict[str, Array]:
     return found
 
 
-def _of_poses(built: System, state: Array) -> tuple[Array, Array]:
+def of_poses(built: System, state: Array) -> tuple[Array, Array]:
     """First and second derivatives (m, columns) of the state by the driver, in the system's own lengths."""
     equations = [equation for block in built.blocks for equation in block.equations]
     unknown = [column for block in built.blocks for column in block.columns]
     driven = np.array([[float(equation.driven)] for equation in equations])
     first, second = np.zeros_like(state), np.zeros_like(state)
-    jacobian, _ = _gradients(equations, state, first)
+    jacobian, _ = gradients(equations, state, first)
     jacobian = jacobian[:, :, unknown]
-    first[:, unknown] = _solved(jacobian, np.broadcast_to(driven, (*jacobian.shape[:2], 1)))
-    _, turning = _gradients(equations, state, first)
-    second[:, unknown] = _solved(jacobian, -turning @ first[:, :, None])
+    first[:, unknown] = solved(jacobian, np.broadcast_to(driven, (*jacobian.shape[:2], 1)))
+    _, turning = gradients(equations, state, first)
+    second[:, unknown] = solved(jacobian, -turning @ first[:, :, None])
     return first, second
 
 
-def _solved(matrix: Array, right: Array) -> Array:
+def solved(matrix: Array, right: Array) -> Array:
     """The solutions (m, k) of m systems of equations; NaN where one is singular to the last digit."""
     try:
         return np.asarray(np.linalg.solve(matrix, right)[:, :, 0])
@@ -114,7 +114,7 @@ def _solved(matrix: Array, right: Array) -> Array:
         return found
 
 
-def _gradients(equations: Sequence[Equation], state: Array, along: Array) -> tuple[Array, Array]:
+def gradients(equations: Sequence[Equation], state: Array, along: Array) -> tuple[Array, Array]:
     """Gradients (m, k, columns) of k conditions by the whole state, and how these change along a direction (m, columns)."""
     moved = state + 1j * _STEP * along
     found = np.zeros((len(state), len(equations), state.shape[1]), complex)

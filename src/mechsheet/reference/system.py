@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -35,7 +35,7 @@ _SLOTS: Mapping[Kind, tuple[int, ...]] = {
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """One scalar condition between a body and the body `on`.
+    """One scalar condition between a body and the body `on`; `of`: the point or the sliding joint that it belongs to.
 
     meet x, meet y  `point` of the body coincides with `place` of `on`
     line            `point` lies on the line of `on` through `place` in the direction `angle`
@@ -50,6 +50,7 @@ class Equation:
     place: tuple[float, float] = (0.0, 0.0)
     angle: float = 0.0
     driven: bool = False
+    of: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,7 +207,8 @@ class _Builder:
                 rest = list(zip(owners[1:], spots[1:], strict=True))
             on, place = self._holders[point]
             for body, spot in rest:
-                found += [Equation("meet x", body, on, spot, place), Equation("meet y", body, on, spot, place)]
+                found += [Equation("meet x", body, on, spot, place, of=point)]
+                found += [Equation("meet y", body, on, spot, place, of=point)]
         return found
 
     def _sliding(self, joint: Joint, driven: bool) -> list[Equation]:
@@ -214,12 +216,12 @@ class _Builder:
         on = self.bodies[joint.on]
         place = self._local(on, geometry.through(joint, self.located, self.dimensions))
         angle = number(joint.angle, self.dimensions)
-        found = [Equation("line", body, on, point, place, angle)]
+        found = [Equation("line", body, on, point, place, angle, of=joint.name)]
         if joint.kind == "prismatic":
             kept = angle + number(joint.orientation, self.dimensions)
-            found.append(Equation("angle", self.bodies[joint.link], on, angle=kept))
+            found.append(Equation("angle", self.bodies[joint.link], on, angle=kept, of=joint.name))
         if driven:
-            found.append(Equation("displacement", body, on, point, place, angle, driven=True))
+            found.append(Equation("displacement", body, on, point, place, angle, driven=True, of=joint.name))
         return found
 
 

@@ -12,6 +12,7 @@ from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes.notes import notes_sheet
 from mechsheet.sheet.plan import Plan, plan_of
+from mechsheet.sheet.table.forces import forces_sheet
 from mechsheet.sheet.table.positions import positions_sheet
 from mechsheet.sheet.table.rates import rates_sheet
 from mechsheet.sheet.table.two_way import table_sheets
@@ -33,6 +34,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         with_room(mechanism_sheet(plan, checks, extremes, charts_of(plan, requests, drawing), controls(plan))),
         positions_sheet(plan),
         *((rates_sheet(plan),) if plan.rates else ()),
+        *((forces_sheet(plan),) if plan.forces else ()),
         *table_sheets(plan),
         notes_sheet(plan),
         drawing.sheet,

@@ -14,7 +14,7 @@ import numpy as np
 
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.equations import RATES, Equations
+from mechsheet.kinematics.equations import FORCES, RATES, Equations
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
 from mechsheet.kinematics.sweep import sweep
@@ -35,7 +35,7 @@ FIRST_BLOCK = 4
 """The row of the first block's heading."""
 
 SHEETS = ("mechanism", "positions", "drawing", "checks", "extremes", "notes", "description")
-"""Keys of the sheets that every workbook has; "rates" stands behind the positions of one with velocities."""
+"""Keys of the sheets that every workbook has; "rates" and "forces" stand behind the positions of one that has them."""
 
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""
@@ -44,7 +44,7 @@ NUMBER, DRIVER, STATUS = range(3)
 """First columns of the table: row number, driver as shown, what it says of the row."""
 
 RATES_DRIVER, RATES_STATUS = range(2)
-"""First columns of the sheet of rates."""
+"""First columns of the sheets of rates and of forces."""
 
 FOOTER_TITLE = 100
 """Characters of the title in the footer, which holds 255 in all."""
@@ -80,6 +80,7 @@ class Plan:
 
     found   what can be said about the mechanism
     rates   the columns of the sheet of rates behind its first two; none without velocities
+    forces  those of the sheet of forces, behind the driver's value and what is said of the row
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
     """
 
@@ -93,6 +94,7 @@ class Plan:
     blocks: dict[str, Block] = field(default_factory=dict)
     columns: list[TableColumn] = field(default_factory=list)
     rates: list[TableColumn] = field(default_factory=list)
+    forces: list[TableColumn] = field(default_factory=list)
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
@@ -120,6 +122,21 @@ class Plan:
         """Symbols of groups that always close (lines that cross at one angle): they do not read what counts as zero."""
         always = [group for group in self.equations.groups if not self.equations.equations.of(group.closes).exists]
         return frozenset(symbol for group in always for symbol in (group.closes, *group.unknowns))
+
+    @cached_property
+    def efforts(self) -> tuple[str, ...]:
+        """The driver's effort, from the reactions and by virtual work; nothing without forces."""
+        second = next((eq.symbol for eq in self.equations.columns if eq.symbol.endswith(".work")), "")
+        whole = second.removesuffix(".work")
+        return (whole if whole.startswith("T") else f"{whole}.t", second) if second else ()
+
+    @cached_property
+    def joint_forces(self) -> tuple[str, ...]:
+        """What people read of the forces: the effort, the magnitudes at pins, normal forces and couples of slides."""
+        found = [
+            eq.symbol for eq in self.equations.columns if eq.role == "force" and not eq.symbol.endswith((".x", ".y"))
+        ]
+        return tuple(name for name in found if name not in self.efforts[1:])
 
     @property
     def footer(self) -> str:
@@ -160,8 +177,9 @@ class Plan:
 def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     """The plan of a mechanism's workbook."""
     language = mechanism.language
-    rates = any(equation.role in RATES for equation in equations.columns)
-    titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *(("rates",) if rates else ()))}
+    roles = {equation.role for equation in equations.columns}
+    further = [key for key, own in (("rates", RATES), ("forces", FORCES)) if roles & {*own}]
+    titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = driver_values(mechanism, dimension_values(mechanism))
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
@@ -176,10 +194,9 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
 def _plan_names_and_blocks(plan: Plan) -> None:
     mechanism = plan.mechanism
     order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
-    own = [dim for dim in mechanism.dimensions if not dim.driver_key]
+    own = [dim for dim in mechanism.dimensions if not dim.place]
     inputs = [dim for dim in own if not dim.derived]
     derived = sorted((dim for dim in own if dim.derived), key=lambda dim: order[dim.symbol])
-    motion = [dim.symbol for dim in mechanism.dimensions if dim.driver_key]
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
     taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
     plan.next_row = FIRST_BLOCK
@@ -187,12 +204,15 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
     if not mechanism.driver.values:
         _block(plan, "sweep", ["start", "step", "stop"])
-    if motion:
-        _block(plan, "motion", motion)
+    for key in INPUT_BLOCKS:
+        entries = [dim.symbol for dim in mechanism.dimensions if block_of(dim) == key]
+        if entries:
+            _block(plan, key, entries)
     modes = [group.mode for group in plan.equations.groups if group.mode]
     if modes:
         _block(plan, "assembly", modes)
     variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
+    variables += [column.symbol for column in plan.forces if column.symbol in plan.joint_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
@@ -231,8 +251,18 @@ def _plan_names_and_blocks(plan: Plan) -> None:
             _spot(plan, f"#{key}_at", row, False, safe_name(f"{key}_at", taken), taken, TOLERANCE)
 
 
+INPUT_BLOCKS = ("motion", "masses", "loads")
+"""Blocks of what the description gives elsewhere than among its dimensions."""
+
+
+def block_of(dim: Dimension) -> str:
+    """The block of the first sheet in which such a dimension stands; "" for one of the description's own."""
+    places = {"driver": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
+    return places[str(dim.place[0])] if dim.place else ""
+
+
 def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
-    block = plan.blocks["motion" if dim.driver_key else "derived" if dim.derived else "dimensions"]
+    block = plan.blocks[block_of(dim) or ("derived" if dim.derived else "dimensions")]
     name = dim.cell or safe_name(dim.symbol, taken)
     _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit.in_degrees, name, taken)
 
@@ -259,12 +289,13 @@ def _plan_columns(plan: Plan) -> None:
     _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
     _add_column(plan, "#status", "status", 0, False)
     for equation in plan.equations.columns:
-        if equation.role in RATES:
+        if equation.role in (*RATES, *FORCES):
             continue
         degrees = equation.role != "intermediate" and plan.mechanism.shown(equation.unit).in_degrees
         group = -1 if equation.role == "output" else equation.group
         _add_column(plan, equation.symbol, "equation", group, degrees, equation)
     _plan_rates(plan)
+    _plan_forces(plan)
 
 
 def _plan_rates(plan: Plan) -> None:
@@ -276,6 +307,17 @@ def _plan_rates(plan: Plan) -> None:
         plan.at.spots[equation.symbol] = Spot(plan.at.titles["rates"], plan.at.first, col, column=True)
     if found:
         plan.at.spots["#rates"] = Spot(plan.at.titles["rates"], plan.at.first, RATES_STATUS, column=True)
+
+
+def _plan_forces(plan: Plan) -> None:
+    """The columns of forces: the driver's effort both ways first, then group by group as they are solved."""
+    found = [equation for equation in plan.equations.columns if equation.role in FORCES]
+    found.sort(key=lambda equation: equation.symbol not in plan.efforts)
+    for col, equation in enumerate(found, RATES_STATUS + 1):
+        group = 0 if equation.symbol in plan.efforts else equation.group
+        inner = equation.role == "dynamic"
+        plan.forces.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
+        plan.at.spots[equation.symbol] = Spot(plan.at.titles["forces"], plan.at.first, col, column=True)
 
 
 def _add_column(

@@ -20,14 +20,23 @@ _DOTS = {"v": "\u0307", "a": "\u0308"}
 
 _DISPLACEMENT = re.compile(r"s[0-9_]*")
 
+_FORCE = re.compile(r"([FT])([0-9]+|[0-9]+_[0-9]+)\.(x|y|n|c|t|work)")
+_SLIDE = {"n": "N", "c": "C", "t": "P"}
+"""Normal force, couple and driving force of a slide."""
+
 _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
 
 
 def parts(symbol: str) -> tuple[str, str]:
     """(letter, subscript): theta13 -> (θ, 13), a2 -> (a, 2), C.x -> (x, C), phi_2 -> (φ, 2), A0B0 stays whole.
 
-    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x)
+    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14)
     """
+    force = _FORCE.fullmatch(symbol)
+    if force:
+        letter, numbers, part = force.groups()
+        numbers = numbers.replace("_", ",")
+        return _SLIDE.get(part, letter), f"{numbers},{part}" if part in ("x", "y") else numbers + "*" * (part == "work")
     whole, dot, order = symbol.rpartition(".")
     if dot and order in _PRIMES:
         letter, subscript = parts(whole)

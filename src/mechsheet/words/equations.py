@@ -46,6 +46,7 @@ PHRASES = {
     "coordinate": ("{point}, {axis} coordinate", "{point} noktası, {axis} koordinatı"),
     "point_on": ("{point} on {link}", "{link}: {point}"),
     "place_in_link": ("{point} in the frame of {link}", "{link} takımında {point}"),
+    "way_in_link": ("from the pin to {point}, in the frame of {link}", "{link} takımında mafsaldan {point} yerine"),
     "in_driven_pair": ("{name} in the frame of the driven pair", "{name}, tahrik çiftinin takımında"),
     "origin": ("origin of {link}", "{link}: başlangıç noktası"),
     "length_in_link": ("{start}–{end} on {link}", "{link}: {start}–{end}"),
@@ -93,6 +94,32 @@ PHRASES = {
     "point_a": ("acceleration of {point}", "{point} noktasının ivmesi"),
     "point_v_part": ("velocity of {point}, {axis} part", "{point} noktasının hızı, {axis} bileşeni"),
     "point_a_part": ("acceleration of {point}, {axis} part", "{point} noktasının ivmesi, {axis} bileşeni"),
+    # forces
+    "metre": ("metres in one {unit}", "bir {unit} kaç metre"),
+    "mass_centre": ("mass centre of {link}", "kütle merkezi ({link})"),
+    "loaded_place": ("where {name} acts", "{name} yükünün yeri"),
+    "load": ("load {name}", "{name} yükü"),
+    "load_part": ("load {name}, {axis} part", "{name} yükü, {axis} bileşeni"),
+    "spring_length": ("length of the spring {name}, {start}–{end}", "{name} yayının boyu, {start}–{end}"),
+    "spring_velocity": ("ends of {name}, relative velocity, {axis} part", "{name} uçlarının bağıl hızı, {axis} bileşeni"),
+    "spring_force": ("force of the spring {name}, positive where it pulls", "{name} yayının kuvveti, artıysa çeker"),
+    "sum_of_forces": (
+        "weight, inertia and loads of {link}: force, {axis} part", "{link}: ağırlık, atalet ve yükler, {axis} bileşeni"
+    ),
+    "sum_along": (
+        "weight, inertia and loads of {link}: force along the guide", "{link}: ağırlık, atalet ve yükler, kızak boyunca"
+    ),
+    "sum_of_moments": (
+        "weight, inertia and loads of {link}: moment", "{link}: ağırlık, atalet ve yüklerin momenti"
+    ),
+    "joint_force": ("force of {one} on {other} at {point}", "{point} mafsalında {one} → {other} kuvveti"),
+    "force_on": ("force on {link} at {point}, {axis} part", "{point} noktasında {link} üzerindeki kuvvet, {axis} bileşeni"),
+    "normal_force": ("normal force of {one} on {other}", "{one} → {other} normal kuvveti"),
+    "slide_force": ("force of {one} on {other}, {axis} part", "{one} → {other} kuvveti, {axis} bileşeni"),
+    "couple": ("couple of {one} on {other} about {point}", "{point} noktasına göre {one} → {other} kuvvet çifti"),
+    "driving_torque": ("driving torque of {one} on {other}", "tahrik momenti, {one} → {other}"),
+    "driving_force": ("driving force of {one} on {other}", "tahrik kuvveti, {one} → {other}"),
+    "by_work": ("the same by virtual work", "aynısı, virtüel iş ile"),
     # what cells and programs need besides
     "area": ("area of triangle {name}", "{name} üçgeninin alanı"),
     "area_for": ("area of the triangle of {symbol}", "{symbol} üçgeninin alanı"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from mechsheet.words.forces import FORCES
 from mechsheet.words.notes import NOTES
 from mechsheet.words.page import PAGE
 from mechsheet.words.rates import RATES
@@ -176,6 +177,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
     **RATES,
+    **FORCES,
     **PAGE,
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.near": ("the first row within half a turn of:", "ilk satır bundan en çok yarım tur uzaktadır:"),

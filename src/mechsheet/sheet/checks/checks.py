@@ -13,6 +13,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.efforts import effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
@@ -34,10 +35,13 @@ DRIVER_COL, COUNT_COL, DATA = range(3)
 LEAP = 90.0
 """A link that turns by more [deg] from one row to the next: the rows do not show what happens between."""
 
-Kind = Literal["gap", "margin", "leap", "velocity", "acceleration"]
+Kind = Literal["gap", "margin", "leap", "velocity", "acceleration", "torque", "effort", "force"]
 
-MEASURED: tuple[Kind, ...] = ("gap", "velocity", "acceleration")
+MEASURED: tuple[Kind, ...] = ("gap", "velocity", "acceleration", "torque")
 """What is nothing but rounding where all is well."""
+
+SIZES: tuple[Kind, ...] = ("effort", "force")
+"""Columns of sizes, whose largest the first sheet names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +75,7 @@ class Checks:
         ]
         self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
         self.checks += [Check(*found) for found in fit_columns(plan, self.title, first)]
+        self.checks += [Check(*found) for found in effort_columns(plan, self.title, first)]
         self._places()
 
     def _places(self) -> None:
@@ -212,12 +217,12 @@ class _Writer:
     def _column(self, col: int, check: Check) -> None:
         """The column, its head, its worst value and where it is."""
         plan, at = self.plan, self.at
-        unit = plan.mechanism.length_unit
+        unit = self._unit(check.kind)
         words = plan.text(f"checks.{check.kind}", number=check.group)
-        self._put(at.head_row, col, words if check.kind == "leap" else f"{words} [{unit}]", styles.HEAD)
-        style = styles.decimals(styles.COLUMN, 4 if check.kind == "margin" else 0)
+        self._put(at.head_row, col, f"{words} [{unit}]" if unit else words, styles.HEAD)
+        style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", *SIZES) else 0)
         style = styles.ERROR if check.kind in MEASURED else style
-        skip = 0 if check.kind in MEASURED else 1
+        skip = 0 if check.kind in (*MEASURED, *SIZES) else 1
         rows = plan.rows - skip - (1 if check.kind == "margin" else 0)
         if rows > 0:
             self._formula(at.first + skip, col, shifted(check.formula, skip), style, rows)
@@ -231,6 +236,16 @@ class _Writer:
         )
         self._formula(at.at_row, col, where, styles.numbered(styles.RESULT, "0.00"))
 
+    def _unit(self, kind: Kind) -> str:
+        """The unit of a column."""
+        plan = self.plan
+        if kind in ("leap", "torque"):
+            return ""
+        if kind == "effort":
+            return plan.equations.of(plan.efforts[0]).unit.text
+        dynamics = plan.mechanism.dynamics
+        return dynamics.force_unit if kind == "force" and dynamics else plan.mechanism.length_unit
+
     def _grey_where_missing(self) -> None:
         """Rows that do not exist: their gaps are no numbers."""
         gaps = [DATA + index for index, check in enumerate(self.at.checks) if check.kind == "gap"]
@@ -241,6 +256,7 @@ class _Writer:
 
 
 _WORST = {"gap": "MAX", "margin": "MIN", "leap": "SUM", "velocity": "MAX", "acceleration": "MAX"}
+_WORST |= dict.fromkeys(("torque", "effort", "force"), "MAX")
 
 
 def typed_over(plan: Plan) -> Node:
@@ -250,14 +266,13 @@ def typed_over(plan: Plan) -> Node:
     area = RangeRef(
         CellRef(plan.at.first, cols[0], True, True, plan.table), CellRef(plan.at.last, cols[1], True, True, plan.table)
     )
-    if not plan.rates:
-        return _without_formula(area)
-    title = plan.at.titles["rates"]
-    rates = RangeRef(
-        CellRef(plan.at.first, RATES_DRIVER, True, True, title),
-        CellRef(plan.at.last, plan.rates[-1].col, True, True, title),
-    )
-    return al.add(_without_formula(area), _without_formula(rates))
+    areas = [area]
+    for key, columns in (("rates", plan.rates), ("forces", plan.forces)):
+        if columns:
+            title = plan.at.titles[key]
+            corners = (plan.at.first, RATES_DRIVER), (plan.at.last, columns[-1].col)
+            areas.append(RangeRef(*(CellRef(row, col, True, True, title) for row, col in corners)))
+    return al.total(_without_formula(each) for each in areas)
 
 
 def _without_formula(area: RangeRef) -> Node:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
@@ -68,6 +69,7 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     requests = []
     for symbols in (angles, displacements, outputs, rates):
         requests += [ChartRequest(x=driver, y=group) for group in _shared(plan, symbols, sizes)]
+    requests += _of_forces(plan, sizes)
     paths = remarkable_points(mechanism)
     if paths:
         requests.append(ChartRequest(paths=paths))
@@ -81,6 +83,17 @@ def _rates(plan: Plan) -> list[str]:
     moving = {joint.symbol for joint in mechanism.joints if ground not in (joint.on, joint.link)}
     hidden = {name for symbol in moving for name in rate_symbols(symbol, False)}
     return [eq.symbol for eq in plan.equations.columns if eq.role == "rate" and eq.symbol not in hidden]
+
+
+def _of_forces(plan: Plan, sizes: Mapping[str, float]) -> list[ChartRequest]:
+    """The driver's effort, found both ways; the joint forces that are not always 0."""
+    if not plan.efforts:
+        return []
+    driver = plan.mechanism.driver.symbol
+    forces = [name for name in plan.joint_forces if name != plan.efforts[0] and not name.endswith(".c")]
+    forces = [name for name in forces if sizes[name] > 0]
+    groups = [forces[start : start + MOST_CURVES] for start in range(0, len(forces), MOST_CURVES)]
+    return [ChartRequest(x=driver, y=names) for names in (plan.efforts, *map(tuple, groups))]
 
 
 def _probe(plan: Plan) -> dict[str, Array]:
@@ -163,7 +176,8 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
     x = _at_position(plan, drawing, request.x)
     for index, symbol in enumerate(request.y):
         color = styles.SERIES[index % len(styles.SERIES)]
-        curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color))
+        dash: Literal["solid", "dash"] = "dash" if symbol in plan.efforts[1:] else "solid"
+        curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color, dash=dash))
         y = _at_position(plan, drawing, symbol)
         if x and y:
             markers.append(marker(plain(symbol), x, y, color))
@@ -180,6 +194,8 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
 def chart_title(plan: Plan, request: ChartRequest) -> str:
     """What stands over curves, where the description has no title."""
     driver = plain(request.x)
+    if plan.efforts and request.y == plan.efforts:
+        return plan.text("chart.effort", symbol=plain(plan.efforts[0]), driver=driver)
     equations = [plan.equations.of(symbol) for symbol in request.y]
     if len(equations) == 1 and equations[0].role == "output":
         symbol, label = plain(request.y[0]), equations[0].label.of(plan.language)

@@ -54,6 +54,7 @@ class Classification:
     transmission  groups that have an angle of transmission
     limits        True where some group can come apart
     rates         True where there are velocities
+    forces        True where there are masses or loads
     """
 
     four_bars: tuple[FourBar, ...]
@@ -63,6 +64,7 @@ class Classification:
     transmission: tuple[Group, ...]
     limits: bool
     rates: bool = False
+    forces: bool = False
 
     @property
     def entries(self) -> list[str]:
@@ -74,12 +76,14 @@ class Classification:
         lines += [f"stroke_{joint.symbol}" for joint in self.strokes]
         lines += [f"time_ratio_{symbol}" for symbol in self.returning]
         lines += [f"transmission_{group.number}" for group in self.transmission]
-        return lines + (["dead_centres", "velocities_fit", "accelerations_fit"] if self.rates else [])
+        lines += ["dead_centres", "velocities_fit", "accelerations_fit"] if self.rates else []
+        return lines + (["largest_effort", "largest_force", "effort_fits"] if self.forces else [])
 
     @property
     def placed(self) -> frozenset[str]:
         """Keys of the lines that say where something occurs."""
         found = {f"transmission_{group.number}" for group in self.transmission}
+        found |= {"largest_effort", "largest_force"} if self.forces else set()
         return frozenset({*found, "largest_gap", *(["passes"] if self.limits else [])})
 
     @property
@@ -108,6 +112,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         tuple(group for group in equations.groups if group.transmission in names),
         bool(equations.margins),
         mechanism.driver.speed is not None and bool(equations.groups),
+        any(name.endswith(".work") for name in names),
     )
 
 

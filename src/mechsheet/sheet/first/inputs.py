@@ -50,7 +50,7 @@ def inputs_of(plan: Plan) -> list[Input]:
     """
     found = []
     for dim in plan.mechanism.dimensions:
-        if isinstance(dim.value, float) and not dim.driver_key:
+        if isinstance(dim.value, float) and not dim.place:
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
             found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.blocks["dimensions"].rows[dim.symbol]))
     driver = plan.mechanism.driver

@@ -8,12 +8,14 @@ from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
-from mechsheet.sheet.first.blocks import Writer, driver_words, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.inputs import gated_tolerance
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.plan import (
     DRIVER,
+    INPUT_BLOCKS,
     LEGEND_ROW,
     MEANING,
     SYMBOL,
@@ -66,7 +68,7 @@ def mechanism_sheet(
     _position(writer)
     _dimensions(writer)
     _sweep(writer)
-    _motion(writer)
+    _given_elsewhere(writer)
     _assembly(writer)
     _variables(writer)
     write_summaries(writer)
@@ -126,7 +128,7 @@ def _dimensions(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("dimensions", plan.text("head.tolerance"))
     for dim in plan.mechanism.dimensions:
-        if not isinstance(dim.value, float) or dim.driver_key:
+        if not isinstance(dim.value, float) or dim.place:
             continue
         row = plan.blocks["dimensions"].rows[dim.symbol]
         writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim))
@@ -145,7 +147,7 @@ def _derived(writer: Writer) -> None:
     writer.heading("derived")
     rows = plan.blocks["derived"].rows
     for dim in plan.mechanism.dimensions:
-        if not isinstance(dim.value, float) and not dim.driver_key:
+        if not isinstance(dim.value, float) and not dim.place:
             row = rows[dim.symbol]
             writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim) or dim.written)
             _result(writer, row, dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
@@ -197,21 +199,22 @@ def _sweep(writer: Writer) -> None:
     )
 
 
-def _motion(writer: Writer) -> None:
-    """The driver's speed and acceleration, where they are the same in every row."""
+def _given_elsewhere(writer: Writer) -> None:
+    """The driver's speed and acceleration, where they are the same in every row; masses and loads."""
     plan = writer.plan
-    if "motion" not in plan.blocks:
-        return
-    writer.heading("motion")
-    for symbol, row in plan.blocks["motion"].rows.items():
-        dim = next(dim for dim in plan.mechanism.dimensions if dim.symbol == symbol)
-        name = plan.text(f"name.{symbol}") if symbol == dim.driver_key else rich(symbol)
-        writer.line(row, name, dim.unit.text, driver_words(plan, dim))
-        if isinstance(dim.value, float):
-            writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
-            writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), symbol))
-        else:
-            _result(writer, row, dim.value, False, styles.decimals(styles.RESULT, places_of(plan, dim.unit)))
+    for key in INPUT_BLOCKS:
+        if key not in plan.blocks:
+            continue
+        writer.heading(key)
+        for symbol, row in plan.blocks[key].rows.items():
+            dim = next(dim for dim in plan.mechanism.dimensions if dim.symbol == symbol)
+            name = plan.text(f"name.{symbol}") if symbol == dim.driver_key else rich(symbol)
+            writer.line(row, name, dim.unit.text, given_words(plan, dim))
+            if isinstance(dim.value, float):
+                writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
+                writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), symbol))
+            else:
+                _result(writer, row, dim.value, False, styles.decimals(styles.RESULT, places_of(plan, dim.unit)))
 
 
 def _assembly(writer: Writer) -> None:
@@ -289,7 +292,8 @@ def _variables(writer: Writer) -> None:
         writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
         rate = styles.decimals(styles.RESULT, places_of(plan, equation.unit))
-        writer.formula(row, VALUE, node, rate if equation.unit.per else value_style(plan, equation.unit.kind))
+        as_is = equation.unit.per or equation.role == "force"
+        writer.formula(row, VALUE, node, rate if as_is else value_style(plan, equation.unit.kind))
 
 
 def controls(plan: Plan) -> tuple[Control, ...]:

@@ -15,6 +15,7 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.model import Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
+from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.first import inputs
@@ -23,7 +24,7 @@ from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.equations import link_words
@@ -58,6 +59,8 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         block.dead_centres()
         block.fits("velocity", "velocities_fit")
         block.fits("acceleration", "accelerations_fit")
+    if found.forces:
+        block.efforts()
     block.line_under_the_title()
     return [Merge(Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING))]
 
@@ -398,6 +401,39 @@ class _Block:
                         fine=self.text("rates.fit"))  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line(key, self.text(key), self.plan.mechanism.length_unit, self.checks.worst(kind), style, words)
+        self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
+        self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
+
+    # --- forces -----------------------------------------------------------------------------------------------
+
+    def efforts(self) -> None:
+        """The largest effort of the driver and the largest joint force, over rows; whether virtual work says the same."""
+        plan = self.plan
+        effort = plan.efforts[0]
+        unit = plan.equations.of(effort).unit
+        style = styles.decimals(styles.RESULT, places_of(plan, unit))
+        key = "largest_effort"
+        self.line(key, rich(effort), unit.text, self.checks.worst("effort"), style, Text(self.text(key)))
+        self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("effort")))
+        key, cell = "largest_force", self.value("largest_force")
+        names: list[Node | str] = [
+            self.bound(
+                'IF(COUNTIF(column,most)>0,name,"")', column=Symbol(ALL + name), most=cell, name=f" {plain(name)}"
+            )
+            for name in plan.joint_forces
+            if not name.endswith((".n", ".c")) and name != effort
+        ]
+        force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
+        style = styles.decimals(styles.RESULT, places(plan, "force"))
+        self.line(key, self.text(key), force_unit, self.checks.worst("force"), style,
+                  joined(self.text(f"{key}.words"), *names))  # fmt: skip
+        self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("force")))
+        key = "effort_fits"
+        wrong = self.text("effort.not", sheet=self.checks.title)
+        words = formula("IF(gap>agrees,wrong,fine)", gap=self.value(key), agrees=AGREES, wrong=wrong,
+                        fine=self.text("effort.fit"))  # fmt: skip
+        style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
+        self.line(key, self.text(key), "", self.checks.worst("torque"), style, words)
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
         self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
 

@@ -6,7 +6,7 @@ import math
 
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.references import cell_name, column_letters
-from mechsheet.kinematics.equations import RATES
+from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.notes.loops import LoopRates
@@ -33,6 +33,7 @@ PARAGRAPHS = (
     "sweep",
     "positions",
     "rates",
+    "forces",
     "charts",
     "tables",
     "checks",
@@ -41,6 +42,7 @@ PARAGRAPHS = (
 )
 ASSUMPTIONS = ("planar", "angles", "radians", "cosines", "continuous", "constant_mode", "rounding")
 RATE_ASSUMPTIONS = ("rates", "coefficients", "dead")
+FORCE_ASSUMPTIONS = ("forces", "rigid")
 COLOURS: tuple[tuple[str, Style], ...] = (
     ("input", styles.INPUT),
     ("result", styles.RESULT),
@@ -57,7 +59,8 @@ def notes_sheet(plan: Plan) -> Sheet:
     page = _Page(plan)
     page.opening()
     page.colours()
-    page.list_of("assumptions", ASSUMPTIONS + (RATE_ASSUMPTIONS if plan.equations.equations.turning else ()))
+    rates = RATE_ASSUMPTIONS if plan.equations.equations.turning else ()
+    page.list_of("assumptions", ASSUMPTIONS + rates + (FORCE_ASSUMPTIONS if plan.forces else ()))
     page.links()
     page.equations()
     return Sheet(
@@ -132,6 +135,7 @@ class _Page:
             "mechanism": titles["mechanism"],
             "table": plan.text("sheet.table"),
             "rates": titles.get("rates", ""),
+            "forces": titles.get("forces", ""),
             "speed": plain(plan.mechanism.driver_rates[0]),
             "acceleration": plain(plan.mechanism.driver_rates[1]),
         }
@@ -154,6 +158,8 @@ class _Page:
             left_out.add("sweep")
         if not plan.rates:
             left_out.add("rates")
+        if not plan.forces:
+            left_out.add("forces")
         self.list_of("use", tuple(entry for entry in PARAGRAPHS if entry not in left_out))
 
     def colours(self) -> None:
@@ -245,12 +251,18 @@ class _Page:
             self._equation(equation, self.plan.mechanism.shown(equation.unit).text)
         self._driver()
         columns = self.plan.equations.columns
-        self._groups([equation for equation in columns if equation.role not in RATES and equation.group >= 0])
+        self._groups(
+            [equation for equation in columns if equation.role not in (*RATES, *FORCES) and equation.group >= 0]
+        )
         rates = [equation for equation in columns if equation.role in RATES]
         if rates:
             self._group(self.plan.text("rates.title"))
             self._loops()
             self._groups(rates)
+        forces = [equation for equation in columns if equation.role in FORCES]
+        if forces:
+            self._group(self.plan.text("forces.title"))
+            self._groups(forces)
         self._groups([equation for equation in columns if equation.group < 0])
 
     def _loops(self) -> None:

@@ -292,8 +292,10 @@ def places(plan: Plan, kind: str) -> int:
     tolerances = [dim.tolerance for dim in plan.mechanism.dimensions if dim.tolerance and dim.unit.kind == "length"]
     if kind == "angle":
         return 2 if plan.mechanism.angle_unit.in_degrees else 4
-    if kind == "number":
+    if kind in ("number", "moment"):
         return 4
+    if kind == "force":
+        return 3
     finest = min(tolerances) if tolerances else plan.size / 1e4
     return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))
 

@@ -5,9 +5,11 @@ Grey are the influence coefficients and what they are found from; black is what 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
-from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, RATES_DRIVER, RATES_STATUS, Plan
+from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, RATES_DRIVER, RATES_STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import (
@@ -31,20 +33,26 @@ from mechsheet.words.equations import body_words
 
 def rates_sheet(plan: Plan) -> Sheet:
     """The sheet."""
-    title, first, rows = plan.at.titles["rates"], plan.at.first, plan.rows
-    said: dict[int, Rich | str] = {column.col: mathematics(plan, column) for column in plan.rates}
-    cells, fills = _first_columns(plan)
+    return sheet_beside(plan, "rates", plan.rates, _status(plan), "7C3AED")
+
+
+def sheet_beside(plan: Plan, key: str, columns: Sequence[TableColumn], status: Node, tab_color: str) -> Sheet:
+    """A sheet with further columns in the rows of the positions: the driver's value and a word about the row before them."""
+    title, first, rows = plan.at.titles[key], plan.at.first, plan.rows
+    said: dict[int, Rich | str] = {column.col: mathematics(plan, column) for column in columns}
+    cells, fills = _first_columns(plan, plan.at.bind(status, title, first))
     comments: list[Comment] = []
-    for column in plan.rates:
+    for column in columns:
         cells.append(Cell(SYMBOL_ROW, column.col, heading(plan, column), styles.HEAD))
         cells.append(Cell(FORMULA_ROW, column.col, said[column.col], styles.FORMULA_TEXT))
         if column.equation is not None:
             comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
         fills += column_fills(plan, column, title, first, rows)
-    headings, merges = _headings(plan)
-    widths = {RATES_DRIVER: 11.0, RATES_STATUS: 18.0} | {col: width_for(text) for col, text in said.items()}
-    inner = {column.col for column in plan.rates if column.inner}
-    last = plan.rates[-1].col
+    headings, merges = _headings(plan, key, columns)
+    beside = max(18.0, 1.1 * len(plan.text(f"{key}.title")) - 11.0)  # the sheet's title stands over both
+    widths = {RATES_DRIVER: 11.0, RATES_STATUS: beside} | {col: width_for(text) for col, text in said.items()}
+    inner = {column.col for column in columns if column.inner}
+    last = columns[-1].col
     return Sheet(
         title,
         (*cells, *headings),
@@ -62,11 +70,11 @@ def rates_sheet(plan: Plan) -> Sheet:
             repeat_cols=(RATES_DRIVER, RATES_STATUS),
             footer=plan.footer,
         ),
-        tab_color="7C3AED",
+        tab_color=tab_color,
     )
 
 
-def _first_columns(plan: Plan) -> tuple[list[Cell], list[Fill]]:
+def _first_columns(plan: Plan, said: Node) -> tuple[list[Cell], list[Fill]]:
     """The driver's value, and what the sheet says of the row."""
     first, rows = plan.at.first, plan.rows
     driver = plan.columns[DRIVER]
@@ -78,16 +86,15 @@ def _first_columns(plan: Plan) -> tuple[list[Cell], list[Fill]]:
         Cell(FORMULA_ROW, RATES_DRIVER, None, styles.FORMULA_TEXT),
         Cell(FORMULA_ROW, RATES_STATUS, None, styles.FORMULA_TEXT),
     ]
-    said = plan.at.bind(_status(plan), plan.at.titles["rates"], first)
     return cells, [
         Fill(first, RATES_DRIVER, value, style_of(plan, driver), rows=rows),
         Fill(first, RATES_STATUS, said, styles.STATUS, rows=rows),
     ]
 
 
-def _headings(plan: Plan) -> tuple[list[Cell], list[Merge]]:
+def _headings(plan: Plan, key: str, columns: Sequence[TableColumn]) -> tuple[list[Cell], list[Merge]]:
     """The sheet's title over its first columns, then each group's."""
-    cells, merges = group_headings(plan.rates, GROUP_ROW, lambda number: group_title(plan, number))
+    cells, merges = group_headings(columns, GROUP_ROW, lambda number: group_title(plan, number))
     moved = [Cell(cell.row, cell.col + RATES_STATUS + 1, cell.content, cell.style) for cell in cells]
     areas = [
         Merge(
@@ -96,7 +103,7 @@ def _headings(plan: Plan) -> tuple[list[Cell], list[Merge]]:
         for merge in merges
     ]
     title = [
-        Cell(GROUP_ROW, RATES_DRIVER, plan.text("rates.title"), styles.SECTION),
+        Cell(GROUP_ROW, RATES_DRIVER, plan.text(f"{key}.title"), styles.SECTION),
         Cell(GROUP_ROW, RATES_STATUS, None, styles.SECTION),
     ]
     return [*title, *moved], [Merge(Area(GROUP_ROW, RATES_DRIVER, GROUP_ROW, RATES_STATUS)), *areas]

@@ -1,0 +1,382 @@
+"""Masses of links, loads and gravity; and what the forces that follow are called.
+
+A plain number becomes an input cell of its own (m_2, J_2, x_G2; P_x of a load), an expression over dimensions a derived one:
+both are dimensions of the model, with the place that gives them.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.kinds import ANY
+from mechsheet.description.links import place as read_place
+from mechsheet.description.quoting import quoted
+from mechsheet.description.rates import is_rate
+from mechsheet.description.report import BAD, suggestion
+from mechsheet.description.scope import Scope, symbol_fault
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node, Symbol, symbols
+from mechsheet.model import (
+    Cartesian,
+    Dimension,
+    Distances,
+    Driver,
+    Dynamics,
+    Joint,
+    Link,
+    Load,
+    Mass,
+    Place,
+    Quantity,
+    Spring,
+    pair_symbol,
+)
+from mechsheet.units import Unit, unit_of
+
+METRES = {"mm": 0.001, "cm": 0.01, "dm": 0.1, "m": 1.0}
+"""Length unit -> metres: with these masses are in kg and forces in N."""
+
+WEIGHTS = ("mass", "center", "inertia")
+"""Keys of a link that has a mass."""
+
+
+def declare(
+    bodies: dict[str, Any], loads: list[Any], links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None,
+    scope: Scope,
+) -> None:  # fmt: skip
+    """Enter the names of all forces, which must be free, where there are masses or loads."""
+    path = _first_key(bodies, loads)
+    if path is None:
+        return
+    for name, what in force_names(links, joints, driver).items():
+        scope.forces[name] = None
+        scope.kinds[name] = ANY
+        if "." not in name:
+            scope.symbols.claim(name, what, path, "rename it: the description has masses or loads")
+            for link in scope.points.get(name, ())[:1]:
+                message = f"the point has the name of a joint force: {name}.x would be a part of either"
+                scope.report.at(("links", link, "points", name), message, "rename it")
+
+
+def _first_key(bodies: dict[str, Any], loads: list[Any]) -> Path | None:
+    """Where the first mass or load stands; None where there is none."""
+    for name, entry in bodies.items():
+        for key in WEIGHTS:
+            if isinstance(entry, dict) and key in entry:
+                return ("links", name, key)
+    return ("loads", 0) if loads else None
+
+
+def force_names(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None) -> dict[str, str]:
+    """Name -> what it is: F34, F34.x and F34.y of every pin, F14.n and F14.c of every slide, the driver's effort."""
+    numbers = {link.name: link.number for link in links}
+    holders: dict[str, list[int]] = {}
+    for link in links:
+        for point in link.points:
+            holders.setdefault(point, []).append(link.number)
+    found: dict[str, str] = {}
+    for owner, *others in holders.values():
+        for other in others:
+            name = pair_symbol("F", owner, other)
+            found |= dict.fromkeys((name, f"{name}.x", f"{name}.y"), "joint force")
+    for joint in joints:
+        name = pair_symbol("F", numbers[joint.on], numbers[joint.link])
+        found |= {f"{name}.n": "normal force"} | ({f"{name}.c": "couple"} if joint.kind == "prismatic" else {})
+        if driver is not None and driver.joint == joint.name:
+            found |= {f"{name}.t": "driving force", f"{name}.work": "driving force"}
+    if driver is not None and driver.link:
+        name = pair_symbol("T", numbers[driver.relative_to or links[0].name], numbers[driver.link])
+        found |= {name: "driving torque", f"{name}.work": "driving torque"}
+    return found
+
+
+def is_force(name: str, scope: Scope) -> bool:
+    """True for F34, F34.x, F14.n, T12."""
+    return name in scope.forces
+
+
+def read(
+    bodies: dict[str, Any], given: dict[str, Any], loads: list[Any], links: tuple[Link, ...], scope: Scope
+) -> tuple[Dynamics | None, tuple[Dimension, ...]]:
+    """Masses and loads, and the dimensions that they bring; None where there are none."""
+    if _first_key(bodies, loads) is None or not links:
+        if given:
+            message = "no link has a mass and nothing is loaded: there are no forces"
+            scope.report.at(("dynamics",), message, "give links a `mass`, or [[loads]]")
+        return None, ()
+    return _Reader(given, links, scope).read(bodies, loads)
+
+
+@dataclass
+class _Reader:
+    given: dict[str, Any]
+    links: tuple[Link, ...]
+    scope: Scope
+    cells: list[Dimension] = field(default_factory=list)
+
+    def read(self, bodies: dict[str, Any], loads: list[Any]) -> tuple[Dynamics, tuple[Dimension, ...]]:
+        self.metre = METRES.get(self.scope.length_unit)
+        self.force_unit, self.mass_unit = self._units(bodies)
+        torque = f"{self.force_unit} {'m' if self.metre else self.scope.length_unit}"
+        self.force, self.torque = Unit("force", self.force_unit), Unit("moment", torque)
+        masses = [self._mass(link, bodies[link.name]) for link in self.links if self._has_mass(link, bodies)]
+        gravity = self._gravity()
+        found = [self._load(number, entry) for number, entry in enumerate(loads) if entry is not BAD]
+        dynamics = Dynamics(
+            tuple(masses), tuple(load for load in found if isinstance(load, Load)), gravity, self.metre,
+            tuple(load for load in found if isinstance(load, Spring)), self.force_unit, self.mass_unit,
+        )  # fmt: skip
+        return dynamics, tuple(self.cells)
+
+    def _units(self, bodies: dict[str, Any]) -> tuple[str, str]:
+        """The labels of forces and masses."""
+        found = []
+        for key, metric in (("force_unit", "N"), ("mass_unit", "kg")):
+            word = self.given.get(key, metric if self.metre else "")
+            if self.metre and word not in (BAD, metric):
+                message = f"with lengths in {self.scope.length_unit} forces are in N and masses in kg"
+                self.scope.report.at(("dynamics", key), message, "take it away")
+            weighs = any(isinstance(entry, dict) and "mass" in entry for entry in bodies.values())
+            if word == "" and (key == "force_unit" or weighs):
+                message = f"is missing: with lengths in {quoted(self.scope.length_unit)} no unit goes without saying"
+                hint = f"a force must be a mass times {self.scope.length_unit}/s²"
+                self.scope.report.at(
+                    ("dynamics", key) if key in self.given else ("dynamics",), f"{key} {message}", hint
+                )
+            found.append(metric if word is BAD else str(word))
+        return found[0], found[1]
+
+    # ---- cells
+
+    def _cell(
+        self, symbol: str, given: Any, unit: Unit, path: Path, what: str, least: float = -math.inf
+    ) -> Node | None:
+        """A number or an expression over dimensions as a dimension of its own; None where it is faulty."""
+        scope = self.scope
+        if given is BAD:
+            return None
+        value: Quantity
+        if isinstance(given, str):
+            tree = scope.parse(given, path)
+            if tree is None or not scope.only_dimensions(tree, given, path):
+                return None
+            known = all(name in scope.numbers for name in symbols(tree))
+            number = scope.value(tree, path) if known else None
+            value = tree
+        else:
+            value = number = float(given)
+        if number is not None and number < least:
+            scope.report.at(path, f"a {what} is not negative: {number:.6g}")
+        hint = f"rename it: this {what} has a cell of that name"
+        scope.symbols.claim(symbol, what, path, hint)
+        shown = value if isinstance(value, float) else None
+        written = given if isinstance(given, str) else ""
+        self.cells.append(Dimension(symbol, value, unit, shown=shown, written=written, place=path))
+        return Symbol(symbol)
+
+    def _own_place(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> Place:
+        """A place in a link's frame, its plain numbers as cells."""
+        unit = unit_of(self.scope.length_unit, self.scope.length_unit)
+        found = read_place(value, path, self.scope)
+        if isinstance(found, Cartesian):
+            parts: list[Quantity] = [found.x, found.y]
+            for index, (name, part) in enumerate(zip(names, parts, strict=True)):
+                if isinstance(part, float) and math.isfinite(part):
+                    parts[index] = self._cell(name, part, unit, (*path, index), "coordinate") or part
+            return Cartesian(parts[0], parts[1])
+        if isinstance(found, Distances):
+            for other in (found.first, found.second):
+                if other and other not in link.points:
+                    self._no_point(other, (*path, "distances", other), link)
+        return found
+
+    def _no_point(self, point: str, path: Path, link: Link) -> None:
+        message = f"the link {quoted(link.name)} has no point {quoted(point)}"
+        self.scope.report.at(path, message, suggestion(point, link.points, f"points of {link.name}"))
+
+    def _spot(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> str | Place:
+        """A point of the link by name, or a place in its frame."""
+        if isinstance(value, str):
+            if value not in link.points:
+                self._no_point(value, path, link)
+            return value
+        return next(iter(link.points), "") if value is BAD else self._own_place(value, names, path, link)
+
+    # ---- masses
+
+    def _has_mass(self, link: Link, bodies: dict[str, Any]) -> bool:
+        entry = bodies[link.name]
+        keys = [key for key in WEIGHTS if isinstance(entry, dict) and key in entry]
+        if keys and link is self.links[0]:
+            message = "the ground does not move: its mass changes nothing"
+            self.scope.report.at(("links", link.name, keys[0]), message, "take it away")
+            return False
+        if keys == ["center"]:
+            self.scope.report.at(("links", link.name, "center"), "goes with `mass`")
+            return False
+        return bool(keys)
+
+    def _mass(self, link: Link, entry: dict[str, Any]) -> Mass:
+        n, path = link.number, ("links", link.name)
+        length = "m" if self.metre else self.scope.length_unit
+        mass = inertia = None
+        if "mass" in entry:
+            mass = self._cell(f"m_{n}", entry["mass"], Unit("label", self.mass_unit), (*path, "mass"), "mass", 0.0)
+        if "inertia" in entry:
+            unit = Unit("label", f"{self.mass_unit} {length}²")
+            inertia = self._cell(f"J_{n}", entry["inertia"], unit, (*path, "inertia"), "moment of inertia", 0.0)
+        names = (f"x_G{n}", f"y_G{n}")
+        if "center" in entry:
+            center = self._spot(entry["center"], names, (*path, "center"), link)
+        else:
+            center = next(iter(link.points), "")
+            if "mass" in entry and len(link.points) != 1:
+                message = f"the link {quoted(link.name)} has {len(link.points)} points: its mass needs a `center`"
+                self.scope.report.at((*path, "mass"), message, 'write center = "…" or center = [x, y]')
+        return Mass(link.name, mass, center, inertia)
+
+    def _gravity(self) -> tuple[Node, Node]:
+        """Its components; one number points downwards."""
+        given = self.given.get("gravity", 0)
+        path: Path = ("dynamics", "gravity")
+        unit = Unit("label", f"{'m' if self.metre else self.scope.length_unit}/s²")
+        if isinstance(given, list):
+            parts = [
+                al.ZERO if part == 0 else self._cell(f"g_{axis}", part, unit, (*path, index), "gravity") or al.ZERO
+                for index, (axis, part) in enumerate(zip("xy", given, strict=True))
+            ]
+            return parts[0], parts[1]
+        if "gravity" not in self.given or given is BAD:
+            return al.ZERO, al.ZERO
+        return al.ZERO, al.neg(self._cell("g", given, unit, path, "gravity") or al.ZERO)
+
+    # ---- loads
+
+    def _load(self, number: int, entry: dict[str, Any]) -> Load | Spring | None:
+        path: Path = ("loads", number)
+        scope = self.scope
+        name = entry.get("name", f"L{number + 1}")
+        if name is BAD or (reason := symbol_fault(name)):
+            if name is not BAD:
+                scope.report.at((*path, "name"), f"the name {quoted(name)} {reason}")
+            name = f"L{number + 1}"
+        if "between" in entry:
+            return self._spring(name, number, entry)
+        for key in ("stiffness", "free_length", "damping"):
+            if key in entry:
+                scope.report.at((*path, key), "goes with `between`: the two points that a spring joins")
+        if "link" not in entry:
+            scope.report.at((*path, "link"), "is missing: the link that is loaded")
+        link = next((one for one in self.links if one.name == entry.get("link", BAD)), None)
+        if link is None:
+            if entry.get("link", BAD) is not BAD:
+                hint = suggestion(entry["link"], [one.name for one in self.links[1:]], "moving links")
+                scope.report.at((*path, "link"), f"no link is called {quoted(entry['link'])}", hint)
+            return None
+        if link is self.links[0]:
+            message = f"{quoted(link.name)} is the ground: a load on it changes nothing"
+            scope.report.at((*path, "link"), message, "load a moving link, or take it away")
+            return None
+        if "torque" in entry:
+            for key in ("point", "frame"):
+                if key in entry:
+                    scope.report.at((*path, key), "goes with `force`: a torque is the same wherever it acts")
+            torque = self._effort(name, entry["torque"], self.torque, (*path, "torque"))
+            return None if torque is None else Load(name, number, link.name, torque=torque)
+        if "force" not in entry:
+            return None  # reported already
+        given = entry["force"]
+        point = self._point(entry, name, path, link)
+        if given is BAD:
+            return None
+        x, y = (
+            self._effort(f"{name}_{axis}", part, self.force, (*path, "force", index))
+            for index, (axis, part) in enumerate(zip("xy", given, strict=True))
+        )
+        if x is None or y is None:
+            return None
+        return Load(name, number, link.name, point, (x, y), in_link=entry.get("frame") == "link")
+
+    def _spring(self, name: str, number: int, entry: dict[str, Any]) -> Spring | None:
+        path: Path = ("loads", number)
+        scope = self.scope
+        for key in ("link", "point", "frame"):
+            if key in entry:
+                scope.report.at((*path, key), "goes with a force: a spring has its two points in `between`")
+        points = entry["between"] if entry["between"] is not BAD else []
+        ends = []
+        for place, point in enumerate(points):
+            owner = next((link.name for link in self.links if point in link.points), None)
+            if owner is None and point is not BAD:
+                hint = suggestion(point, scope.points, "points")
+                scope.report.at((*path, "between", place), f"no point is called {quoted(point)}", hint)
+            elif owner is not None:
+                ends.append((owner, point))
+        if len(ends) == 2 and ends[0][0] == ends[1][0]:
+            message = f"both points belong to the link {quoted(ends[0][0])}: the spring never changes its length"
+            scope.report.at((*path, "between"), message, "each point belongs to the first link, in the file's order")
+        length = scope.length_unit
+        units = {
+            "stiffness": Unit("label", f"{self.force_unit}/{length}"),
+            "free_length": unit_of(length, length),
+            "damping": Unit("label", f"{self.force_unit} s/{length}"),
+        }
+        cells = [
+            self._cell(f"{letter}_{name}", entry[key], unit, (*path, key), key.replace("_", " "), 0.0)
+            if entry.get(key, 0) != 0
+            else al.ZERO
+            for letter, (key, unit) in zip("klc", units.items(), strict=True)
+        ]
+        if len(ends) < 2 or any(cell is None for cell in cells):
+            return None
+        stiffness, free, damping = (cell or al.ZERO for cell in cells)
+        return Spring(name, number, (ends[0], ends[1]), stiffness, free, damping)
+
+    def _point(self, entry: dict[str, Any], name: str, path: Path, link: Link) -> str | Place:
+        if "point" in entry:
+            return self._spot(entry["point"], (f"x_{name}", f"y_{name}"), (*path, "point"), link)
+        if len(link.points) != 1:
+            message = f"the link {quoted(link.name)} has {len(link.points)} points: the force needs a `point`"
+            self.scope.report.at(path, message, suggestion("", link.points, f"points of {link.name}"))
+        return next(iter(link.points), "")
+
+    def _effort(self, symbol: str, given: Any, unit: Unit, path: Path) -> Node | None:
+        """A number, or an expression over dimensions, as a cell; one that differs from row to row as it is."""
+        scope = self.scope
+        if given == 0 and not isinstance(given, str):
+            return al.ZERO
+        if not isinstance(given, str):
+            return self._cell(symbol, given, unit, path, "load")
+        tree = scope.parse(given, path)
+        if tree is None:
+            return None
+        names = symbols(tree)
+        if all(name in scope.units for name in names):
+            return self._cell(symbol, given, unit, path, "load")
+        known = [self._may_read(name, given, path) for name in names]  # every fault, not the first alone
+        return tree if all(known) else None
+
+    def _may_read(self, name: str, text: str, path: Path) -> bool:
+        """True for a dimension, a position or a rate; reports what else it is."""
+        scope = self.scope
+        point, dot, axis = name.partition(".")
+        where = "" if name == text.strip() else f"in {quoted(text)}: "
+        if name in scope.units or name in scope.variables or (dot and point in scope.points and axis in ("x", "y")):
+            return True
+        if is_rate(name, scope):
+            if not scope.moves and not name.endswith((".d", ".dd")):
+                message = f"{where}{quoted(name)} is a velocity or an acceleration: it needs the driver's speed"
+                scope.report.at(path, message, "write `speed` in [driver]")
+            return True
+        if is_force(name, scope):
+            scope.report.at(path, f"{where}{quoted(name)} is a force: loads may read positions and rates, no forces")
+        elif name in scope.outputs:
+            scope.report.at(path, f"{where}{quoted(name)} is an output; loads read positions, rates and dimensions")
+        else:
+            rates = scope.rates if scope.moves else ()
+            hint = suggestion(name, [*scope.variables, *scope.units, *rates], "allowed")
+            scope.report.at(path, f"{where}{quoted(name)} is not a position, a rate or a dimension", hint)
+        return False

@@ -1,0 +1,261 @@
+"""What acts on each body: its weight and inertia, loads, and what the groups solved before it exert; its sum and its moment.
+
+    S = m (g - a_G) + sum of F,      M(X) = (G-X) x S + sum of (p-G) x F + sum of T - J alpha
+
+with all else gathered in G, so that weight and inertia need no columns beside S. Of a body without a mass centre
+M(X) = sum of (p-X) x F + sum of T. Lengths times `metre` where torques are in N m.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from mechsheet.dynamics.columns import LONGEST, Columns
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
+from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.motions import NOWHERE, Motions, Vector, cross, minus, plus
+from mechsheet.kinematics.places import LinkPlaces, cartesian
+from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.solve import Found
+from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words
+from mechsheet.model import Place as GivenPlace
+from mechsheet.units import LENGTH, Unit
+from mechsheet.words.equations import body_words, link_words, phrase
+
+
+@dataclass(frozen=True, slots=True)
+class Force:
+    """A force and the place where it acts."""
+
+    vector: Vector
+    at: Vector
+
+
+@dataclass
+class Acting:
+    """On one body. `own`: how many of the forces and couples are its weight, its inertia and its loads."""
+
+    center: Vector | None = None
+    forces: list[Force] = field(default_factory=list)
+    couples: list[Node] = field(default_factory=list)
+    own: tuple[int, int] = (0, 0)
+    sum: Vector | None = None
+
+    def settle(self) -> None:
+        """What has come so far is the body's own."""
+        self.own = (len(self.forces), len(self.couples))
+
+
+class ActingForces:
+    """Of all bodies, by name; each body's own are written down when it is first asked for."""
+
+    def __init__(self, found: Found, dynamics: Dynamics, columns: Columns) -> None:
+        self.found, self.dynamics, self.columns = found, dynamics, columns
+        self.poses: Poses = found.poses
+        self._bodies: dict[str, Acting] = {}
+        self._hung: dict[str, Acting] = {}
+        self._pulls: dict[int, Vector] = {}
+
+    def of(self, body: str) -> Acting:
+        """What acts on a body so far."""
+        if body not in self._bodies:
+            acting = self._bodies[body] = Acting()
+            if body in self.poses.links:
+                link = self.poses.links[body]
+                for mass in self.dynamics.masses:
+                    if mass.link == body:
+                        self._weigh(acting, mass, link)
+                for load in self.dynamics.loads:
+                    if load.link == body:
+                        self._load(acting, load, link)
+                for spring in self.dynamics.springs:
+                    for at, (name, point) in zip((0, 1), spring.ends, strict=True):
+                        if name == body:
+                            force = self.pull(spring)
+                            force = force if at == 0 else (al.neg(force[0]), al.neg(force[1]))
+                            acting.forces.append(Force(force, self.poses.xy[point]))
+            acting.settle()
+            hung = self._hung.pop(body, Acting())
+            acting.forces += hung.forces
+            acting.couples += hung.couples
+        return self._bodies[body]
+
+    def hang(self, body: str, force: Force, couple: Node = al.ZERO) -> None:
+        """What a group solved before exerts on a body whose turn comes later."""
+        hung = self._hung.setdefault(body, Acting())
+        if not all(map(al.is_zero, force.vector)):
+            hung.forces.append(force)
+        if not al.is_zero(couple):
+            hung.couples.append(couple)
+
+    def total(self, body: str) -> Vector:
+        """The sum of all forces on a body, which must be complete by now."""
+        acting = self.of(body)
+        if acting.sum is None:
+            total = NOWHERE
+            for force in acting.forces:
+                total = plus(total, force.vector)
+            what = body_words(self.poses.mechanism, body)
+            acting.sum = self.columns.pair(
+                f"S{self.number(body)}", total, self.columns.force, "sum_of_forces", link=what
+            )
+        return acting.sum
+
+    def moment(self, body: str, about: Vector) -> Node:
+        """The moment of all that acts on a body, about a place."""
+        acting = self.of(body)
+        forces = acting.forces
+        if acting.center is not None and len(forces) > 1:
+            whole = Force(self.total(body), acting.center)
+            arms = cross(minus(whole.at, about), whole.vector)
+            arms = al.total([arms, *(cross(minus(force.at, whole.at), force.vector) for force in forces)])
+        elif forces:
+            vector = self.total(body) if len(forces) == 1 else None
+            arms = al.total(cross(minus(force.at, about), vector or force.vector) for force in forces)
+        else:
+            arms = al.ZERO
+        return self.torque(f"M{self.number(body)}", arms, acting.couples, body_words(self.poses.mechanism, body))
+
+    def torque(self, base: str, arms: Node, couples: list[Node], what: Words) -> Node:
+        """metre (force times length) + couples, as a column; the first arms in columns of their own where it is long."""
+        columns = self.columns
+        label = phrase("sum_of_moments", link=what)
+        rest = columns.lengths.of(al.total([columns.metre, *couples]))
+        unit = Unit("moment", f"{self.dynamics.force_unit} {self.poses.mechanism.length_unit}")
+        arms = columns.lengths.split(arms, lambda part: columns.grey(base, part, unit, label), LONGEST - rest)
+        return columns.grey(base, al.total([al.mul(columns.metre, arms), *couples]), columns.torque, label)
+
+    def number(self, body: str) -> str:
+        """The number of a link, the symbol of a block's slide."""
+        links, graph = self.poses.links, self.poses.graph
+        return str(links[body].number) if body in links else graph.blocks[body].symbol
+
+    # ---- weight and inertia
+
+    def _weigh(self, acting: Acting, mass: Mass, link: Link) -> None:
+        if mass.mass is not None:
+            center = self.place(link, mass.center, f"G{link.number}", phrase("mass_centre", link=link_words(link)))
+            vector = self.field(mass, center, link)
+            if not all(map(al.is_zero, vector)):
+                acting.center = center
+                acting.forces.append(Force(vector, center))
+        couple = self.inertia_couple(mass)
+        if not al.is_zero(couple):
+            acting.couples.append(couple)
+
+    def field(self, mass: Mass, center: Vector, link: Link) -> Vector:
+        """m (g - a_G), the weight and the force of inertia; a_G in columns."""
+        if mass.mass is None:
+            return NOWHERE
+        parts = self._acceleration(mass, center, link)
+        found = []
+        for gravity, part in zip(self.dynamics.gravity, parts, strict=True):
+            both = al.mul(mass.mass, al.sub(gravity, al.mul(self.columns.metre, part)))
+            found.append(al.neg(al.mul(al.mul(mass.mass, self.columns.metre), part)) if al.is_zero(gravity) else both)
+        return found[0], found[1]
+
+    def _acceleration(self, mass: Mass, center: Vector, link: Link) -> Vector:
+        motions: Motions | None = self.found.rates.by_time
+        if motions is None:
+            return NOWHERE
+        named = isinstance(mass.center, str)
+        if named:
+            found = motions.of_point(str(mass.center), self.columns.lengths.of).second
+        else:
+            found = motions.motion[link.name](center).second
+        name = str(mass.center) if named else f"G{link.number}"
+        unit = LENGTH.per_time().per_time()
+        parts: list[Node] = []
+        for axis, node in zip("xy", found, strict=True):
+            symbol = f"{name}.a{axis}"
+            if symbol in self.poses.ledger.values:
+                parts.append(Symbol(symbol))
+                continue
+            label = phrase("point_a_part", point=name, axis=axis)
+            parts.append(self.columns.grey(symbol, node, unit, label, own_name=True))
+        return parts[0], parts[1]
+
+    def inertia_couple(self, mass: Mass) -> Node:
+        """-J alpha."""
+        motions = self.found.rates.by_time
+        if mass.inertia is None or motions is None:
+            return al.ZERO
+        return al.neg(al.mul(mass.inertia, motions.turning[mass.link].second))
+
+    # ---- loads
+
+    def _load(self, acting: Acting, load: Load, link: Link) -> None:
+        if load.torque is not None:
+            acting.couples.append(self.columns.grey(load.name, load.torque, self.columns.torque, _load_words(load)))
+        if load.force is not None:
+            at = self.place(link, load.point, load.name, phrase("loaded_place", name=load.name))
+            acting.forces.append(Force(self._in_ground(load, link), at))
+
+    def _in_ground(self, load: Load, link: Link) -> Vector:
+        """The components of a force in the ground's frame, as columns where they differ from row to row."""
+        parts = load.force or NOWHERE
+        base = load.name
+        if load.in_link:
+            angle: Angle = self.poses.known[link.name].angle
+            c, s = al.cos(angle), al.sin(angle)
+            x, y = parts
+            parts = (al.sub(al.mul(x, c), al.mul(y, s)), al.add(al.mul(x, s), al.mul(y, c)))
+        return self.columns.pair(base, parts, self.columns.force, "load_part", name=load.name)
+
+    def pull(self, spring: Spring) -> Vector:
+        """The force of a spring on its first end, towards the second; #N/A where the two coincide.
+
+        f = k (L - L0) + c L',    L' = (p2 - p1) . (v2 - v1) / L
+        """
+        if spring.order in self._pulls:
+            return self._pulls[spring.order]
+        columns, ledger = self.columns, self.poses.ledger
+        (_, start), (_, end) = spring.ends
+        way = minus(self.poses.xy[end], self.poses.xy[start])
+        label = phrase("spring_length", name=spring.name, start=start, end=end)
+        length = columns.grey(f"{spring.name}_l", al.sqrt(al.add(al.square(way[0]), al.square(way[1]))), LENGTH, label)
+        tension = al.mul(spring.stiffness, al.sub(length, spring.free_length))
+        motions = self.found.rates.by_time
+        if motions is not None and not al.is_zero(spring.damping):
+            one, other = (motions.of_point(point, columns.lengths.of).first for point in (start, end))
+            parts = columns.pair(
+                f"{spring.name}_v", minus(other, one), LENGTH.per_time(), "spring_velocity", name=spring.name
+            )
+            grows = al.total(al.mul(a, b) for a, b in zip(way, parts, strict=True))
+            tension = al.add(tension, al.div(al.mul(spring.damping, grows), length))
+        apart = Condition(length, ledger.tolerance)
+        words = phrase("spring_force", name=spring.name)
+        force = ledger.define(columns.name(spring.name), tension, columns.force, words, "dynamic", [apart])
+        parts = al.div(al.mul(force, way[0]), length), al.div(al.mul(force, way[1]), length)
+        self._pulls[spring.order] = columns.pair(spring.name, parts, columns.force, "load_part", name=spring.name)
+        return self._pulls[spring.order]
+
+    # ---- places
+
+    def place(self, link: Link, given: str | GivenPlace, name: str, label: Words) -> Vector:
+        """Coordinates of a point, or of a place in a link's frame."""
+        if isinstance(given, str):
+            return self.poses.xy[given]
+        own = LinkPlaces(Link(link.name, link.number, {**link.points, name: given}, link.label), self.poses.ledger)
+        pose = self.poses.known[link.name]
+        way = own.place(name) - pose.base
+        if not pose.base.is_zero and self.poses.ledger.is_constant(al.add(way.u, way.v)):
+            # in cells of its own: each of the two is read twice
+            words = phrase("way_in_link", point=name, link=link_words(link))
+            u = self.columns.grey(f"u_{name}", way.u, LENGTH, words)
+            way = cartesian(u, self.columns.grey(f"v_{name}", way.v, LENGTH, words))
+        x, y = way.turned(pose.angle)
+        parts = []
+        for axis, node in zip("xy", plus((pose.x, pose.y), (x, y)), strict=True):
+            symbol = f"{name}.{axis}"
+            words = phrase("part_of", what=label, axis=axis)
+            parts.append(
+                self.columns.grey(symbol, node, LENGTH, words, own_name=symbol not in self.poses.ledger.values)
+            )
+        return parts[0], parts[1]
+
+
+def _load_words(load: Load) -> Words:
+    return phrase("load", name=load.name)

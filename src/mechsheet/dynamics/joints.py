@@ -1,0 +1,212 @@
+"""The forces at each joint under the names that people read: who acts on whom, and what is handed on to the next group.
+
+A pin belongs to the first link, in the description's order, that has its point; F34 is the force of link 3 on link 4. What
+all bodies at a pin are acted on by is 0 together. A sliding joint acts from `on` on `link`: F14.n along the left normal of
+its line, F14.c about its point.
+"""
+
+from __future__ import annotations
+
+from mechsheet.dynamics.acting import ActingForces, Force
+from mechsheet.dynamics.columns import Columns
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.motions import NOWHERE, Vector, cross, minus, plus, times, turned
+from mechsheet.kinematics.solve import Found
+from mechsheet.model import Words, pair_symbol
+from mechsheet.words.equations import body_words, phrase
+
+
+class Joints:
+    """Of one mechanism.
+
+    contacts, couples  by body what the joints of its group exert on it
+    """
+
+    def __init__(self, found: Found, acting: ActingForces, columns: Columns) -> None:
+        self.found, self.acting, self.columns = found, acting, columns
+        self.poses = found.poses
+        self.mechanism = found.poses.mechanism
+        self.contacts: dict[str, list[Force]] = {}
+        self.couples: dict[str, list[Node]] = {}
+        self.pins: dict[str, dict[str, Vector]] = {}
+        self.bearers = self._bearers()
+
+    def _bearers(self) -> dict[str, str]:
+        """The body with which each point is solved first: what hangs on the point is counted to it."""
+        graph, drive = self.poses.graph, self.found.drive
+        ground = self.mechanism.ground.name
+        order = [ground, *((drive.moving,) if drive.base == ground else ())]
+        for dyad in self.found.dyads:
+            order += [*dyad.first, *dyad.second]
+        found: dict[str, str] = {}
+        for body in order:
+            for point in graph.points[body]:
+                found.setdefault(point, body)
+        return found
+
+    # --- pins -------------------------------------------------------------------------------------------------
+
+    def _links_at(self, point: str) -> list[str]:
+        """The links at a point, its owner first."""
+        return [link.name for link in self.mechanism.links if point in link.points]
+
+    def _words(self, body: str) -> Words:
+        return body_words(self.mechanism, body)
+
+    def _number(self, link: str) -> int:
+        return self.poses.links[link].number
+
+    def _named(self, point: str, other: str, force: Vector) -> Vector:
+        """The force of a pin's owner on another link, as columns."""
+        owner = self._links_at(point)[0]
+        label = phrase("joint_force", one=self._words(owner), other=self._words(other), point=point)
+        return self.columns.joint_force(pair_symbol("F", self._number(owner), self._number(other)), force, label)
+
+    def _is_named(self, point: str, body: str) -> bool:
+        """Whether the force of the pin on a body has columns that people read: it is a link, and not the owner."""
+        return body in self._links_at(point)[1:]
+
+    def _hidden(self, point: str, body: str, force: Vector) -> Vector:
+        """The force of a pin on its owner or on a block, in grey columns where it is no sum of two others."""
+        base = f"F_{self.acting.number(body)}"
+        return self.columns.pair(base, force, self.columns.force, "force_on", link=self._words(body), point=point)
+
+    def _known(self, point: str) -> Vector:
+        """The sum of the forces that are known already on the bodies at a pin."""
+        total = NOWHERE
+        for force in self.pins.get(point, {}).values():
+            total = plus(total, force)
+        return total
+
+    def _settle(self, point: str, body: str, force: Vector) -> None:
+        self.pins.setdefault(point, {})[body] = force
+
+    def outer(self, point: str, body: str, force: Vector) -> None:
+        """The force of a pin on a body, whose place was known before the body's: it is handed on to who bears the pin."""
+        known = self._known(point)
+        done = self.pins.get(point, {})
+        rest = [other for other in self.poses.graph.bodies_at(point) if other != body and other not in done]
+        last = rest[0] if len(rest) == 1 and self._is_named(point, rest[0]) else ""
+        if self._is_named(point, body):
+            force = self._named(point, body, force)
+        elif last:  # it is the owner: what people read is the force on the other one
+            other = self._named(point, last, minus(negative(force), known))
+            force = minus(negative(other), known)
+            last = ""
+        else:
+            force = self._hidden(point, body, force)
+        self._settle(point, body, force)
+        if last:
+            self._named(point, last, negative(self._known(point)))
+        at = self.poses.xy[point]
+        self.contacts.setdefault(body, []).append(Force(force, at))
+        bearer = self.bearers[point]
+        if bearer != self.mechanism.ground.name:
+            self.acting.hang(bearer, Force(negative(force), at))
+
+    def inner(self, point: str, one: str, other: str, force: Vector) -> Vector:
+        """The force of the other on the one, to whom all else at the pin has been counted; the same over its columns."""
+        known, at = self._known(point), self.poses.xy[point]
+        if self._is_named(point, other):
+            on_other = self._named(point, other, negative(force))
+            force = negative(on_other)
+            on_one = minus(force, known)
+            if self._is_named(point, one):
+                on_one = self._named(point, one, on_one)
+        elif self._is_named(point, one):
+            on_one = self._named(point, one, minus(force, known))
+            force = plus(on_one, known)
+            on_other = negative(force)
+        else:
+            force = self._hidden(point, one, force)
+            on_one, on_other = minus(force, known), negative(force)
+        self._settle(point, one, on_one)
+        self._settle(point, other, on_other)
+        self.contacts.setdefault(one, []).append(Force(force, at))
+        self.contacts.setdefault(other, []).append(Force(on_other, at))
+        return force
+
+    def inner_of_pair(self, point: str, base: str, moving: str, total: Vector) -> None:
+        """The pin about which the driver turns two moving links; `total` is all else that acts on the one that is driven."""
+        if self.bearers[point] == moving:
+            self.inner(point, moving, base, negative(total))
+        else:
+            self.inner(point, base, moving, total)
+
+    # --- slides -----------------------------------------------------------------------------------------------
+
+    def _names(self, slide: Slide) -> tuple[str, dict[str, Words]]:
+        joint = slide.joint
+        name = pair_symbol("F", self._number(joint.on), self._number(joint.link))
+        return name, {"one": self._words(joint.on), "other": self._words(joint.link)}
+
+    def slide(self, slide: Slide, body: str, normal: Node, couple: Node, at: Vector) -> Vector:
+        """The normal force on a body of the group, and the couple about a place; the force over its columns.
+
+        What they are about the joint's own point is handed on to the body at the other side, unless it is of the group too.
+        """
+        name, words = self._names(slide)
+        joint, metre = slide.joint, self.columns.metre
+        n = turned(self.found.rates.by_driver.direction(slide)) if self.found.rates.by_driver else NOWHERE
+        sign = al.ONE if body == slide.body else al.number(-1.0)
+        value = al.mul(sign, normal)
+        value = self.columns.black(f"{name}.n", value, self.columns.force, phrase("normal_force", **words))
+        on_link = self.columns.pair(name, times(value, n), self.columns.force, "slide_force", **words)
+        force = times(sign, on_link)
+        place = self.poses.xy[joint.point]
+        turning: Node = al.ZERO
+        if joint.kind == "prismatic":
+            turning = al.mul(sign, al.add(couple, al.mul(metre, cross(minus(at, place), force))))
+            label = phrase("couple", point=joint.point, **words)
+            turning = self.columns.black(f"{name}.c", turning, self.columns.torque, label)
+        own = al.mul(sign, turning)
+        self._hold(body, force, own, place)
+        other = slide.other(body)
+        if self._of_one_group(body, other):
+            self._hold(other, negative(force), al.neg(own), place)
+        elif other != self.mechanism.ground.name:
+            self.acting.hang(other, Force(negative(force), place), al.neg(own))
+        return force
+
+    def _of_one_group(self, one: str, other: str) -> bool:
+        return any({one, other} <= {*dyad.first, *dyad.second} for dyad in self.found.dyads)
+
+    def _hold(self, body: str, force: Vector, couple: Node, at: Vector) -> None:
+        self.contacts.setdefault(body, []).append(Force(force, at))
+        if not al.is_zero(couple):
+            self.couples.setdefault(body, []).append(couple)
+
+    # --- the driven joint -------------------------------------------------------------------------------------
+
+    def driving_torque(self, torque: Node) -> str:
+        """T12: of `relative_to` on the driven link."""
+        driver = self.mechanism.driver
+        base = driver.relative_to or self.mechanism.ground.name
+        name = pair_symbol("T", self._number(base), self._number(driver.link))
+        label = phrase("driving_torque", one=self._words(base), other=self._words(driver.link))
+        self.columns.written(name, torque, self.columns.torque, label)
+        return name
+
+    def driven_slide(self, slide: Slide, moving: str, force: Vector, couple: Node) -> str:
+        """F14.t along the line of the driven slide, F14.n across it, F14.c about its point: `force` is that on `moving`."""
+        name, words = self._names(slide)
+        d = self.found.rates.by_driver.direction(slide) if self.found.rates.by_driver else NOWHERE
+        if moving != slide.body:
+            force, couple = negative(force), al.neg(couple)
+        n = turned(d)
+        along = al.add(al.mul(force[0], d[0]), al.mul(force[1], d[1]))
+        across = al.add(al.mul(force[0], n[0]), al.mul(force[1], n[1]))
+        unit = self.columns.force
+        self.columns.written(f"{name}.t", along, unit, phrase("driving_force", **words))
+        self.columns.black(f"{name}.n", across, unit, phrase("normal_force", **words))
+        if slide.joint.kind == "prismatic":
+            label = phrase("couple", point=slide.joint.point, **words)
+            self.columns.black(f"{name}.c", couple, self.columns.torque, label)
+        return f"{name}.t"
+
+
+def negative(a: Vector) -> Vector:
+    """-a."""
+    return al.neg(a[0]), al.neg(a[1])

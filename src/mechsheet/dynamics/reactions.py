@@ -1,0 +1,222 @@
+"""Reactions of all joints, dyad by dyad in reverse order of solution; then the driver's effort.
+
+S and M(X) of both assemblies hold all that acts on them but the dyad's own joints (`acting`); a = R-P, b = R-Q, d the
+direction of a line, n = J d, D what the rates of the dyad are divided by. X is the force of 2 on 1 at the inner pin R.
+
+    RRR  X = -(M1(P) b + M2(Q) a)/D
+    RRP  X = ((S2.d) a - M1(P) n)/D
+    RPR  force along n of the carrier on the other: N = (M1(P) + M2(Q))/D
+    PRP  f1 = -S1.d1, f2 = S2.d2, X = (f1 d2_y - f2 d1_y, f2 d1_x - f1 d2_x)/D
+    RPP  force along n2 of 2 on 1: N = -(S2.d1)/D
+
+What hangs on a pin besides is counted to the body that the pin was solved with. Source: the equilibrium of each assembly;
+Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapters 13 and 15.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.dynamics.acting import ActingForces, Force
+from mechsheet.dynamics.columns import Columns
+from mechsheet.dynamics.joints import Joints, negative
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node, Unary
+from mechsheet.kinematics.assur import Dyad, Pin
+from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.motions import NOWHERE, Motions, Vector, cross, minus, plus, times, turned
+from mechsheet.kinematics.poses import Assembly
+from mechsheet.kinematics.solve import Found
+from mechsheet.words.equations import phrase
+
+
+def dot(a: Vector, b: Vector) -> Node:
+    """a . b."""
+    return al.add(al.mul(a[0], b[0]), al.mul(a[1], b[1]))
+
+
+def over(a: Node, b: Node) -> Node:
+    """a / b, a sign in front of all of it."""
+    if isinstance(a, Unary) and a.op == "-":
+        return al.neg(over(a.operand, b))
+    if isinstance(b, Unary) and b.op == "-":
+        return al.neg(over(a, b.operand))
+    return al.div(a, b)
+
+
+class Reactions:
+    """Of one mechanism."""
+
+    def __init__(self, found: Found) -> None:
+        if found.rates.by_driver is None or found.poses.mechanism.dynamics is None:
+            raise ValueError("forces need influence coefficients, and masses or loads")
+        self.found, self.poses, self.drive = found, found.poses, found.drive
+        self.motions: Motions = found.rates.by_driver
+        self.columns = Columns(self.poses, found.poses.mechanism.dynamics)
+        self.acting = ActingForces(found, found.poses.mechanism.dynamics, self.columns)
+        self.joints = Joints(found, self.acting, self.columns)
+        self.pair: Assembly = ()
+        ground = self.poses.mechanism.ground.name
+        if ground not in (self.drive.base, self.drive.moving):
+            self.pair = (self.drive.base, self.drive.moving)
+
+    def write(self) -> str:
+        """Write all columns down; the symbol of the driver's effort."""
+        effort = ""
+        for number in range(len(self.found.dyads), 0, -1):
+            self.poses.ledger.group = number
+            dyad = self.found.dyads[number - 1]
+            self._dyad(dyad, self.found.rates.determinants[number])
+            if self.pair and self.drive.moving in (*dyad.first, *dyad.second):
+                self._refuse_shared_pin(dyad)
+                effort = self._effort(self.drive.moving)
+        self.poses.ledger.group = 0
+        return effort or self._effort(self.drive.moving)
+
+    # --- sums over an assembly --------------------------------------------------------------------------------
+
+    def _sum(self, assembly: Assembly) -> Vector:
+        total = NOWHERE
+        for body in assembly:
+            total = plus(total, self.acting.total(body))
+        return total
+
+    def _moment(self, assembly: Assembly, about: Vector) -> Node:
+        return al.total(self.acting.moment(body, about) for body in assembly)
+
+    def _at(self, pin: Pin) -> Vector:
+        return self.poses.xy[pin.point]
+
+    def _with_line(self, assembly: Assembly, slide: Slide) -> str:
+        return slide.body if slide.body in assembly else slide.on
+
+    def _over(self, parts: Vector, divisor: Node) -> Vector:
+        return over(parts[0], divisor), over(parts[1], divisor)
+
+    # --- dyads ------------------------------------------------------------------------------------------------
+
+    def _dyad(self, dyad: Dyad, det: Node) -> None:
+        first, second = dyad.outer
+        if isinstance(dyad.inner, Pin):
+            if isinstance(first, Pin) and isinstance(second, Pin):
+                return self._rrr(dyad, (first, second), dyad.inner, det)
+            if isinstance(first, Pin) and isinstance(second, Slide):
+                return self._rrp(dyad, first, dyad.inner, second, det)
+            if isinstance(first, Slide) and isinstance(second, Slide):
+                return self._prp(dyad, (first, second), dyad.inner, det)
+        elif isinstance(first, Pin) and isinstance(second, Pin):
+            return self._rpr(dyad, (first, second), dyad.inner, det)
+        elif isinstance(first, Pin) and isinstance(second, Slide):
+            return self._rpp(dyad, first, dyad.inner, second, det)
+        raise TypeError(f"no such dyad: {dyad}")
+
+    def _inner(self, dyad: Dyad, pin: Pin, force: Vector) -> Vector:
+        """Write the force of the second on the first at the inner pin down; the same over its columns."""
+        one, other = (self.motions.with_point(assembly, pin.point) for assembly in (dyad.first, dyad.second))
+        return self.joints.inner(pin.point, one, other, force)
+
+    def _outer(self, assembly: Assembly, pin: Pin, force: Vector) -> None:
+        self.joints.outer(pin.point, self.motions.with_point(assembly, pin.point), force)
+
+    def _rrr(self, dyad: Dyad, outer: tuple[Pin, Pin], inner: Pin, det: Node) -> None:
+        p, q = outer
+        r = self._at(inner)
+        a, b = minus(r, self._at(p)), minus(r, self._at(q))
+        m1, m2 = self._moment(dyad.first, self._at(p)), self._moment(dyad.second, self._at(q))
+        force = self._over(negative(plus(times(m1, b), times(m2, a))), al.mul(det, self.columns.metre))
+        force = self._inner(dyad, inner, force)
+        self._outer(dyad.first, p, minus(negative(self._sum(dyad.first)), force))
+        self._outer(dyad.second, q, minus(force, self._sum(dyad.second)))
+
+    def _rrp(self, dyad: Dyad, pin: Pin, inner: Pin, slide: Slide, det: Node) -> None:
+        p, r = self._at(pin), self._at(inner)
+        d = self.motions.direction(slide)
+        n = turned(d)
+        if slide.body not in dyad.second:
+            det = al.neg(det)  # a.d: the displacement counts against the line's direction
+        s2 = self._sum(dyad.second)
+        m1 = over(self._moment(dyad.first, p), self.columns.metre)
+        force = self._over(minus(times(dot(s2, d), minus(r, p)), times(m1, n)), det)
+        force = self._inner(dyad, inner, force)
+        self._outer(dyad.first, pin, minus(negative(self._sum(dyad.first)), force))
+        self._guide(dyad.second, slide, minus(force, s2), r)
+
+    def _guide(self, assembly: Assembly, slide: Slide, force: Vector, at: Vector, couple: Node = al.ZERO) -> None:
+        """The guide's normal force on an assembly that is held by `force` at a place, and its couple there."""
+        normal = dot(force, turned(self.motions.direction(slide)))
+        about = al.sub(couple, self._moment(assembly, at))
+        self.joints.slide(slide, self._with_line(assembly, slide), normal, about, at)
+
+    def _rpr(self, dyad: Dyad, outer: tuple[Pin, Pin], inner: Slide, det: Node) -> None:
+        on_first = inner.on in dyad.first
+        carrier, slider = (dyad.first, dyad.second) if on_first else (dyad.second, dyad.first)
+        p, q = outer if on_first else outer[::-1]
+        m2 = self._moment(slider, self._at(q))
+        moments = al.add(self._moment(carrier, self._at(p)), m2)
+        normal = over(moments, al.mul(det, self.columns.metre))
+        force = self.joints.slide(inner, inner.body, normal, al.neg(m2), self._at(q))
+        self._outer(carrier, p, minus(force, self._sum(carrier)))
+        self._outer(slider, q, minus(negative(self._sum(slider)), force))
+
+    def _prp(self, dyad: Dyad, outer: tuple[Slide, Slide], inner: Pin, det: Node) -> None:
+        (d1, d2), r = (self.motions.direction(slide) for slide in outer), self._at(inner)
+        s1, s2 = self._sum(dyad.first), self._sum(dyad.second)
+        f1, f2 = al.neg(self._along(dyad.first, s1, d1)), self._along(dyad.second, s2, d2)
+        x = al.sub(al.mul(f1, d2[1]), al.mul(f2, d1[1]))
+        y = al.sub(al.mul(f2, d1[0]), al.mul(f1, d2[0]))
+        force = self._inner(dyad, inner, self._over((x, y), det))
+        self._guide(dyad.first, outer[0], minus(negative(s1), force), r)
+        self._guide(dyad.second, outer[1], minus(force, s2), r)
+
+    def _along(self, assembly: Assembly, total: Vector, d: Vector) -> Node:
+        """S . d of an assembly, as a column: it is read twice."""
+        what = self.poses.name(assembly)
+        label = phrase("sum_along", link=what)
+        return self.columns.grey(f"S{self.acting.number(assembly[0])}_d", dot(total, d), self.columns.force, label)
+
+    def _rpp(self, dyad: Dyad, pin: Pin, inner: Slide, slide: Slide, det: Node) -> None:
+        d1, p = self.motions.direction(slide), self._at(pin)
+        s2 = self._sum(dyad.second)
+        normal = al.neg(over(dot(s2, d1), det))
+        couple = al.neg(self._moment(dyad.first, p))
+        body = self._with_line(dyad.first, inner)
+        force = self.joints.slide(inner, body, normal, couple, p)
+        self._outer(dyad.first, pin, minus(negative(self._sum(dyad.first)), force))
+        self._guide(dyad.second, slide, minus(force, s2), p, couple)
+
+    # --- the driver -------------------------------------------------------------------------------------------
+
+    def _refuse_shared_pin(self, dyad: Dyad) -> None:
+        pins = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
+        if isinstance(self.drive.joint, Pin) and self.drive.joint.point in pins:
+            point = self.drive.joint.point
+            message = (
+                f"the driver turns two moving links about {point}, where a third one is joined: no forces there yet"
+            )
+            raise MechanismError(
+                Fault(message, key="driver.link", hint="take masses and loads away, or drive another link")
+            )
+
+    def _effort(self, moving: str) -> str:
+        """The driven joint's own forces, from the equilibrium of the moving link alone."""
+        held: list[Force] = self.joints.contacts.get(moving, [])
+        couples = self.joints.couples.get(moving, [])
+        total = _total((force.vector for force in held), self.acting.total(moving))
+        joint = self.drive.joint
+        at = self.poses.xy[joint.point if isinstance(joint, Pin) else joint.joint.point]
+        arms = al.total(cross(minus(force.at, at), force.vector) for force in held)
+        moment = al.total([self.acting.moment(moving, at), al.mul(self.columns.metre, arms), *couples])
+        if isinstance(joint, Pin):
+            if self.pair:
+                self.joints.inner_of_pair(joint.point, self.drive.base, moving, total)
+            else:
+                self.joints.outer(joint.point, moving, negative(total))
+            return self.joints.driving_torque(al.neg(moment))
+        return self.joints.driven_slide(joint, moving, negative(total), al.neg(moment))
+
+
+def _total(vectors: Iterable[Vector], start: Vector) -> Vector:
+    for vector in vectors:
+        start = plus(start, vector)
+    return start

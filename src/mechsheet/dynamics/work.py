@@ -1,0 +1,43 @@
+"""The driver's effort by virtual work: what weights, forces of inertia and loads do while the driver moves by a little.
+
+    effort = -sum of (F . X' + T theta')        a prime is the derivative by the driver's variable
+
+over their own places, not over the sums that the reactions are found from: a second way to the same number.
+Source: d'Alembert's principle; Soeylemez, Mechanisms, chapter 5.
+"""
+
+from __future__ import annotations
+
+from mechsheet.dynamics.acting import ActingForces
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.solve import Found
+from mechsheet.units import Unit
+from mechsheet.words.equations import phrase
+
+LONGEST = 4000
+"""Characters of the formula; Excel takes 8192."""
+
+
+def effort_by_work(acting: ActingForces, found: Found, effort: str) -> None:
+    """Write the effort down, beside the one from the reactions, whose symbol is `effort`."""
+    motions, columns = found.rates.by_driver, acting.columns
+    if motions is None:
+        raise ValueError("virtual work needs influence coefficients")
+    works: list[Node] = []
+    turnings: list[Node] = []
+    for link in found.poses.mechanism.links[1:]:
+        own = acting.of(link.name)
+        forces, couples = own.forces[: own.own[0]], own.couples[: own.own[1]]
+        for force in forces:
+            moved = motions.motion[link.name](force.at).first
+            works += [al.mul(part, way) for part, way in zip(force.vector, moved, strict=True)]
+        turning = motions.turning[link.name].first
+        turnings += [al.mul(couple, turning) for couple in couples]
+    slides = bool(found.poses.mechanism.driver.joint)
+    if slides:
+        turnings = [al.div(turning, columns.metre) for turning in turnings]
+    work = al.total(works) if slides else al.mul(columns.metre, al.total(works))
+    unit: Unit = columns.force if slides else columns.torque
+    name = f"{effort.removesuffix('.t')}.work"
+    columns.written(name, al.neg(al.total([work, *turnings])), unit, phrase("by_work"), LONGEST)

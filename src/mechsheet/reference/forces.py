@@ -1,0 +1,195 @@
+"""All reactions at once: what holds the conditions of the joints, as Lagrange multipliers.
+
+    J^T lambda = -Q        J: Jacobian of the conditions, Q: weights, forces of inertia and loads along the poses
+
+A multiplier is the force (or torque) on the condition's body by the body `on`, along the condition: for a meeting the parts
+of the pin's force, for a line the normal force, for an angle a couple, for the driven condition the driver's effort. All
+are torques here: the state has its own lengths.
+Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, section 6.6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..formula.nodes import Node
+from ..model import Dynamics, Link, Mechanism, Place, Spring, pair_symbol
+from .expressions import column as over_rows
+from .geometry import ROUNDING, Array, link_places
+from .poses import Solution, reached
+from .rates import by_time, gradients, of_poses, solved
+from .system import Equation, System, residual
+
+
+def forces(solution: Solution) -> dict[str, Array]:
+    """F34, F34.x, F34.y, F14.n, F14.c, F14.t, T12 by name, (n,) each; NaN in rows that do not exist.
+
+    Nothing for a mechanism without masses and loads. Near a dead centre they grow beyond reason.
+    """
+    dynamics = solution.mechanism.dynamics
+    if dynamics is None:
+        return {}
+    rows = np.flatnonzero(solution.exists)
+    built, state = solution.system, solution.state[rows]
+    equations = [equation for block in built.blocks for equation in block.equations]
+    unknown = [column for block in built.blocks for column in block.columns]
+    applied = _Applied(solution, dynamics, rows)
+    jacobian, _ = gradients(equations, state, np.zeros_like(state))
+    jacobian = jacobian[:, :, unknown]
+    multipliers = solved(np.swapaxes(jacobian, 1, 2), -applied.along_poses()[:, unknown, None])
+    named = _named(solution.mechanism, built, equations, multipliers, applied)
+    found = {}
+    for name, values in named.items():
+        found[name] = np.full(len(solution.driver), np.nan)
+        found[name][rows] = values
+    return found
+
+
+class _Applied:
+    """What is known to act.
+
+    unit  the torque that a unit of force does over a unit of the system's lengths
+    """
+
+    def __init__(self, solution: Solution, dynamics: Dynamics, rows: NDArray[np.intp]) -> None:
+        self.solution, self.dynamics, self.rows = solution, dynamics, rows
+        self.built: System = solution.system
+        self.state = solution.state[rows]
+        self.metre = dynamics.metre or 1.0
+        self.unit = self.built.scale * self.metre
+        known = reached(solution) | by_time(solution)
+        self.known = {name: np.asarray(values)[rows] for name, values in known.items()}
+        self.known |= {name: np.full(len(rows), value) for name, value in solution.dimensions.items()}
+        self.links: Mapping[str, Link] = {link.name: link for link in solution.mechanism.links}
+        driver = solution.mechanism.driver
+        per = self.built.scale if driver.joint else 1.0
+        moves = driver.speed is not None
+        names = solution.mechanism.driver_rates
+        self.speed, self.acceleration = ((self.known[name] if moves else np.zeros(len(rows))) / per for name in names)
+        self.first, self.second = of_poses(self.built, self.state)
+
+    def along_poses(self) -> Array:
+        """Q (m, columns), as torques."""
+        total: Array = np.zeros_like(self.state)
+        gravity = [self._values(part) for part in self.dynamics.gravity]
+        for mass in self.dynamics.masses:
+            if mass.mass is not None:
+                weight = self._values(mass.mass)
+                for axis, field in zip(self._place(mass.link, mass.center), gravity, strict=True):
+                    along, acceleration = self._moved(axis)
+                    total += ((field - self.unit * acceleration) * weight * self.unit)[:, None] * along
+            if mass.inertia is not None:
+                along, acceleration = self._moved(self._turn(mass.link))
+                total += (-self._values(mass.inertia) * acceleration)[:, None] * along
+        for load in self.dynamics.loads:
+            if load.torque is not None:
+                total += self._values(load.torque)[:, None] * self._moved(self._turn(load.link))[0]
+            if load.force is not None:
+                x, y = (self._values(part) for part in load.force)
+                if load.in_link:
+                    turned = self.state[:, self.built.column(load.link) + 2]
+                    c, s = np.cos(turned), np.sin(turned)
+                    x, y = x * c - y * s, x * s + y * c
+                for axis, part in zip(self._place(load.link, load.point), (x, y), strict=True):
+                    total += (part * self.unit)[:, None] * self._moved(axis)[0]
+        for spring in self.dynamics.springs:
+            for end, pull in zip(spring.ends, self._pulls(spring), strict=True):
+                for axis, part in zip(self._place(*end), pull, strict=True):
+                    total += (part * self.unit)[:, None] * self._moved(axis)[0]
+        return total
+
+    def _pulls(self, spring: Spring) -> tuple[Array, Array]:
+        """The forces (2, m) of a spring on its two ends."""
+        places, velocities = [], []
+        for end in spring.ends:
+            axes = self._place(*end)
+            places.append(np.array([self._coordinate(axis) for axis in axes]))
+            moved = [self._moved(axis)[0] for axis in axes]
+            velocities.append(np.array([np.einsum("mc,mc->m", each, self.first) * self.speed for each in moved]))
+        scale = self.built.scale
+        way, opens = (places[1] - places[0]) * scale, (velocities[1] - velocities[0]) * scale
+        length = np.hypot(*way)
+        length = np.where(length > ROUNDING * self.solution.size, length, np.nan)  # ends that coincide: no direction
+        with np.errstate(invalid="ignore", divide="ignore"):
+            stretched = self._values(spring.stiffness) * (length - self._values(spring.free_length))
+            pull = (stretched + self._values(spring.damping) * (way * opens).sum(axis=0) / length) * way / length
+        return pull, -pull
+
+    def _coordinate(self, axis: Equation) -> Array:
+        """The value of a place's coordinate, in the system's own lengths, counted from its origin."""
+        value, _ = residual(axis, self.state, np.zeros(len(self.state)))
+        return value
+
+    def _values(self, node: Node) -> Array:
+        return over_rows(node, self.known, len(self.rows))
+
+    def _place(self, link: str, given: str | Place) -> tuple[Equation, Equation]:
+        """The coordinates of a place of a link, as conditions whose residuals they are."""
+        own = self.links[link]
+        if isinstance(given, str):
+            spot = self.built.places[link][given]
+        else:
+            spot = link_places(replace(own, points={**own.points, "": given}), self.solution.dimensions)[""]
+        body, place = self.built.bodies[link], self.built.local(link, spot)
+        return Equation("meet x", body, 0, place), Equation("meet y", body, 0, place)
+
+    def _turn(self, link: str) -> Equation:
+        return Equation("angle", self.built.bodies[link], 0)
+
+    def _moved(self, quantity: Equation) -> tuple[Array, Array]:
+        """The gradient (m, columns) of a quantity, and its second derivative by time (m,)."""
+        gradient, turning = gradients([quantity], self.state, self.first)
+        once = np.einsum("mkc,mc->m", gradient, self.first)
+        twice = np.einsum("mkc,mc->m", gradient, self.second) + np.einsum("mkc,mc->m", turning, self.first)
+        return gradient[:, 0], twice * self.speed**2 + once * self.acceleration
+
+
+def _named(
+    mechanism: Mechanism, built: System, equations: list[Equation], multipliers: Array, applied: _Applied
+) -> dict[str, Array]:
+    """The multipliers under the names that people read.
+
+    A slide acts on its joint's point; where that is a pin as well, the pin hands its force on to the joint's link, which is
+    no part of the pin's own force.
+    """
+    unit = applied.unit
+    through_pin: dict[tuple[str, int], Array] = {}
+    numbers = {body: link.number for link in mechanism.links for body in (built.bodies[link.name],)}
+    joints = {joint.name: joint for joint in mechanism.joints}
+    on_pin: dict[tuple[str, int], dict[str, Array]] = {}
+    found: dict[str, Array] = {}
+    for equation, value in zip(equations, multipliers.T, strict=True):
+        if equation.kind in ("meet x", "meet y"):
+            on_pin.setdefault((equation.of, equation.body), {})[equation.kind[-1]] = value / unit
+        elif equation.of:
+            joint = joints[equation.of]
+            name = pair_symbol("F", numbers[built.bodies[joint.on]], numbers[built.bodies[joint.link]])
+            part = {"line": "n", "angle": "c", "displacement": "t"}[equation.kind]
+            found[f"{name}.{part}"] = value if part == "c" else value / unit
+            if part != "c":
+                direction = applied.state[:, 3 * equation.on + 2] + equation.angle + (np.pi / 2 if part == "n" else 0.0)
+                key = joint.point, built.bodies[joint.link]
+                handed = value / unit * np.array([np.cos(direction), np.sin(direction)])
+                through_pin[key] = through_pin.get(key, 0.0) + handed
+        else:
+            driver = mechanism.driver
+            base = built.bodies[driver.relative_to or mechanism.ground.name]
+            found[pair_symbol("T", numbers[base], numbers[built.bodies[driver.link]])] = value
+    for point, owner, other in _pins(mechanism, built):
+        force = np.array([on_pin[point, other][axis] for axis in "xy"]) - through_pin.get((point, other), 0.0)
+        name = pair_symbol("F", numbers[owner], numbers[other])
+        found |= {f"{name}.x": force[0], f"{name}.y": force[1], name: np.hypot(*force)}
+    return found
+
+
+def _pins(mechanism: Mechanism, built: System) -> list[tuple[str, int, int]]:
+    """(point, owner, other) of every pair at a pin: the owner is the first link that has it."""
+    at: dict[str, list[int]] = {}
+    for link in mechanism.links:
+        for point in link.points:
+            at.setdefault(point, []).append(built.bodies[link.name])
+    return [(point, owner, other) for point, (owner, *others) in at.items() for other in others]

@@ -1,0 +1,34 @@
+"""What stands behind the input cells of the driver's motion, of masses and of loads."""
+
+from __future__ import annotations
+
+from mechsheet.model import Dimension
+from mechsheet.sheet.first.blocks import driver_words
+from mechsheet.sheet.plan import Plan
+from mechsheet.words.equations import link_words
+
+
+def given_words(plan: Plan, dim: Dimension) -> str:
+    """What a dimension is that the description gives elsewhere than among its dimensions."""
+    match dim.place:
+        case ("driver", _):
+            return driver_words(plan, dim)
+        case ("dynamics", "gravity"):
+            return plan.text("masses.gravity")
+        case ("dynamics", "gravity", int(axis)):
+            return plan.text("masses.gravity.part", axis="xy"[axis])
+        case ("links", str(name), str(key), *rest):
+            return plan.text(f"masses.{key}", axis="xy"[int(rest[0])] if rest else "", **_link(plan, name))
+        case ("loads", int(number), str(key), *rest):
+            dynamics = plan.mechanism.dynamics
+            load = next((load for load in dynamics.loads if load.order == number), None) if dynamics else None
+            if load is None:
+                return plan.text(f"loads.{key}", number=number + 1)
+            own = ".link" if load.in_link and key == "force" else ""
+            return plan.text(f"loads.{key}{own}", axis="xy"[int(rest[0])] if rest else "", **_link(plan, load.link))
+    raise ValueError(f"a dimension from nowhere: {dim.symbol}")
+
+
+def _link(plan: Plan, name: str) -> dict[str, object]:
+    link = next(link for link in plan.mechanism.links if link.name == name)
+    return {"number": link.number, "link": link_words(link).of(plan.language)}

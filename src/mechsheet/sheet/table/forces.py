@@ -1,0 +1,17 @@
+"""The sheet of forces: in the rows of the positions the driver's effort, found twice, then each group's joint forces.
+
+Grey are mass centres, their accelerations, and the sums of what acts on each link; black is what people read. Groups stand
+in the order in which their forces are found: the last one first, the driver last.
+"""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Symbol
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.table.rates import sheet_beside
+from mechsheet.sheet.workbook import Sheet
+
+
+def forces_sheet(plan: Plan) -> Sheet:
+    """The sheet; what it says of a row is what the rates say, or the positions where there is no group."""
+    return sheet_beside(plan, "forces", plan.forces, Symbol("#rates" if plan.rates else "#status"), "B91C1C")
