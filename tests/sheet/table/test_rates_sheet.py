@@ -170,7 +170,7 @@ def test_both_formats_and_the_reference_agree(tmp_path):
     for path in paths:
         report = check(path)
         assert report.agrees, report
-        assert max(comparison.worst for comparison in report.comparisons) < 1e-11
+        assert max(judged.worst for judged in report.comparisons if judged.judge != "search") < 1e-11
     books = [read(path) for path in paths]
     assert [len(book.sheets) for book in books] == [len(books[0].sheets)] * 2
 
