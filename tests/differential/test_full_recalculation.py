@@ -11,7 +11,8 @@ import pytest
 
 import mechsheet
 from chosen import part
-from mechsheet.checking.cells import compare_cells
+from mechsheet.checking.inputs import description_in, plan_inside
+from mechsheet.checking.searched import compare_program
 from mechsheet.engine import evaluate
 from mechsheet.formats import read
 from office_macros import Job, with_macros
@@ -32,7 +33,8 @@ def swept(rows, name="four-bar"):
 def agree(paths):
     for path, answer in zip(paths, with_macros([Job(path) for path in paths]), strict=True):
         book = read(path)
-        compared = compare_cells("libreoffice", book, evaluate(book), answer.get)
+        plan = plan_inside(description_in(book), path.name)
+        compared = compare_program("libreoffice", book, evaluate(book), answer.get, plan, path.name)
         assert compared.agrees, (path.name, compared)
 
 
