@@ -57,7 +57,9 @@ def _built(description: Path, generated: Path, judged: set[Path]) -> tuple[str, 
         for ending in FORMATS:
             files += build(mechanism, generated / f"{description.stem}-page.{ending}", force=True, layout="page")
     for path in files:
-        report = check(path, ["formulas"] if path.suffix == ".xlsx" and description in judged else [])
+        # on a page `formulas` counts empty texts as texts, and so rows that close wrongly
+        asked = path.suffix == ".xlsx" and description in judged and not path.stem.endswith("-page")
+        report = check(path, ["formulas"] if asked else [])
         fine = fine and report.agrees
         lines.append(_line(path.name, report))
     return "\n".join(lines), fine
