@@ -15,10 +15,11 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import Condition
-from mechsheet.kinematics.motions import NOWHERE, Motions, Vector, cross, minus, plus
+from mechsheet.kinematics.motions import Motions
 from mechsheet.kinematics.places import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.solve import Found
+from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, size, together
 from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words
 from mechsheet.model import Place as GivenPlace
 from mechsheet.units import LENGTH, Unit
@@ -74,7 +75,7 @@ class ActingForces:
                     for at, (name, point) in zip((0, 1), spring.ends, strict=True):
                         if name == body:
                             force = self.pull(spring)
-                            force = force if at == 0 else (al.neg(force[0]), al.neg(force[1]))
+                            force = force if at == 0 else negative(force)
                             acting.forces.append(Force(force, self.poses.xy[point]))
             acting.settle()
             hung = self._hung.pop(body, Acting())
@@ -94,9 +95,7 @@ class ActingForces:
         """The sum of all forces on a body, which must be complete by now."""
         acting = self.of(body)
         if acting.sum is None:
-            total = NOWHERE
-            for force in acting.forces:
-                total = plus(total, force.vector)
+            total = together(force.vector for force in acting.forces)
             what = body_words(self.poses.mechanism, body)
             acting.sum = self.columns.pair(
                 f"S{self.number(body)}", total, self.columns.force, "sum_of_forces", link=what
@@ -215,7 +214,7 @@ class ActingForces:
         (_, start), (_, end) = spring.ends
         way = minus(self.poses.xy[end], self.poses.xy[start])
         label = phrase("spring_length", name=spring.name, start=start, end=end)
-        length = columns.grey(f"{spring.name}_l", al.sqrt(al.add(al.square(way[0]), al.square(way[1]))), LENGTH, label)
+        length = columns.grey(f"{spring.name}_l", size(way), LENGTH, label)
         tension = al.mul(spring.stiffness, al.sub(length, spring.free_length))
         motions = self.found.rates.by_time
         if motions is not None and not al.is_zero(spring.damping):
@@ -223,8 +222,7 @@ class ActingForces:
             parts = columns.pair(
                 f"{spring.name}_v", minus(other, one), LENGTH.per_time(), "spring_velocity", name=spring.name
             )
-            grows = al.total(al.mul(a, b) for a, b in zip(way, parts, strict=True))
-            tension = al.add(tension, al.div(al.mul(spring.damping, grows), length))
+            tension = al.add(tension, al.div(al.mul(spring.damping, dot(way, parts)), length))
         apart = Condition(length, ledger.tolerance)
         words = phrase("spring_force", name=spring.name)
         force = ledger.define(columns.name(spring.name), tension, columns.force, words, "dynamic", [apart])

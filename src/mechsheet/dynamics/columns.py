@@ -7,8 +7,8 @@ from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.coefficients import asked
 from mechsheet.kinematics.equations import RATES
-from mechsheet.kinematics.motions import Vector
 from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.vectors import Vector, size
 from mechsheet.model import Dynamics, Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
@@ -90,7 +90,7 @@ class Columns:
             self.written(f"{name}.{axis}", node, self.force, phrase("part_of", what=label, axis=axis))
             for axis, node in zip("xy", vector, strict=True)
         )
-        self.written(name, al.sqrt(al.add(al.square(x), al.square(y))), self.force, label)
+        self.written(name, size((x, y)), self.force, label)
         return x, y
 
     def _free(self, name: str) -> str:

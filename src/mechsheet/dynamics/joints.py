@@ -12,8 +12,8 @@ from mechsheet.dynamics.columns import Columns
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.motions import NOWHERE, Vector, cross, minus, plus, times, turned
 from mechsheet.kinematics.solve import Found
+from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
 from mechsheet.model import Words, pair_symbol
 from mechsheet.words.equations import body_words, phrase
 
@@ -75,10 +75,7 @@ class Joints:
 
     def _known(self, point: str) -> Vector:
         """The sum of the forces that are known already on the bodies at a pin."""
-        total = NOWHERE
-        for force in self.pins.get(point, {}).values():
-            total = plus(total, force)
-        return total
+        return together(self.pins.get(point, {}).values())
 
     def _settle(self, point: str, body: str, force: Vector) -> None:
         self.pins.setdefault(point, {})[body] = force
@@ -195,18 +192,10 @@ class Joints:
         d = self.found.rates.by_driver.direction(slide) if self.found.rates.by_driver else NOWHERE
         if moving != slide.body:
             force, couple = negative(force), al.neg(couple)
-        n = turned(d)
-        along = al.add(al.mul(force[0], d[0]), al.mul(force[1], d[1]))
-        across = al.add(al.mul(force[0], n[0]), al.mul(force[1], n[1]))
         unit = self.columns.force
-        self.columns.written(f"{name}.t", along, unit, phrase("driving_force", **words))
-        self.columns.black(f"{name}.n", across, unit, phrase("normal_force", **words))
+        self.columns.written(f"{name}.t", dot(force, d), unit, phrase("driving_force", **words))
+        self.columns.black(f"{name}.n", dot(force, turned(d)), unit, phrase("normal_force", **words))
         if slide.joint.kind == "prismatic":
             label = phrase("couple", point=slide.joint.point, **words)
             self.columns.black(f"{name}.c", couple, self.columns.torque, label)
         return f"{name}.t"
-
-
-def negative(a: Vector) -> Vector:
-    """-a."""
-    return al.neg(a[0]), al.neg(a[1])

@@ -15,25 +15,19 @@ Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapters 13 and 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
-from mechsheet.dynamics.joints import Joints, negative
+from mechsheet.dynamics.joints import Joints
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Unary
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.motions import NOWHERE, Motions, Vector, cross, minus, plus, times, turned
+from mechsheet.kinematics.motions import Motions
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.solve import Found
+from mechsheet.kinematics.vectors import Vector, cross, dot, minus, negative, plus, times, together, turned
 from mechsheet.words.equations import phrase
-
-
-def dot(a: Vector, b: Vector) -> Node:
-    """a . b."""
-    return al.add(al.mul(a[0], b[0]), al.mul(a[1], b[1]))
 
 
 def over(a: Node, b: Node) -> Node:
@@ -77,10 +71,7 @@ class Reactions:
     # --- sums over an assembly --------------------------------------------------------------------------------
 
     def _sum(self, assembly: Assembly) -> Vector:
-        total = NOWHERE
-        for body in assembly:
-            total = plus(total, self.acting.total(body))
-        return total
+        return together(self.acting.total(body) for body in assembly)
 
     def _moment(self, assembly: Assembly, about: Vector) -> Node:
         return al.total(self.acting.moment(body, about) for body in assembly)
@@ -202,7 +193,7 @@ class Reactions:
         """The driven joint's own forces, from the equilibrium of the moving link alone."""
         held: list[Force] = self.joints.contacts.get(moving, [])
         couples = self.joints.couples.get(moving, [])
-        total = _total((force.vector for force in held), self.acting.total(moving))
+        total = together((force.vector for force in held), self.acting.total(moving))
         joint = self.drive.joint
         at = self.poses.xy[joint.point if isinstance(joint, Pin) else joint.joint.point]
         arms = al.total(cross(minus(force.at, at), force.vector) for force in held)
@@ -214,9 +205,3 @@ class Reactions:
                 self.joints.outer(joint.point, moving, negative(total))
             return self.joints.driving_torque(al.neg(moment))
         return self.joints.driven_slide(joint, moving, negative(total), al.neg(moment))
-
-
-def _total(vectors: Iterable[Vector], start: Vector) -> Vector:
-    for vector in vectors:
-        start = plus(start, vector)
-    return start

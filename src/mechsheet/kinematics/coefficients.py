@@ -23,18 +23,9 @@ from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.cell_lengths import LONGEST, CellLengths
 from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Condition
-from mechsheet.kinematics.motions import (
-    Meeting,
-    Motions,
-    PointRate,
-    Rate,
-    Vector,
-    cross,
-    minus,
-    plus,
-    times,
-)
+from mechsheet.kinematics.motions import Meeting, Motions, PointRate, Rate
 from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.vectors import Vector, cross, minus, plus, size, times
 from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
 from mechsheet.units import LENGTH, NUMBER, RAD, Unit
 from mechsheet.words.equations import link_words, phrase
@@ -401,8 +392,7 @@ class _Writer:
                     label = phrase(f"point_{letter}_part", point=point, axis=axis)
                     self.ledger.define(name, node, unit, label, "rate")
             squares = known.first if order == 1 else vector
-            size = al.sqrt(al.add(al.square(squares[0]), al.square(squares[1])))
-            node = al.mul(Call("ABS", (speed,)), size) if order == 1 else size
+            node = al.mul(Call("ABS", (speed,)), size(squares)) if order == 1 else size(squares)
             self.ledger.define(f"{point}.{letter}", node, unit, phrase(f"point_{letter}", point=point), "rate")
 
     # --- do they fit? -----------------------------------------------------------------------------------------

@@ -17,15 +17,12 @@ from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Node
+from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Assembly, Poses
-
-Vector: TypeAlias = tuple[Node, Node]
-
-NOWHERE: Vector = (al.ZERO, al.ZERO)
+from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, times, turned
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,41 +74,6 @@ class Meeting:
     place: Vector
     ways: tuple[PointRate, PointRate]
     unknowns: tuple[str, str]
-
-
-def plus(a: Vector, b: Vector) -> Vector:
-    """a + b."""
-    return al.add(a[0], b[0]), al.add(a[1], b[1])
-
-
-def minus(a: Vector, b: Vector) -> Vector:
-    """a - b, without parentheses."""
-    return less(a[0], b[0]), less(a[1], b[1])
-
-
-def less(a: Node, b: Node) -> Node:
-    """a - b, its parts added one by one: a - (b - c) is a - b + c."""
-    match b:
-        case Binary("+", left, right):
-            return less(less(a, left), right)
-        case Binary("-", left, right):
-            return al.add(less(a, left), right)
-    return al.sub(a, b)
-
-
-def times(factor: Node, a: Vector) -> Vector:
-    """factor a."""
-    return al.mul(factor, a[0]), al.mul(factor, a[1])
-
-
-def turned(a: Vector) -> Vector:
-    """J a: a quarter turn counter-clockwise."""
-    return al.neg(a[1]), a[0]
-
-
-def cross(a: Vector, b: Vector) -> Node:
-    """a x b."""
-    return al.sub(al.mul(a[0], b[1]), al.mul(a[1], b[0]))
 
 
 def about(place: Vector, moves: PointRate, turning: Rate) -> Motion:
