@@ -60,7 +60,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     known = _Known(plan, values)
     steep = Steepness(plan, known)
     ours = {symbol: known[symbol] for symbol in _judged(plan)}
-    theirs = _theirs(solution, ours)
+    theirs = _theirs(solution, ours, plan.efforts)
     placed = {symbol: known[symbol] for symbol in theirs if symbol in plan.at.spots or symbol in plan.plain}
     closed = _closed_rows(mechanism, solution, ours | placed)
     _judge_status(plan, tally, opened, solution.exists)
@@ -140,7 +140,7 @@ def _address(plan: Plan, symbol: str, row: int) -> str:
     return cell_address(spot.sheet, plan.at.first + row if spot.column else spot.row, spot.col)
 
 
-def _theirs(solution: reference.Solution, ours: Mapping[str, Array]) -> dict[str, Array]:
+def _theirs(solution: reference.Solution, ours: Mapping[str, Array], efforts: tuple[str, ...]) -> dict[str, Array]:
     """The reference's variables, and the outputs for them.
 
     Where no position lies between, an angle may be a whole turn away: outputs are asked for the sheet's turn.
@@ -150,17 +150,16 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array]) -> dict[str
     turned = {symbol: math.tau * np.round((ours[symbol] - found[symbol]) / math.tau) for symbol in angles}
     found |= {symbol: found[symbol] + np.nan_to_num(turns) for symbol, turns in turned.items()}
     found |= {symbol: column for symbol, column in reference.by_time(solution).items() if symbol not in found}
-    found |= _forces(solution, ours)
+    found |= _forces(solution, efforts)
     return found | reference.outputs(solution, found)
 
 
-def _forces(solution: reference.Solution, ours: Mapping[str, Array]) -> dict[str, Array]:
-    """The reference's forces, the driver's effort once more for virtual work; 0 for what it has no name for."""
+def _forces(solution: reference.Solution, efforts: tuple[str, ...]) -> dict[str, Array]:
+    """The reference's forces, the driver's effort once more for virtual work."""
     found = reference.forces(solution)
-    for symbol in ours:
-        if symbol.endswith(".work"):
-            whole = symbol.removesuffix(".work")
-            found[symbol] = found[whole if whole.startswith("T") else f"{whole}.t"]
+    if efforts:
+        effort, by_work = efforts
+        found[by_work] = found[effort]
     return found
 
 
@@ -222,10 +221,7 @@ def _compare_column(
     if output is not None and (apart > TOLERANCE).any():
         steep = (apart > TOLERANCE) & excused(solution, found, symbol, ours, 1.0 if is_angle else scale)
         apart = np.where(steep, 0.0, apart)
-    tally.cells += len(apart) - 1
-    row = int(np.argmax(apart))
-    where = f"{_address(plan, symbol, row)} ({symbol}, row {row})"
-    tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
+    _note_worst(plan, tally, symbol, apart, ours, theirs)
 
 
 def _compare_rate(
@@ -247,6 +243,11 @@ def _compare_rate(
     fine |= ~missing & (ours == theirs)
     wrong = np.isnan(apart) | (~missing & (steep.sine < DEAD * (1 - EDGE)) & steep.at_all(symbol))
     apart = np.where(fine, 0.0, np.where(wrong, math.inf, apart))
+    _note_worst(plan, tally, symbol, apart, ours, theirs)
+
+
+def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array, theirs: Array) -> None:
+    """Count a column, and note the row where the two are farthest apart."""
     tally.cells += len(apart) - 1
     row = int(np.argmax(apart))
     where = f"{_address(plan, symbol, row)} ({symbol}, row {row})"

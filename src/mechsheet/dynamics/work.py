@@ -19,8 +19,8 @@ LONGEST = 4000
 """Characters of the formula; Excel takes 8192."""
 
 
-def effort_by_work(acting: ActingForces, found: Found, effort: str) -> None:
-    """Write the effort down, beside the one from the reactions, whose symbol is `effort`."""
+def effort_by_work(acting: ActingForces, found: Found, effort: str) -> str:
+    """Write the effort down, beside the one from the reactions, whose symbol is `effort`; its own symbol."""
     motions, columns = found.rates.by_driver, acting.columns
     if motions is None:
         raise ValueError("virtual work needs influence coefficients")
@@ -41,3 +41,4 @@ def effort_by_work(acting: ActingForces, found: Found, effort: str) -> None:
     unit: Unit = columns.force if slides else columns.torque
     name = f"{effort.removesuffix('.t')}.work"
     columns.written(name, al.neg(al.total([work, *turnings])), unit, phrase("by_work"), LONGEST)
+    return name

@@ -173,6 +173,7 @@ class Equations:
     fits       by number of a group what is 0 in every row: how far its velocities (two parts), its accelerations (two parts)
                are from fitting together, over points, velocities and accelerations
     turning    how fast each link turns, by the symbol of its angle: its angular velocity and acceleration
+    efforts    symbols of the driver's effort from the reactions and by virtual work; none without forces
     """
 
     constants: tuple[Equation, ...]
@@ -183,11 +184,23 @@ class Equations:
     poses: Mapping[str, LinkPose] = field(default_factory=dict)
     fits: Mapping[int, tuple[Node, Node, Node, Node]] = field(default_factory=dict)
     turning: Mapping[str, tuple[Node, Node]] = field(default_factory=dict)
+    efforts: tuple[str, ...] = ()
 
     @property
     def all(self) -> tuple[Equation, ...]:
         """Constants and columns."""
         return self.constants + self.columns
+
+    @property
+    def joint_forces(self) -> tuple[str, ...]:
+        """What people read of the forces: the effort, the magnitudes at pins, normal forces and couples of slides."""
+        found = (equation.symbol for equation in self.columns if equation.role == "force")
+        return tuple(name for name in found if name not in self.efforts[1:] and not name.endswith((".x", ".y")))
+
+    @property
+    def held_forces(self) -> tuple[str, ...]:
+        """Those of them with which joints hold the links: without the effort and the couples."""
+        return tuple(name for name in self.joint_forces if name not in self.efforts and not name.endswith(".c"))
 
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""

@@ -40,11 +40,8 @@ def overview_text(mechanism: Mechanism) -> str:
     rates = [equation.symbol for equation in equations.columns if equation.role == "rate"]
     if rates:
         lines.append(f"velocities and accelerations: {', '.join(rates)}")
-    forces = [
-        eq.symbol for eq in equations.columns if eq.role == "force" and not eq.symbol.endswith((".x", ".y", ".work"))
-    ]
-    if forces:
-        lines.append(f"forces: {', '.join(forces)}")
+    if equations.joint_forces:
+        lines.append(f"forces: {', '.join(equations.joint_forces)}")
         lines += ["speed 0: static forces"] * _stands(mechanism)
     if mechanism.outputs:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")

@@ -123,20 +123,15 @@ class Plan:
         always = [group for group in self.equations.groups if not self.equations.equations.of(group.closes).exists]
         return frozenset(symbol for group in always for symbol in (group.closes, *group.unknowns))
 
-    @cached_property
+    @property
     def efforts(self) -> tuple[str, ...]:
         """The driver's effort, from the reactions and by virtual work; nothing without forces."""
-        second = next((eq.symbol for eq in self.equations.columns if eq.symbol.endswith(".work")), "")
-        whole = second.removesuffix(".work")
-        return (whole if whole.startswith("T") else f"{whole}.t", second) if second else ()
+        return self.equations.equations.efforts
 
-    @cached_property
+    @property
     def joint_forces(self) -> tuple[str, ...]:
-        """What people read of the forces: the effort, the magnitudes at pins, normal forces and couples of slides."""
-        found = [
-            eq.symbol for eq in self.equations.columns if eq.role == "force" and not eq.symbol.endswith((".x", ".y"))
-        ]
-        return tuple(name for name in found if name not in self.efforts[1:])
+        """What people read of the forces; see `Equations`."""
+        return self.equations.equations.joint_forces
 
     @property
     def footer(self) -> str:

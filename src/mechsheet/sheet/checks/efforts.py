@@ -26,8 +26,7 @@ def effort_columns(plan: Plan, sheet: str, row: int) -> list[Effort]:
     effort, work = (Symbol(name) for name in plan.efforts)
     forces = tuple(
         Call("ABS", (Symbol(name),)) if name.endswith(".n") else Symbol(name)
-        for name in plan.joint_forces
-        if name != plan.efforts[0] and not name.endswith(".c")
+        for name in plan.equations.equations.held_forces
     )
     largest: Node = Call("MAX", forces) if forces else formula("0*effort", effort=effort)
     scale = largest

@@ -90,8 +90,7 @@ def _of_forces(plan: Plan, sizes: Mapping[str, float]) -> list[ChartRequest]:
     if not plan.efforts:
         return []
     driver = plan.mechanism.driver.symbol
-    forces = [name for name in plan.joint_forces if name != plan.efforts[0] and not name.endswith(".c")]
-    forces = [name for name in forces if sizes[name] > 0]
+    forces = [name for name in plan.equations.equations.held_forces if sizes[name] > 0]
     groups = [forces[start : start + MOST_CURVES] for start in range(0, len(forces), MOST_CURVES)]
     return [ChartRequest(x=driver, y=names) for names in (plan.efforts, *map(tuple, groups))]
 

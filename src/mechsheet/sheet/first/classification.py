@@ -112,7 +112,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         tuple(group for group in equations.groups if group.transmission in names),
         bool(equations.margins),
         mechanism.driver.speed is not None and bool(equations.groups),
-        any(name.endswith(".work") for name in names),
+        bool(equations.equations.efforts),
     )
 
 
