@@ -208,6 +208,11 @@ class Spring:
     damping: Node
 
 
+def torque_unit(force_unit: str, metre: float | None, length_unit: str) -> str:
+    """The unit of a torque: N m, or that of a force times the description's own lengths."""
+    return f"{force_unit} {length_unit if metre is None else 'm'}"
+
+
 @dataclass(frozen=True, slots=True)
 class Dynamics:
     """What forces come from.
@@ -224,10 +229,6 @@ class Dynamics:
     springs: tuple[Spring, ...] = ()
     force_unit: str = "N"
     mass_unit: str = "kg"
-
-    def torque_unit(self, length_unit: str) -> str:
-        """The unit of a torque."""
-        return f"{self.force_unit} {length_unit if self.metre is None else 'm'}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,7 @@ from mechsheet.sheet.workbook import Fill, Sheet
 
 ROOT = Path(__file__).parents[2]
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
-PAGES = ("adjustable-pump", "fivelink", "four-bar", "slider-crank")
+PAGES = sorted(path.stem.removesuffix("-page") for path in (ROOT / "generated").glob("*-page.xlsx"))
 """Templates that are generated in both layouts."""
 
 FOUR_BAR = {("sheets", "names"): 1_565, ("sheets", "anchors"): 1_590, ("page", "anchors"): 420}

@@ -159,11 +159,10 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
         if expected is None:
             comparisons.append(compare_cells(program, book, values, theirs, None, work.rules, stored.unsure))
             continue
-        moves = found.moves or None
         comparisons.append(
             compare_program(
                 program, book, values, theirs, expected.plan, shown,
-                rules=work.rules, but=stored.unsure, moves=moves,
+                rules=work.rules, but=stored.unsure, moves=found.moves,
             )
         )  # fmt: skip
     return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing))

@@ -23,20 +23,19 @@ Find = Callable[[str, int, int], Scalar]
 """The value of a cell by sheet, row and column."""
 
 
+UNMOVED = Moves(())
+
+
 class Searched:
     """Cells that a search in the sheet decides: the probes on the sheet of extremes, verdicts and summaries on the first."""
 
-    def __init__(self, plan: Plan, moves: Moves | None) -> None:
-        known = {} if moves is None else moves.by_title
-        extremes = plan.at.titles["extremes"]
-        if extremes == plan.main:  # a page has no probes
-            extremes = ""
-        self.sheet = known[extremes].now if extremes in known else extremes
+    def __init__(self, plan: Plan, moves: Moves) -> None:
+        self.main, extremes = moves.now(plan.main), plan.at.titles["extremes"]
+        self.sheet = "" if extremes == plan.main else moves.now(extremes)  # a page has no probes
         rows = [row for key in ("verdicts", "summary") if key in plan.blocks for row in plan.blocks[key].rows.values()]
         rows.append(plan.at.spots["#verdict"].row)
-        main = known.get(plan.main)
-        self.main = plan.main if main is None else main.now
-        self.rows = set(rows if main is None else (main.rows.now(row) for row in rows))
+        moved = moves.of(self.main).rows
+        self.rows = {moved.now(row) for row in rows}
 
     def has(self, sheet: str, row: int) -> bool:
         """Whether the cells of a row are verdicts or summaries."""
@@ -75,7 +74,7 @@ def compare_program(
     *,
     rules: Rules | None = None,
     but: Collection[int] = (),
-    moves: Moves | None = None,
+    moves: Moves = UNMOVED,
 ) -> Comparison:
     """A program's values of a mechanism's workbook: cell by cell against the engine's, searched ones against the search.
 
@@ -85,7 +84,7 @@ def compare_program(
     searched = Searched(plan, moves)
     cells = compare_cells(program, book, values, theirs, angles_in(plan), rules, but, searched.compared)
     answered: Any = _Answered(values, theirs, searched)
-    found = against_search(book, answered if moves is None else MovedValues(answered, moves), plan, shown)
+    found = against_search(book, MovedValues(answered, moves) if moves else answered, plan, shown)
     if found is None:
         return cells
     worse = cells.agrees and not found.agrees

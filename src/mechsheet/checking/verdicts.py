@@ -25,7 +25,7 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Group, assembly_of
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.search import TURN, Search
-from mechsheet.sheet.checks.geometry import distance, in_cells
+from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import MEANING, Plan
 
@@ -224,7 +224,7 @@ class _Judge:
         known = {name: column[0] for name, column in self.search.at.items()}
         poses = self.plan.equations.poses
         lengths = [
-            float(value(distance(link, one, other, in_cells(link, poses[link.name])), known))
+            float(value(length_in_cells(link, one, other, poses), known))
             for link, one, other in loop.sides(self.search.mechanism.ground)
         ]
         excess = 2 * (min(lengths) + max(lengths)) - sum(lengths)

@@ -14,7 +14,7 @@ from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANY
 from mechsheet.description.links import place as read_place
 from mechsheet.description.quoting import quoted
-from mechsheet.description.rates import is_rate
+from mechsheet.description.rates import check_speed, is_rate
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.formula import algebra as al
@@ -33,6 +33,7 @@ from mechsheet.model import (
     Quantity,
     Spring,
     pair_symbol,
+    torque_unit,
 )
 from mechsheet.units import Unit, unit_of
 
@@ -93,9 +94,11 @@ def force_names(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driv
     return found
 
 
-def is_force(name: str, scope: Scope) -> bool:
-    """True for F34, F34.x, F14.n, T12."""
-    return name in scope.forces
+def check_layout(layout: str, scope: Scope) -> None:
+    """The layout page has no forces."""
+    if layout == "page" and scope.forces:
+        message = "masses and loads need sheets of their own, which the layout page does not have"
+        scope.report.at(("workbook", "layout"), message, 'write layout = "sheets"')
 
 
 def read(
@@ -120,7 +123,7 @@ class _Reader:
     def read(self, bodies: dict[str, Any], loads: list[Any]) -> tuple[Dynamics, tuple[Dimension, ...]]:
         self.metre = METRES.get(self.scope.length_unit)
         self.force_unit, self.mass_unit = self._units(bodies)
-        torque = f"{self.force_unit} {'m' if self.metre else self.scope.length_unit}"
+        torque = torque_unit(self.force_unit, self.metre, self.scope.length_unit)
         self.force, self.torque = Unit("force", self.force_unit), Unit("moment", torque)
         masses = [self._mass(link, bodies[link.name]) for link in self.links if self._has_mass(link, bodies)]
         gravity = self._gravity()
@@ -367,11 +370,9 @@ class _Reader:
         if name in scope.units or name in scope.variables or (dot and point in scope.points and axis in ("x", "y")):
             return True
         if is_rate(name, scope):
-            if not scope.moves and not name.endswith((".d", ".dd")):
-                message = f"{where}{quoted(name)} is a velocity or an acceleration: it needs the driver's speed"
-                scope.report.at(path, message, "write `speed` in [driver]")
+            check_speed(name, path, scope, where)
             return True
-        if is_force(name, scope):
+        if name in scope.forces:
             scope.report.at(path, f"{where}{quoted(name)} is a force: loads may read positions and rates, no forces")
         elif name in scope.outputs:
             scope.report.at(path, f"{where}{quoted(name)} is an output; loads read positions, rates and dimensions")

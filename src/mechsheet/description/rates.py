@@ -193,14 +193,12 @@ def known(name: str, path: Path, scope: Scope) -> bool:
         return True
     if not is_rate(name, scope) or name in scope.units or name in scope.outputs:
         return False
-    if not scope.moves and not name.endswith((".d", ".dd")):
-        message = f"{quoted(name)} is a velocity or an acceleration: it needs the driver's speed"
-        scope.report.at(path, message, "write `speed` in [driver]")
+    check_speed(name, path, scope)
     return True
 
 
-def check_layout(layout: str, scope: Scope) -> None:
-    """The layout page has no forces."""
-    if layout == "page" and scope.forces:
-        message = "masses and loads need sheets of their own, which the layout page does not have"
-        scope.report.at(("workbook", "layout"), message, 'write layout = "sheets"')
+def check_speed(name: str, path: Path, scope: Scope, where: str = "") -> None:
+    """Report a rate that needs a speed of the driver where it has none; coefficients need none."""
+    if not scope.moves and not name.endswith((".d", ".dd")):
+        message = f"{where}{quoted(name)} is a velocity or an acceleration: it needs the driver's speed"
+        scope.report.at(path, message, "write `speed` in [driver]")

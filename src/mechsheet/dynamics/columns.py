@@ -9,7 +9,7 @@ from mechsheet.kinematics.coefficients import asked
 from mechsheet.kinematics.equations import RATES
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.vectors import Vector, size
-from mechsheet.model import Dynamics, Words
+from mechsheet.model import Dynamics, Words, torque_unit
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -29,7 +29,7 @@ class Columns:
         self.lengths.near = frozenset(eq.symbol for eq in poses.ledger.columns if eq.role in RATES)
         self.asked = asked(poses.mechanism)
         self.force = Unit("force", dynamics.force_unit)
-        self.torque = Unit("moment", dynamics.torque_unit(poses.mechanism.length_unit))
+        self.torque = Unit("moment", torque_unit(dynamics.force_unit, dynamics.metre, poses.mechanism.length_unit))
         self.metre: Node = al.ONE
         if dynamics.metre not in (None, 1.0):
             name = self._reserve("metre")

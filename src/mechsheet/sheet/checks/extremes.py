@@ -15,7 +15,7 @@ from typing import Literal
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.geometry import distance, in_cells
+from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.first.classification import FourBar
@@ -130,8 +130,7 @@ class Extremes:
         self.probes.put(row, self.probes.side, loop.name, styles.LABEL)
         poses = self.plan.equations.poses
         for work, (link, start, end) in enumerate(loop.sides(self.plan.mechanism.ground), 1):
-            length = distance(link, start, end, in_cells(link, poses[link.name]))
-            self.probes.work(row, work, "length", length=length)
+            self.probes.work(row, work, "length", length=length_in_cells(link, start, end, poses))
 
     def _whole(self) -> None:
         """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out,

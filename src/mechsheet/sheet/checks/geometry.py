@@ -84,12 +84,15 @@ def distance(link: Link, start: str, end: str, known: Known = NOTHING_KNOWN) -> 
     return al.sqrt(al.add(al.square(al.sub(u1, u0)), al.square(al.sub(v1, v0))))
 
 
-def in_cells(link: Link, pose: LinkPose) -> Known:
-    """The places of points that are laid off from points which are laid off themselves, as the equations have them: written
-    out, each level would be twenty times as long as the one before."""
+def length_in_cells(link: Link, start: str, end: str, poses: Mapping[str, LinkPose]) -> Node:
+    """The distance of two points of a link, over dimensions and the cells that the equations have.
+
+    Points that are laid off from points which are laid off themselves are read where they stand: written out, each level
+    would be twenty times as long as the one before.
+    """
     laid_off = {point: given for point, given in link.points.items() if isinstance(given, Distances)}
     deep = [point for point, given in laid_off.items() if given.first in laid_off or given.second in laid_off]
-    return {point: pose.places[point] for point in deep}
+    return distance(link, start, end, {point: poses[link.name].places[point] for point in deep})
 
 
 def measured_pairs(link: Link) -> tuple[tuple[str, str], ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from mechsheet.formula.nodes import Node, Number, Unary
-from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
 from mechsheet.sheet.symbols import plain
@@ -48,12 +47,6 @@ def shown_unit(plan: Plan, symbol: str) -> str:
     """The unit in which a column is shown."""
     driver = plan.mechanism.driver
     return plan.mechanism.shown(driver.unit if symbol == driver.symbol else plan.equations.of(symbol).unit).text
-
-
-def driver_words(plan: Plan, dim: Dimension) -> str:
-    """What a cell of the driver's motion means; "" for a dimension of the description's own."""
-    own = ".own" if dim.symbol == dim.driver_key else ""  # in a unit of its own
-    return plan.text(f"motion.{dim.driver_key}{own}") if dim.driver_key else ""
 
 
 def value_style(plan: Plan, kind: str) -> Style:

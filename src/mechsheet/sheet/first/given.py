@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from mechsheet.model import Dimension
-from mechsheet.sheet.first.blocks import driver_words
 from mechsheet.sheet.plan import Plan
 from mechsheet.words.equations import link_words
 
 
 def given_words(plan: Plan, dim: Dimension) -> str:
-    """What a dimension is that the description gives elsewhere than among its dimensions."""
+    """What a dimension is that the description gives elsewhere than among its dimensions; "" for one of these."""
     match dim.place:
-        case ("driver", _):
-            return driver_words(plan, dim)
+        case ():
+            return ""
+        case ("driver", str(key)):
+            return plan.text(f"motion.{key}{'.own' if dim.symbol == key else ''}")  # in a unit of its own
         case ("dynamics", "gravity"):
             return plan.text("masses.gravity")
         case ("dynamics", "gravity", int(axis)):

@@ -110,8 +110,8 @@ def no_position(plan: Plan) -> str:
     return plan.text("verdict.inputs.wrong", symbol=plan.text("name.position"))
 
 
-def red_where_wrong(plan: Plan, no_position: Node | None) -> list[Conditional]:
-    """The yellow cells that cannot be are red. `no_position`: whether the position is none, asked of this sheet's cells."""
+def red_where_wrong(plan: Plan, nowhere: Node | None) -> list[Conditional]:
+    """The yellow cells that cannot be are red. `nowhere`: whether the position is none, asked of this sheet's cells."""
 
     def red(row: int, wrong: Node) -> Conditional:
         return Conditional(Area(row, VALUE, row, VALUE), wrong, styles.BAD)
@@ -120,8 +120,8 @@ def red_where_wrong(plan: Plan, no_position: Node | None) -> list[Conditional]:
         red(each.row, formula(f"NOT({CAN_BE[each.kind]})", cell=CellRef(each.row, VALUE, True, True)))
         for each in inputs_of(plan)
     ]
-    if no_position is not None:
-        rules.append(red(plan.blocks["position"].rows["position"], no_position))
+    if nowhere is not None:
+        rules.append(red(plan.blocks["position"].rows["position"], nowhere))
     return rules
 
 

@@ -16,7 +16,7 @@ from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbo
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Joint, Link
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.geometry import distance, in_cells
+from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER, PATH_COLORS
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS, INK, QUIET
 from mechsheet.sheet.drawing.outlines import corners, direction_of, line_end, through_of
@@ -179,7 +179,7 @@ class PageDrawing:
             elif pivot is not None:
                 link, pin = pivot
                 centre = self._at_position(Symbol(f"{pin}.{axis}"))
-                arm = self._at_position(distance(link, pin, point, in_cells(link, plan.equations.poses[link.name])))
+                arm = self._at_position(length_in_cells(link, pin, point, plan.equations.poses))
                 least, most = al.sub(centre, arm), al.add(centre, arm)
                 if link.name != plan.mechanism.driver.link:
                     least, most = self._swing(symbol, least, most)

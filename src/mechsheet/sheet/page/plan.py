@@ -12,7 +12,7 @@ from mechsheet.kinematics.equations import RATES, Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
-from mechsheet.sheet.checks.geometry import distance, in_cells
+from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.drawing.charts import remarkable_points
 from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
@@ -119,7 +119,7 @@ def sides_of(plan: PagePlan, loop: FourBar) -> list[tuple[str, Node]]:
     values = dimension_values(plan.mechanism)
     found = []
     for link, one, other in loop.sides(plan.mechanism.ground):
-        tree = distance(link, one, other, in_cells(link, plan.equations.poses[link.name]))
+        tree = length_in_cells(link, one, other, plan.equations.poses)
         if values.keys() >= {*symbols(tree)}:
             tree = _named(tree, (f"{one}{other}", f"{other}{one}"), values)
         found.append((f"#{one}{other}", tree))

@@ -10,8 +10,9 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.first import inputs
-from mechsheet.sheet.first.blocks import driver_words, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
@@ -113,7 +114,7 @@ class Top:
             if dim.derived:
                 continue
             row = plan.blocks["dimensions"].rows[dim.symbol]
-            label = dim.label.of(plan.language) if dim.label else driver_words(plan, dim)
+            label = dim.label.of(plan.language) if dim.label else given_words(plan, dim)
             if dim.tolerance:
                 label = f"{label} (±{dim.tolerance:g})".strip()
             self.line(row, rich(dim.symbol), dim.unit.text, label)
@@ -176,7 +177,7 @@ class Top:
         rows = plan.blocks["derived"].rows
         for dim in plan.mechanism.dimensions:
             if not isinstance(dim.value, float):
-                label = dim.label.of(plan.language) if dim.label else driver_words(plan, dim) or dim.written
+                label = dim.label.of(plan.language) if dim.label else given_words(plan, dim) or dim.written
                 self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, label)
                 rate = styles.decimals(styles.RESULT, places_of(plan, dim.unit))
                 style = rate if dim.unit.per else value_style(plan, dim.unit.kind)
