@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from chosen import IN_CI, some
+from in_line import IN_LINE
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
@@ -121,41 +122,11 @@ def test_random_mechanisms_of_all_dyads_against_all_reactions_at_once():
     assert kinds == {"RRR", "RRP", "RPR", "PRP", "RPP"}
 
 
-SLIDER_CRANK = """
-format = 1
-[mechanism]
-name = "in-line"
-[dimensions]
-r = 50
-l = 200
-[links.ground]
-points = { A0 = [0, 0] }
-[links.crank]
-points = { A0 = [0, 0], A = ["r", 0] }
-[links.rod]
-points = { A = [0, 0], B = ["l", 0] }
-[links.piston]
-points = { B = [0, 0] }
-[[joints]]
-type = "prismatic"
-link = "piston"
-on = "ground"
-point = "B"
-through = [0, 0]
-symbol = "s14"
-[driver]
-link = "crank"
-start = 0
-stop = 360
-step = 15
-[assembly]
-B = [250, 0]
-"""
 PISTON_LOAD = '[[loads]]\nname = "P"\nlink = "piston"\nforce = [-500, 0]\n'
 
 
 def test_static_slider_crank_by_its_closed_form():
-    _, _, theta, values = solved(SLIDER_CRANK + PISTON_LOAD)
+    _, _, theta, values = solved(IN_LINE + PISTON_LOAD)
     root = np.sqrt(200**2 - (50 * np.sin(theta)) ** 2)
     way = -50 * np.sin(theta) - 50**2 * np.sin(theta) * np.cos(theta) / root
     assert values["T12"] == pytest.approx(500 * way / 1000, abs=1e-12)
@@ -170,10 +141,10 @@ def test_static_slider_crank_by_its_closed_form():
 
 def test_loads_along_the_link_and_expressions():
     """A load that works against the piston's motion, as an expression and in the link's frame."""
-    moving = SLIDER_CRANK.replace("step = 15", "step = 15\nspeed = 4")
+    moving = IN_LINE.replace("step = 15", "step = 15\nspeed = 4")
     one = moving + '[[loads]]\nlink = "piston"\nforce = ["-500*where(s14.v, 1, -1)", 0]\n'
     values = solved(one)[3]
-    still = solved(SLIDER_CRANK + PISTON_LOAD)[3]
+    still = solved(IN_LINE + PISTON_LOAD)[3]
     forwards = np.where(values["s14.v"] > 0, 1, -1)
     assert values["T12"] == pytest.approx(still["T12"] * forwards, abs=1e-12)
     other = moving + '[[loads]]\nlink = "crank"\npoint = "A"\nframe = "link"\nforce = [0, 30]\n'
@@ -188,7 +159,7 @@ MASSES = {
 
 
 def with_masses(more="", speed="speed = 12\nacceleration = 5"):
-    text = SLIDER_CRANK.replace("step = 15", f"step = 15\n{speed}")
+    text = IN_LINE.replace("step = 15", f"step = 15\n{speed}")
     for link, keys in MASSES.items():
         text = text.replace(f"[links.{link}]", f"[links.{link}]\n{keys}")
     return text + more
@@ -237,7 +208,7 @@ def test_consistent_units_of_ones_own():
 
 def test_three_links_at_a_pin():
     """Two rods on one crank pin: each has its own force, and the crank gets both."""
-    text = SLIDER_CRANK.replace(
+    text = IN_LINE.replace(
         "[[joints]]",
         "[links.rod2]\npoints = { A = [0, 0], C = [180, 0] }\n[links.piston2]\npoints = { C = [0, 0] }\n[[joints]]",
     ).replace(

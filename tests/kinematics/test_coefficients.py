@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from chosen import ALL, some
+from in_line import IN_LINE
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
@@ -46,38 +47,7 @@ acceleration = 3
 B = [100, 30]
 """
 
-SLIDER_CRANK = """
-format = 1
-[mechanism]
-name = "in-line"
-[dimensions]
-r = 50
-l = 200
-[links.ground]
-points = { A0 = [0, 0] }
-[links.crank]
-points = { A0 = [0, 0], A = ["r", 0] }
-[links.rod]
-points = { A = [0, 0], B = ["l", 0] }
-[links.piston]
-points = { B = [0, 0] }
-[[joints]]
-type = "prismatic"
-link = "piston"
-on = "ground"
-point = "B"
-through = [0, 0]
-symbol = "s14"
-[driver]
-link = "crank"
-start = 0
-stop = 360
-step = 15
-speed = { value = 90, unit = "rpm" }
-acceleration = 6
-[assembly]
-B = [250, 0]
-"""
+SLIDER_CRANK = IN_LINE.replace("step = 15\n", 'step = 15\nspeed = { value = 90, unit = "rpm" }\nacceleration = 6\n')
 
 
 def moving(text):
