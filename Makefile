@@ -29,8 +29,8 @@ quick: $(VENV)/.ready
 	$(BIN)/python -m pytest -n auto --dist worksteal -m "not slow and not libreoffice and not gnumeric and not jing and not octave and not chromium and not latex"
 
 lint: $(VENV)/.ready
-	$(BIN)/ruff check .
-	$(BIN)/ruff format --check .
+	$(BIN)/ruff check --no-cache .
+	$(BIN)/ruff format --no-cache --check .
 
 types: $(VENV)/.ready
 	$(BIN)/mypy

@@ -5,10 +5,10 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from degenerate_cases import cases
 from laid import Laid
 
 from chosen import part
+from degenerate_cases import cases
 from mechsheet.description import loads
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.solve import solve
