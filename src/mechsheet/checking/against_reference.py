@@ -55,7 +55,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
             if symbol in plan.at.spots and plan.equations.of(symbol).role in RESULTS:
                 _expect_nothing(plan, tally, symbol, _column(plan, values, symbol), mask)
         return tally.result(), [*inputs.remarks, NOWHERE]
-    solution = reference.solve(mechanism, inputs.dimensions, start=start, values=inputs.driver)
+    solution = reference.solve(_typed(mechanism, inputs), inputs.dimensions, start=start, values=inputs.driver)
     tally = Tally("reference")
     known = _Known(plan, values)
     steep = Steepness(plan, known)
@@ -254,6 +254,17 @@ def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array
     tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
 
 
+def _typed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
+    """With the values of further drivers as they are typed, row by row."""
+    drivers = tuple(
+        replace(driver, values=tuple(float(value) for value in inputs.listed[driver.symbol]))
+        if driver.values
+        else driver
+        for driver in mechanism.drivers
+    )
+    return replace(mechanism, drivers=drivers) if drivers else mechanism
+
+
 def _start(mechanism: Mechanism, inputs: Inputs) -> dict[str, tuple[float, float, float]] | None:
     """A completed sketch for the reference: link poses in the first row that exists, by fresh equations, roughly.
 
@@ -262,7 +273,7 @@ def _start(mechanism: Mechanism, inputs: Inputs) -> dict[str, tuple[float, float
     """
 
     changed = replace(
-        mechanism,
+        _typed(mechanism, inputs),
         dimensions=tuple(
             dim if dim.derived else replace(dim, value=inputs.dimensions[dim.symbol]) for dim in mechanism.dimensions
         ),

@@ -37,6 +37,12 @@ class Change:
                 return f"tolerance of {symbol}"
             case ("driver", "values", int(index)):
                 return f"driver value {index + 1}"
+            case ("drivers", int(order), "values", int(index)):
+                return f"value {index + 1} of driver {order + 2}"
+            case ("drivers", int(order), str(key)):
+                return f"{key} of driver {order + 2}"
+            case ("joints", int(order), str(key)):
+                return f"{key} of joint {order + 1}"
             case ("tables", int(table), int(column)):
                 return f"column {column + 1} of table {table + 1}"
             case ("links", str(link), str(key), *part):
@@ -103,6 +109,11 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
                 ("driver", "values", index),
                 (plan.table, plan.at.first + index, plan.at.spots[mechanism.driver.symbol].col),
             )
+    for driver in mechanism.drivers:
+        for index, value in enumerate(driver.values):
+            if isinstance(value, float):
+                place = (plan.table, plan.at.first + index, plan.at.spots[driver.symbol].col)
+                yield ("drivers", driver.order, "values", index), place
     yield from _table_places(expected)
 
 

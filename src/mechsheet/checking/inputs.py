@@ -16,6 +16,7 @@ from mechsheet.description import loads
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
+from mechsheet.model import Driver, FurtherDriver
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.plan import VALUE, Plan
 
@@ -43,11 +44,15 @@ def plan_inside(text: str, shown: str) -> Plan:
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """What a person has typed into a workbook: dimensions and modes by symbol, the driver's values (internal units)."""
+    """What a person has typed into a workbook: dimensions and modes by symbol, the driver's values (internal units).
+
+    listed  values of further drivers that are typed row by row, by symbol
+    """
 
     dimensions: Mapping[str, float]
     modes: Mapping[str, int]
     driver: Array
+    listed: Mapping[str, Array] = field(default_factory=dict)
     remarks: tuple[str, ...] = field(default=())
 
 
@@ -95,20 +100,29 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
                     f"{group.mode} is {modes[group.mode]:+d}; the description's sketch means {group.mode_value:+d}"
                 )
     driver = _driver_column(plan, values, faults, shown)
+    listed = {symbol: _listed(plan, symbol, values, faults, shown) for symbol in plan.mechanism.listed_symbols}
     if faults:
         raise WorkbookError(faults)
-    return Inputs(dimensions, modes, driver, tuple(remarks))
+    return Inputs(dimensions, modes, driver, listed, tuple(remarks))
 
 
 def _driver_column(plan: Plan, values: Any, faults: list[Fault], shown: str) -> Array:
     """The driver's values from start and step, as cells have them (or from the listed cells)."""
     driver = plan.mechanism.driver
     if driver.values:
-        cells = values.column(plan.table, plan.at.spots[driver.symbol].col, plan.at.first, plan.at.last)
-    else:
-        start, step = (values.get(plan.main, plan.at.spots[key].row, VALUE) for key in ("#start", "#step"))
-        numbers = isinstance(start, float) and isinstance(step, float)
-        cells = [start + n * step for n in range(plan.rows)] if numbers else [None]
+        return _listed(plan, driver.symbol, values, faults, shown)
+    start, step = (values.get(plan.main, plan.at.spots[key].row, VALUE) for key in ("#start", "#step"))
+    numbers = isinstance(start, float) and isinstance(step, float)
+    return _typed(plan, driver, [start + n * step for n in range(plan.rows)] if numbers else [None], faults, shown)
+
+
+def _listed(plan: Plan, symbol: str, values: Any, faults: list[Fault], shown: str) -> Array:
+    """The values of what is driven, from its column."""
+    cells = values.column(plan.table, plan.at.spots[symbol].col, plan.at.first, plan.at.last)
+    return _typed(plan, plan.mechanism.driver_of(symbol), cells, faults, shown)
+
+
+def _typed(plan: Plan, driver: Driver | FurtherDriver, cells: Any, faults: list[Fault], shown: str) -> Array:
     if not all(isinstance(cell, float) for cell in cells):
         faults.append(Fault("the driver's values are not all numbers", shown, key=plan.table))
         return np.zeros(0)

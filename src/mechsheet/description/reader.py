@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, dynamics, joints, links, rates, results
+from mechsheet.description import dimensions, driver, drivers, dynamics, gears, joints, links, rates, results
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -16,6 +16,7 @@ from mechsheet.description.rewrite import with_value
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import words
 from mechsheet.description.shape import fit
+from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.source import Source, parse_as_meant, read_text
 from mechsheet.description.sweep import with_sweep
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
@@ -113,6 +114,8 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     ends = joints.Ends(bodies, made, scope)
     sliding = joints.read(part(data, "joints", []), ends, scope)
     driven = driver.read(data["driver"], made, sliding, ends, scope) if made else None
+    further, values = drivers.read(part(data, "drivers", []), driven, made, sliding, ends, scope) if made else ((), ())
+    table = (*table, *values)
     if made and report.sound("links", "joints"):
         links.check_connected(made, sliding, scope)
 
@@ -121,6 +124,13 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     if driven and motion:
         driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
         table = (*table, *motion.dimensions)
+    drivers.check_speeds(driven, further, scope)
+    driven = drivers.listed(driven, further, scope) if driven else None
+
+    sketch = results.sketch(part(data, "assembly", {}), driven, scope)
+    shown = SketchedAngles(made, sliding, driven, further, sketch, scope)
+    relations, values = gears.read(part(data, "joints", []), ends, made, sliding, shown, scope) if made else ((), ())
+    table = (*table, *values)
 
     loads = part(data, "loads", [])
     dynamics.declare(bodies, loads, made, sliding, driven, scope)
@@ -130,7 +140,9 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     results.declare(outputs, summary, scope)
     workbook = part(data, "workbook", {})
     parts: dict[str, Any] = {
-        "sketch": results.sketch(part(data, "assembly", {}), driven, scope),
+        "sketch": sketch,
+        "relations": relations,
+        "drivers": further,
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(part(data, "charts", []), scope),
@@ -143,6 +155,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     dynamics.check_layout(layout, scope)
+    drivers.check_tables(further, parts["tables"], scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

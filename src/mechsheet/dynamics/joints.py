@@ -35,10 +35,10 @@ class Joints:
 
     def _bearers(self) -> dict[str, str]:
         """The body with which each point is solved first: what hangs on the point is counted to it."""
-        graph, drive = self.poses.graph, self.found.drive
+        graph, drive = self.poses.graph, self.found.order.drive
         ground = self.mechanism.ground.name
         order = [ground, *((drive.moving,) if drive.base == ground else ())]
-        for dyad in self.found.dyads:
+        for dyad in self.found.order.dyads:
             order += [*dyad.first, *dyad.second]
         found: dict[str, str] = {}
         for body in order:
@@ -168,7 +168,7 @@ class Joints:
         return force
 
     def _of_one_group(self, one: str, other: str) -> bool:
-        return any({one, other} <= {*dyad.first, *dyad.second} for dyad in self.found.dyads)
+        return any({one, other} <= {*dyad.first, *dyad.second} for dyad in self.found.order.dyads)
 
     def _hold(self, body: str, force: Vector, couple: Node, at: Vector) -> None:
         self.contacts.setdefault(body, []).append(Force(force, at))

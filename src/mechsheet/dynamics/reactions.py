@@ -45,7 +45,7 @@ class Reactions:
     def __init__(self, found: Found) -> None:
         if found.rates.by_driver is None or found.poses.mechanism.dynamics is None:
             raise ValueError("forces need influence coefficients, and masses or loads")
-        self.found, self.poses, self.drive = found, found.poses, found.drive
+        self.found, self.poses, self.drive = found, found.poses, found.order.drive
         self.motions: Motions = found.rates.by_driver
         self.columns = Columns(self.poses, found.poses.mechanism.dynamics)
         self.acting = ActingForces(found, found.poses.mechanism.dynamics, self.columns)
@@ -58,9 +58,9 @@ class Reactions:
     def write(self) -> str:
         """Write all columns down; the symbol of the driver's effort."""
         effort = ""
-        for number in range(len(self.found.dyads), 0, -1):
+        for number in range(len(self.found.order.dyads), 0, -1):
             self.poses.ledger.group = number
-            dyad = self.found.dyads[number - 1]
+            dyad = self.found.order.dyads[number - 1]
             self._dyad(dyad, self.found.rates.determinants[number])
             if self.pair and self.drive.moving in (*dyad.first, *dyad.second):
                 self._refuse_shared_pin(dyad)

@@ -12,8 +12,9 @@ from typing import Literal
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph, Slide
-from mechsheet.kinematics.mobility import stiff_faults
-from mechsheet.model import Driver, Mechanism
+from mechsheet.kinematics.mobility import listed_names, stiff_faults
+from mechsheet.kinematics.ties import Tied, next_tied
+from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,11 +29,25 @@ Contact = Pin | Slide
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """The driven joint: `moving` against `base` (by angle about `joint`, or along it)."""
+    """A driven joint: `moving` against `base` (by angle about `joint`, or along it).
+
+    symbol  of what is driven;  positive  True where the angle is that of `moving` from `base`, for a slide always
+    """
 
     base: str
     moving: str
     joint: Contact
+    symbol: str = ""
+    positive: bool = True
+
+    @property
+    def bodies(self) -> tuple[str, str]:
+        """Both."""
+        return (self.base, self.moving)
+
+    def reverse(self) -> Drive:
+        """The same, the other body moving."""
+        return Drive(self.moving, self.base, self.joint, self.symbol, not self.positive)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,55 +65,132 @@ class Dyad:
     inner: Contact
 
 
+Step = Drive | Tied | Dyad
+
+
 @dataclass(frozen=True, slots=True)
 class Order:
-    """The driven joint, and the dyads in order. When `drive.base` is not the ground both sides move as one assembly."""
+    """All driven joints, the driver's first, and the steps in order.
 
-    drive: Drive
-    dyads: tuple[Dyad, ...]
+    A driven joint is a step of its own where one side of it is known before; otherwise both its sides move as one assembly.
+    """
+
+    drives: tuple[Drive, ...]
+    steps: tuple[Step, ...]
+
+    @property
+    def drive(self) -> Drive:
+        """The driver's own."""
+        return self.drives[0]
+
+    @property
+    def dyads(self) -> tuple[Dyad, ...]:
+        """The steps that are dyads."""
+        return tuple(step for step in self.steps if isinstance(step, Dyad))
+
+    def pair(self, assembly: tuple[str, ...]) -> Drive:
+        """The driven joint inside an assembly of two bodies."""
+        return next(drive for drive in self.drives if {*drive.bodies} == {*assembly})
 
 
 def order_of(mechanism: Mechanism, graph: Graph) -> Order:
-    """How the mechanism is solved. MechanismError when the driver drives no joint, or a group is not of class II."""
-    drive = _drive(mechanism, graph)
-    ground = mechanism.ground.name
-    assemblies: list[tuple[str, ...]] = []
-    solved = {ground}
-    if drive.base == ground:
-        solved.add(drive.moving)
-    else:
-        assemblies.append((drive.base, drive.moving))
-    grouped = solved | {drive.base, drive.moving}
-    assemblies += [(body,) for body in graph.bodies if body not in grouped]
-    assemblies.sort(key=lambda bodies: graph.bodies.index(bodies[0]))
-    dyads = []
-    while assemblies:
-        dyad = _next_dyad(graph, assemblies, solved)
-        if dyad is None:
-            raise MechanismError(stiff_faults(graph) or [_not_class_two(graph, assemblies, solved)])
-        dyads.append(dyad)
-        assemblies = [bodies for bodies in assemblies if bodies not in (dyad.first, dyad.second)]
-        solved.update(dyad.first, dyad.second)
-    return Order(drive, tuple(dyads))
+    """How the mechanism is solved. MechanismError when a driver drives no joint, or a group is not of class II."""
+    drives = tuple(_drive(mechanism, driver, graph) for driver in mechanism.all_drivers)
+    solved = {mechanism.ground.name}
+    steps: list[Step] = []
+    while len(solved) < len(graph.bodies):
+        pending = [drive for drive in drives if not {*drive.bodies} <= solved]
+        step: Step | None = _next_drive(pending, solved)
+        if step is None:
+            done = [relation for step in steps if isinstance(step, Tied) for relation in step.relations]
+            step = next_tied(graph, done, solved, _oriented(graph, pending, solved))
+        if step is None:
+            assemblies = _assemblies(graph, pending, solved)
+            step = _next_dyad(graph, assemblies, solved)
+        if step is None:
+            faults = stiff_faults(graph) or _tied_too_deep(graph, steps) or [_not_class_two(graph, assemblies, solved)]
+            raise MechanismError(faults)
+        steps.append(step)
+        solved.update(bodies_of(step))
+    return Order(drives, tuple(steps))
 
 
-def _drive(mechanism: Mechanism, graph: Graph) -> Drive:
-    driver = mechanism.driver
+def bodies_of(step: Step) -> tuple[str, ...]:
+    """The bodies that are known after a step."""
+    match step:
+        case Drive():
+            return step.bodies
+        case Tied():
+            return tuple(held.body for held in step.bodies)
+        case Dyad():
+            return (*step.first, *step.second)
+
+
+def _next_drive(pending: list[Drive], solved: set[str]) -> Drive | None:
+    """The first driven joint of which one side is known."""
+    for drive in pending:
+        if drive.base in solved:
+            return drive
+        if drive.moving in solved:
+            return drive.reverse()
+    return None
+
+
+def _oriented(graph: Graph, pending: list[Drive], solved: set[str]) -> set[str]:
+    """Bodies whose angle is known: solved ones, those that slide on such a one, those that are driven from such a one."""
+    found = set(solved)
+    ways = [(slide.body, slide.on) for slide in graph.slides if slide.body not in graph.blocks]
+    ways += [drive.bodies for drive in pending]
+    for _ in ways:
+        for one, other in ways:
+            if one in found or other in found:
+                found |= {one, other}
+    return found
+
+
+def _assemblies(graph: Graph, pending: list[Drive], solved: set[str]) -> list[tuple[str, ...]]:
+    """What is not solved, in the description's order: bodies alone, and both sides of a driven joint together."""
+    pairs = [drive.bodies for drive in pending]
+    grouped = [body for pair in pairs for body in pair]
+    twice = [body for body in grouped if grouped.count(body) > 1]
+    if twice:
+        message = f'"{twice[0]}" is driven against two links that move with it: such a chain is not supported yet'
+        raise MechanismError(
+            Fault(message, key="drivers", hint="let one of the driven joints be on a link that is known")
+        )
+    found = [*pairs, *((body,) for body in graph.bodies if body not in solved and body not in grouped)]
+    return sorted(found, key=lambda bodies: graph.bodies.index(bodies[0]))
+
+
+def _tied_too_deep(graph: Graph, steps: list[Step]) -> list[Fault]:
+    """Gears that could not be used: they stand inside a group."""
+    done = [relation for step in steps if isinstance(step, Tied) for relation in step.relations]
+    left = [relation for relation in graph.relations if relation not in done]
+    if not left:
+        return []
+    names = listed_names(graph.tied(left[0]))
+    kind = "rack" if isinstance(left[0], Rack) else left[0].kind
+    message = f"the {kind} between {names} ties links of a group that is not solved yet: it needs Newton groups"
+    hint = "a gear is solved where all but one of the angles that it ties are known"
+    return [Fault(message, key=f"joints.{left[0].order}", hint=hint)]
+
+
+def _drive(mechanism: Mechanism, driver: Driver | FurtherDriver, graph: Graph) -> Drive:
     ground = mechanism.ground.name
     if driver.joint:
         slide = next(slide for slide in graph.slides if slide.joint.name == driver.joint)
-        base, moving = (slide.body, slide.on) if slide.body == ground else (slide.on, slide.body)
-        return Drive(base, moving, slide)
+        if slide.body == ground:
+            return Drive(slide.body, slide.on, slide, driver.symbol)
+        return Drive(slide.on, slide.body, slide, driver.symbol)
     shared = [point for point in graph.points[driver.link] if point in graph.points[driver.relative_to]]
     if not shared:
         raise MechanismError(_no_pivot(driver, graph))
-    base, moving = driver.relative_to, driver.link
-    if moving == ground:
-        base, moving = moving, base
-    return Drive(base, moving, Pin(shared[0]))
+    if driver.link == ground:
+        return Drive(driver.link, driver.relative_to, Pin(shared[0]), driver.symbol, False)
+    return Drive(driver.relative_to, driver.link, Pin(shared[0]), driver.symbol)
 
 
-def _no_pivot(driver: Driver, graph: Graph) -> Fault:
+def _no_pivot(driver: Driver | FurtherDriver, graph: Graph) -> Fault:
     neighbours = [
         body
         for body in graph.bodies
@@ -107,7 +199,7 @@ def _no_pivot(driver: Driver, graph: Graph) -> Fault:
     return Fault(
         f'link "{driver.link}" and link "{driver.relative_to}" share no point: '
         "a link can only be turned about a revolute joint",
-        key="driver.link",
+        key="driver.link" if isinstance(driver, Driver) else f"drivers.{driver.order}.link",
         hint=f'"{driver.link}" is joined to {", ".join(neighbours) or "no link"}: name one of them as relative_to',
     )
 

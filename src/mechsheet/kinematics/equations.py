@@ -174,6 +174,9 @@ class Equations:
                are from fitting together, over points, velocities and accelerations
     turning    how fast each link turns, by the symbol of its angle: its angular velocity and acceleration
     efforts    symbols of the driver's effort from the reactions and by virtual work; none without forces
+    listed     further drivers whose values are listed, row by row: each is itself
+    tied       what gears, racks and further drivers decide, by symbol: it turns as fast as they say, and need not repeat
+               itself with every turn of the driver
     """
 
     constants: tuple[Equation, ...]
@@ -185,6 +188,8 @@ class Equations:
     fits: Mapping[int, tuple[Node, Node, Node, Node]] = field(default_factory=dict)
     turning: Mapping[str, tuple[Node, Node]] = field(default_factory=dict)
     efforts: tuple[str, ...] = ()
+    listed: tuple[Equation, ...] = ()
+    tied: tuple[str, ...] = ()
 
     @property
     def all(self) -> tuple[Equation, ...]:
@@ -204,7 +209,7 @@ class Equations:
 
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""
-        return next(equation for equation in self.all if equation.symbol == symbol)
+        return next(equation for equation in (*self.all, *self.listed) if equation.symbol == symbol)
 
 
 def validate(equations: Equations, given: tuple[str, ...]) -> None:

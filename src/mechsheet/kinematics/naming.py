@@ -17,7 +17,7 @@ def given_names(mechanism: Mechanism) -> list[str]:
         *(summary.symbol for summary in mechanism.summaries),
         *(link.angle_symbol for link in mechanism.links),
         *(joint.symbol for joint in mechanism.joints),
-        mechanism.driver.symbol,
+        *mechanism.driven_symbols,
         *_rates(mechanism),
     ]
 

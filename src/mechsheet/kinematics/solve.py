@@ -14,11 +14,11 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
-from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
+from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.dyads import Solved
-from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
+from mechsheet.kinematics.equations import Equation, Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lines import solve_prp, solve_rpp
@@ -32,8 +32,9 @@ from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
-from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
-from mechsheet.units import LENGTH
+from mechsheet.kinematics.ties import Tied
+from mechsheet.model import Cartesian, Dimension, Distances, FurtherDriver, Mechanism, Polar, Quantity
+from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import phrase, same
 
 PROBED_ROWS = 200
@@ -66,6 +67,24 @@ def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
     return tuple(known)
 
 
+def listed_values(mechanism: Mechanism, dimensions: Mapping[str, float], driver: Array) -> dict[str, Array]:
+    """What is driven besides and has its values listed, row by row, at values of the driver: its own, or the first of them.
+
+    At other values of the driver it has those of the rows around them.
+    """
+    found = {}
+    for other in mechanism.drivers:
+        if other.values:
+            values = np.array([number(value, dimensions) for value in other.values])
+            own = driver_values(mechanism, dimensions)[: len(values)]
+            if np.array_equal(driver, own[: len(driver)]):
+                found[other.symbol] = values[: len(driver)]
+            else:
+                order = np.argsort(own, kind="stable")
+                found[other.symbol] = np.interp(driver, own[order], values[: len(own)][order])
+    return found
+
+
 def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
     """The driver's values, row by row: start + n step (no drift); stop is included when the steps land on it."""
     driver = mechanism.driver
@@ -81,8 +100,7 @@ class Found:
     """What is known when all positions and rates are written down: what forces are found from."""
 
     poses: Poses
-    drive: Drive
-    dyads: tuple[Dyad, ...]
+    order: Order
     rates: Written
 
 
@@ -122,11 +140,18 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     dimensions = dimension_values(mechanism)
     ledger = _ledger(mechanism, dimensions)
     poses = Poses(mechanism, graph, ledger)
-    _drive(poses, order.drive)
+    _further_drivers(mechanism, ledger)
+    _pairs(poses, order)
     found: list[tuple[Dyad, Solved, int, bool]] = []
     given = modes or {}
-    for index, dyad in enumerate(order.dyads, 1):
-        ledger.group = index
+    for dyad in order.steps:
+        if isinstance(dyad, Drive):
+            poses.drive(dyad)
+            continue
+        if isinstance(dyad, Tied):
+            poses.tie(dyad, order.drives)
+            continue
+        ledger.group += 1
         start = len(ledger.columns)
         solved = _solve_dyad(poses, dyad)
         if modes is not None and mechanism.sketch.at is not None and solved.mode and solved.mode not in given:
@@ -142,22 +167,24 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     _note_lengths(poses)
     rates = Written({}, {})
     if wanted(mechanism):
-        rates = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
-    efforts = () if further is None else further(Found(poses, order.drive, order.dyads, rates))
+        rates = add_rates(poses, order, [solved for _, solved, _, _ in found])
+    efforts = () if further is None else further(Found(poses, order, rates))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
-        _groups(found, loops_of(poses, order.dyads)),
+        _groups(found, loops_of(poses, order.steps)),
         tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in ledger.positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
         rates.fits,
         rates.turning,
         efforts,
+        tuple(_listed(driver) for driver in mechanism.drivers if driver.values),
+        _tied(poses, order),
     )
-    validate(result, (*dimensions, mechanism.driver.symbol))
+    validate(result, (*dimensions, mechanism.driver.symbol, *mechanism.listed_symbols))
     return result
 
 
@@ -168,7 +195,7 @@ def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
     except MechanismError as error:
         from mechsheet.kinematics.redundancy import redundancy_faults  # which needs this module
 
-        missing = 1 - mobility(graph)
+        missing = 1 + len(mechanism.drivers) - mobility(graph)
         found = redundancy_faults(mechanism, missing) if missing > 0 else []
         if not found:
             raise
@@ -187,12 +214,36 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
         raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
 
 
+def _further_drivers(mechanism: Mechanism, ledger: Ledger) -> None:
+    """The values of what is driven besides, where they follow from the driver or are the same in every row."""
+    for driver in mechanism.drivers:
+        if driver.follows is not None:
+            unit = LENGTH if driver.joint else ANGLE
+            ledger.define(driver.symbol, driver.follows, unit, phrase("further_driver"), "variable")
+
+
+def _tied(poses: Poses, order: Order) -> tuple[str, ...]:
+    """Symbols of what further drivers and ties decide."""
+    held = [held for step in order.steps if isinstance(step, Tied) for held in step.bodies]
+    links = poses.links
+    angles = [links[each.variable].angle_symbol if each.variable in links else each.variable for each in held]
+    return (*(driver.symbol for driver in poses.mechanism.drivers), *angles)
+
+
+def _listed(driver: FurtherDriver) -> Equation:
+    unit = LENGTH if driver.joint else ANGLE
+    return Equation(driver.symbol, Symbol(driver.symbol), "driver", unit, phrase("further_driver"))
+
+
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
     values = driver_values(mechanism, dimensions)
+    besides = listed_values(mechanism, dimensions, values)
     if len(values) > 2 * PROBED_ROWS:
         rest = np.linspace(PROBED_ROWS, len(values) - 1, PROBED_ROWS).astype(int)
-        values = np.concatenate([values[:PROBED_ROWS], values[rest]])
+        rows = np.concatenate([np.arange(PROBED_ROWS), rest])
+        values, besides = values[rows], {symbol: column[rows] for symbol, column in besides.items()}
     ledger = Ledger(dimensions, mechanism.driver.symbol, values, given_names(mechanism))
+    ledger.values |= besides
     ledger.tolerance = ledger.define(
         ledger.reserve("tol"),
         al.mul(NumberNode(CLOSING), _largest_length(mechanism)),
@@ -279,36 +330,27 @@ def _groups(found: list[tuple[Dyad, Solved, int, bool]], loops: tuple[Loop, ...]
     )  # fmt: skip
 
 
-def _drive(poses: Poses, drive: Drive) -> None:
-    """The driven joint: its moving body is solved at once, or (away from the ground) takes its place in an assembly."""
-    driver = poses.mechanism.driver
-    symbol = Symbol(driver.symbol)
-    on_ground = drive.base in poses.known
+def _pairs(poses: Poses, order: Order) -> None:
+    """Both sides of a driven joint that is on nothing known move as one assembly: where they are in it."""
+    alone = {step.bodies for step in order.steps if isinstance(step, Drive)}
+    for drive in order.drives:
+        if drive.bodies not in alone and drive.reverse().bodies not in alone:
+            poses.members[drive.moving] = _in_pair(poses, drive)
+
+
+def _in_pair(poses: Poses, drive: Drive) -> Member:
+    """Where the moving side of a driven joint is in the frame of the other."""
     if isinstance(drive.joint, Pin):
         point = drive.joint.point
-        # the driver is angle(link) - angle(relative_to); `moving` may be either of the two
-        turn = Angle(symbol) if drive.moving == driver.link else -Angle(symbol)
-        own = poses.own_place(drive.moving, point)
-        if on_ground:
-            poses.fix((drive.moving,), turn, own, *poses.xy[point])
-            return
-        base = poses.own_place(drive.base, point)
-        poses.members[drive.moving] = _member(turn, base, own)
-        return
+        base, own = poses.own_place(drive.base, point), poses.own_place(drive.moving, point)
+        return _member(poses.turn_of(drive), base, own)
     joint = drive.joint.joint
-    if on_ground:
-        guide = poses.guide(drive.joint, (drive.moving,))
-        step = symbol if guide.sign > 0 else al.neg(symbol)
-        x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
-        y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
-        poses.fix((drive.moving,), guide.angle, guide.moving, x, y)
-        return
     line = angle_of(joint.angle)
-    along = cartesian(symbol, al.ZERO).turned(line)
+    along = cartesian(Symbol(drive.symbol), al.ZERO).turned(line)
     start = poses.through(joint)
-    end = cartesian(symbol, al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
+    end = cartesian(Symbol(drive.symbol), al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
     turn = line + angle_of(joint.orientation)
-    poses.members[drive.moving] = _member(turn, end, poses.own_place(drive.moving, joint.point))
+    return _member(turn, end, poses.own_place(drive.moving, joint.point))
 
 
 def _note_lengths(poses: Poses) -> None:

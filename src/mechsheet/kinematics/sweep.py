@@ -9,7 +9,7 @@ import numpy as np
 
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import dimension_values, driver_values, listed_values, solve
 from mechsheet.model import Mechanism
 
 CHUNKS = (200, 4_000)
@@ -25,9 +25,11 @@ DIGITS = 3
 def sweep(mechanism: Mechanism, equations: Equations, driver: Array) -> dict[str, Array]:
     """Every symbol's values over the given driver values; NaN where a position does not exist."""
     rows = len(driver)
-    known: dict[str, Array] = {symbol: np.array(number) for symbol, number in dimension_values(mechanism).items()}
+    dimensions = dimension_values(mechanism)
+    known: dict[str, Array] = {symbol: np.array(number) for symbol, number in dimensions.items()}
     known |= {group.mode: np.array(float(group.mode_value)) for group in equations.groups if group.mode}
     known[mechanism.driver.symbol] = driver
+    known |= listed_values(mechanism, dimensions, driver)
     seen: dict[Any, Any] = {}
     for equation in equations.constants:
         known[equation.symbol] = evaluate_equation(equation, known, 1)[0]

@@ -70,7 +70,7 @@ class _Applied:
         moves = driver.speed is not None
         names = solution.mechanism.driver_rates
         self.speed, self.acceleration = ((self.known[name] if moves else np.zeros(len(rows))) / per for name in names)
-        self.first, self.second = of_poses(self.built, self.state)
+        self.first, self.second = of_poses(self.built, self.state, solution.driver[rows])
 
     def along_poses(self) -> Array:
         """Q (m, columns), as torques."""

@@ -246,13 +246,14 @@ def _plan_names_and_blocks(plan: Plan) -> None:
             _spot(plan, f"#{key}_at", row, False, safe_name(f"{key}_at", taken), taken, TOLERANCE)
 
 
-INPUT_BLOCKS = ("motion", "masses", "loads")
+INPUT_BLOCKS = ("motion", "drivers", "gears", "masses", "loads")
 """Blocks of what the description gives elsewhere than among its dimensions."""
 
 
 def block_of(dim: Dimension) -> str:
     """The block of the first sheet in which such a dimension stands; "" for one of the description's own."""
     places = {"driver": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
+    places |= {"joints": "gears", "drivers": "drivers"}
     return places[str(dim.place[0])] if dim.place else ""
 
 
@@ -283,6 +284,8 @@ def _plan_columns(plan: Plan) -> None:
     _add_column(plan, "#number", "number", 0, False)
     _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
     _add_column(plan, "#status", "status", 0, False)
+    for symbol in plan.mechanism.listed_symbols:
+        _add_column(plan, symbol, "driver", 0, plan.mechanism.driver_of(symbol).unit.in_degrees)
     for equation in plan.equations.columns:
         if equation.role in (*RATES, *FORCES):
             continue

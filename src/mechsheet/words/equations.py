@@ -40,6 +40,7 @@ PHRASES = {
     "right_of": ("{point} right of {start}→{end}", "{point}, {start}→{end} sağında"),
     "larger_of_two": ("{symbol} the larger of two", "{symbol} ikisinden büyüğü"),
     "smaller_of_two": ("{symbol} the smaller of two", "{symbol} ikisinden küçüğü"),
+    "further_driver": ("driven besides", "ayrıca tahrik edilen"),
     # lengths and places
     "tolerance": ("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır"),
     "fixed_point": ("{point}, fixed, {axis}", "{point}, sabit, {axis}"),

@@ -262,11 +262,17 @@ _WORST |= dict.fromkeys(("torque", "effort", "force"), "MAX")
 def typed_over(plan: Plan) -> Node:
     """How many cells of the tables hold no formula any more."""
     listed = plan.mechanism.driver.values
-    cols = (0, len(plan.columns) - 1) if not listed else (STATUS, len(plan.columns) - 1)
-    area = RangeRef(
-        CellRef(plan.at.first, cols[0], True, True, plan.table), CellRef(plan.at.last, cols[1], True, True, plan.table)
-    )
-    areas = [area]
+    last = len(plan.columns) - 1
+    typed = len(plan.mechanism.listed_symbols)
+    runs = [(STATUS if listed else 0, last)]
+    if typed:  # columns of their own behind what is said of the row
+        runs = [(STATUS, STATUS), (STATUS + 1 + typed, last)]
+    areas = [
+        RangeRef(
+            CellRef(plan.at.first, start, True, True, plan.table), CellRef(plan.at.last, end, True, True, plan.table)
+        )
+        for start, end in runs
+    ]
     for key, columns in (("rates", plan.rates), ("forces", plan.forces)):
         if columns:
             title = plan.at.titles[key]
@@ -297,7 +303,8 @@ def _leaps(plan: Plan, sheet: str) -> list[Node]:
     """1 in a row that some link reaches by turning more than `LEAP` since the row before; written for the first row."""
     driver = plan.mechanism.driver.symbol
     angles = (link.angle_symbol for link in plan.mechanism.links[1:])
-    symbols = [name for name in angles if name != driver and plan.equations.of(name).reads]
+    tied = plan.equations.equations.tied
+    symbols = [name for name in angles if name not in (driver, *tied) and plan.equations.of(name).reads]
     first = plan.at.first
     turned = [
         formula("ABS(here-before)", here=plan.at.cell(name, sheet, first), before=plan.at.cell(name, sheet, first - 1))

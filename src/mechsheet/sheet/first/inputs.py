@@ -44,15 +44,17 @@ class Input:
 
 
 def inputs_of(plan: Plan) -> list[Input]:
-    """Dimensions, start and step, modes, in the order in which they stand: what positions depend on.
+    """Dimensions, gears, start and step, modes, in the order in which they stand: what positions depend on.
 
     The driver's listed values are not among them.
     """
     found = []
     for dim in plan.mechanism.dimensions:
-        if isinstance(dim.value, float) and not dim.place:
+        if isinstance(dim.value, float) and dim.place[:1] in ((), ("joints",), ("drivers",)):
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
-            found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.blocks["dimensions"].rows[dim.symbol]))
+            if dim.place[-1:] in (("ratio",), ("radius",)):
+                kind = "step"  # not 0
+            found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.at.spots[dim.symbol].row))
     driver = plan.mechanism.driver
     ways: tuple[tuple[Literal["start", "step"], Kind], ...] = (("start", "number"), ("step", "step"))
     for key, kind in ways if "sweep" in plan.blocks else ():

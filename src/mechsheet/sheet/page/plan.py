@@ -210,7 +210,10 @@ def _plan_table(plan: PagePlan) -> None:
     outputs = {output.symbol for output in plan.mechanism.outputs}
     columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
     degrees = {driver.symbol: driver.unit.in_degrees}
-    for col, equation in enumerate(plan.equations.columns, 1):
+    for col, symbol in enumerate(plan.mechanism.listed_symbols, 1):
+        columns.append(TableColumn(col, symbol, "driver", 0, False))
+        degrees[symbol] = plan.mechanism.driver_of(symbol).unit.in_degrees
+    for col, equation in enumerate(plan.equations.columns, len(columns)):
         inner = equation.role in ("intermediate", "coefficient")
         group = -1 if equation.symbol in outputs else equation.group
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))

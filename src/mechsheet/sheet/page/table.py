@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
@@ -16,7 +17,14 @@ from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import degrees_together, first_open, group_headings, places, places_of
+from mechsheet.sheet.table.positions import (
+    degrees_together,
+    first_open,
+    group_headings,
+    listed_driver,
+    places,
+    places_of,
+)
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
 
 MOST_STEPPED = 400
@@ -107,7 +115,7 @@ class Table:
         )
         match column.kind:
             case "driver":
-                self._driver()
+                self._driver(column)
             case "status":
                 self._fill(column.col, self._bound(status(plan), first), styles.STATUS)
             case _:
@@ -120,17 +128,19 @@ class Table:
     def _bound(self, node: Node, row: int) -> Node:
         return transform(self.plan.at.bind(node, self.plan.main, row), degrees_together)
 
-    def _driver(self) -> None:
-        plan, driver, first = self.plan, self.plan.mechanism.driver, self.plan.at.first
-        degrees = driver.unit.in_degrees
+    def _driver(self, column: TableColumn) -> None:
+        plan, first = self.plan, self.plan.at.first
+        driver = plan.mechanism.driver_of(column.symbol)
         style = styles.decimals(styles.COLUMN, places(plan, driver.unit.kind))
         if driver.values:
-            for row, value in enumerate(driver.values, first):
-                if isinstance(value, float):
-                    self.cells.append(Cell(row, 0, driver.unit.written(value), styles.INPUT))
-                else:
-                    node = self._bound(value, row)
-                    self.fills.append(Fill(row, 0, in_degrees(node) if degrees else node, style))
+            degrees = driver.unit.in_degrees
+
+            def bound(value: Node, row: int) -> Node:
+                return in_degrees(self._bound(value, row)) if degrees else self._bound(value, row)
+
+            cells, fills = listed_driver(plan, column, bound)
+            self.cells += cells
+            self.fills += [replace(fill, style=style) for fill in fills]
             return
         start = self._bound(self._checked(Symbol("#start")), first)
         self.fills.append(Fill(first, 0, start, style))

@@ -81,6 +81,11 @@ class Assignments:
     margins: Mapping[int, str]
 
     @property
+    def listed(self) -> tuple[Assignment, ...]:
+        """What is given row by row: nothing computes it."""
+        return tuple(_given(equation) for equation in self.equations.listed)
+
+    @property
     def all(self) -> tuple[Assignment, ...]:
         """Constants and columns."""
         return self.constants + self.columns
@@ -102,7 +107,7 @@ class Assignments:
 
     def of(self, symbol: str) -> Assignment:
         """The assignment of a symbol."""
-        return next(each for each in self.all if each.symbol == symbol)
+        return next(each for each in (*self.all, *self.listed) if each.symbol == symbol)
 
 
 def lowered(mechanism: Mechanism, equations: Equations) -> Assignments:
@@ -204,6 +209,12 @@ class _Lowering:
         turns = formula("IFERROR(ROUND((above-raw)/turn,0),0)", above=Previous(equation.symbol), raw=raw, turn=TURN)
         first, further = (guarded(apart, angle) for angle in (raw, al.add(raw, al.mul(TURN, turns))))
         self._add(equation, further, first=first)
+
+
+def _given(equation: Equation) -> Assignment:
+    return Assignment(
+        equation.symbol, equation.expression, equation.expression, equation.role, equation.unit, equation.label
+    )
 
 
 def pins_apart(equations: Equations, direction: Equation) -> tuple[Condition, ...]:

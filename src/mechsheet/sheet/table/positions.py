@@ -75,7 +75,7 @@ def positions_sheet(plan: Plan) -> Sheet:
         if column.equation is not None:
             comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
         if column.kind == "driver" and plan.mechanism.driver.values:
-            listed_cells, listed_fills = _listed_driver(plan)
+            listed_cells, listed_fills = _listed_cells(plan, column)
             cells += listed_cells
             fills += listed_fills
         else:
@@ -213,17 +213,26 @@ def status_words(plan: Plan) -> list[str]:
     return found
 
 
-def _listed_driver(plan: Plan) -> tuple[list[Cell], list[Fill]]:
-    """The listed values of the driver as inputs."""
-    driver = plan.mechanism.driver
+def _listed_cells(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
+    degrees = plan.at.spots[column.symbol].degrees
+
+    def bound(value: Node, row: int) -> Node:
+        node = plan.at.bind(value, plan.table, row)
+        return in_degrees(node) if degrees else node
+
+    return listed_driver(plan, column, bound)
+
+
+def listed_driver(plan: Plan, column: TableColumn, bound: Callable[[Node, int], Node]) -> tuple[list[Cell], list[Fill]]:
+    """The listed values of what is driven, as inputs; `bound`: what a cell holds of an expression, in a row."""
+    driver = plan.mechanism.driver_of(column.symbol)
     cells: list[Cell] = []
     fills: list[Fill] = []
     for row, value in enumerate(driver.values, plan.at.first):
         if isinstance(value, float):
-            cells.append(Cell(row, DRIVER, driver.unit.written(value), styles.INPUT))
+            cells.append(Cell(row, column.col, driver.unit.written(value), styles.INPUT))
             continue
-        node = plan.at.bind(value, plan.table, row)
-        fills.append(Fill(row, DRIVER, in_degrees(node) if driver.unit.in_degrees else node, styles.COLUMN))
+        fills.append(Fill(row, column.col, bound(value, row), styles.COLUMN))
     return cells, fills
 
 
@@ -241,7 +250,7 @@ def heading(plan: Plan, column: TableColumn) -> Content:
 def column_unit(plan: Plan, column: TableColumn) -> str:
     """The unit in which a column stands in the table."""
     if column.equation is None:
-        return plan.mechanism.driver.unit.text
+        return plan.mechanism.driver_of(column.symbol).unit.text
     unit = column.equation.unit
     return plan.mechanism.shown(unit.internal if column.inner else unit).text
 
@@ -250,6 +259,8 @@ def mathematics(plan: Plan, column: TableColumn) -> Rich | str:
     """The formula as people write it."""
     if column.kind == "driver" and not plan.mechanism.driver.values:
         return f"{plan.text('name.start')} + n·{plan.text('name.step')}"
+    if column.symbol in plan.mechanism.listed_symbols:
+        return plan.text("drivers.listed")
     return "" if column.equation is None else written(column.equation.says, plan.language)
 
 
@@ -275,7 +286,8 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     if column.kind == "status":
         return styles.STATUS
     if column.equation is None:
-        return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit.in_degrees else "length"))
+        in_degrees = plan.mechanism.driver_of(column.symbol).unit.in_degrees
+        return _decimals(styles.COLUMN, places(plan, "angle" if in_degrees else "length"))
     unit = column.equation.unit
     if column.inner:
         return _decimals(styles.INNER, 4 if unit.kind == "angle" else places(plan, unit.kind))
