@@ -10,7 +10,7 @@ from mechsheet import reference
 from mechsheet.checking.inputs import Array
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.dyads import DEAD
-from mechsheet.kinematics.equations import FORCES, RATES
+from mechsheet.kinematics.equations import FORCES, INNER, RATES
 from mechsheet.kinematics.numeric import value
 from mechsheet.sheet.plan import Plan
 
@@ -48,8 +48,7 @@ class Steepness:
             if equation.role in (*RATES, *FORCES) or (equation.role == "output" and of_rates):
                 dead = equation.symbol in self._dead or any(found[name] for name in of_rates)
                 found[equation.symbol] = dead
-        inner = ("coefficient", "dynamic")
-        return {symbol: dead for symbol, dead in found.items() if roles[symbol] not in inner}
+        return {symbol: dead for symbol, dead in found.items() if roles[symbol] not in INNER}
 
     def concerns(self, symbol: str) -> bool:
         """True for velocities, accelerations and forces, and outputs of them."""

@@ -17,9 +17,9 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equat
     return solve_motion(mechanism, modes, _add_forces)
 
 
-def _add_forces(found: Found) -> tuple[str, ...]:
+def _add_forces(found: Found) -> None:
     if found.poses.mechanism.dynamics is None:
-        return ()
+        return
     reactions = Reactions(found)
     effort = reactions.write()
-    return effort, effort_by_work(reactions.acting, found, effort)
+    effort_by_work(reactions.acting, found, effort)
