@@ -37,7 +37,12 @@ class Columns:
             self.metre = self.ledger.define(name, al.number(dynamics.metre or 1.0), NUMBER, label, "constant")
 
     def grey(self, base: str, node: Node, unit: Unit, label: Words, own_name: bool = False) -> Node:
-        """A simple expression itself; any other as a constant or a column, `base` its very name or what it is made from."""
+        """A simple expression itself; any other as a constant or a column, `base` its very name or what it is made from.
+
+        A column of its very name is black where somebody asks for it.
+        """
+        if own_name and base in self.asked:
+            return self.written(base, node, unit, label, "center")
         if al.is_simple(node):
             return node
         part = base.replace(".", "_")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from mechsheet.dynamics.reactions import Reactions
+from mechsheet.dynamics.wholes import Wholes
 from mechsheet.dynamics.work import effort_by_work
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import Found
@@ -23,3 +24,4 @@ def _add_forces(found: Found) -> None:
     reactions = Reactions(found)
     effort = reactions.write()
     effort_by_work(reactions.acting, found, effort)
+    Wholes(reactions.acting, found).write(effort)

@@ -129,9 +129,9 @@ class Plan:
         return self.equations.equations.efforts
 
     @property
-    def joint_forces(self) -> tuple[str, ...]:
+    def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces; see `Equations`."""
-        return self.equations.equations.joint_forces
+        return self.equations.equations.shown_forces
 
     @property
     def footer(self) -> str:
@@ -207,7 +207,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     if modes:
         _block(plan, "assembly", modes)
     variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
-    variables += [column.symbol for column in plan.forces if column.symbol in plan.joint_forces]
+    variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
@@ -296,14 +296,14 @@ def _plan_columns(plan: Plan) -> None:
 
 
 def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[TableColumn]:
-    """The columns of a sheet of its own in the rows of the positions: the driver's effort both ways first, then group by
-    group as they are solved."""
-    efforts = plan.efforts
+    """The columns of a sheet of its own in the rows of the positions: the driver's effort both ways and what holds for the
+    whole mechanism first, then group by group as they are solved."""
+    first = plan.equations.equations.forces("effort", "work", "whole")
     found = [equation for equation in plan.equations.columns if equation.role in roles]
-    found.sort(key=lambda equation: equation.symbol not in efforts)
+    found.sort(key=lambda equation: equation.symbol not in first)
     columns = []
     for col, equation in enumerate(found, RATES_STATUS + 1):
-        group = 0 if equation.symbol in efforts else equation.group
+        group = 0 if equation.symbol in first else equation.group
         inner = equation.role in INNER
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
         plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, column=True)
