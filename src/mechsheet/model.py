@@ -35,6 +35,15 @@ def rate_symbols(symbol: str, turns: bool) -> tuple[str, str]:
     return f"omega{tail}", f"alpha{tail}"
 
 
+SHAKING = ("shaking.x", "shaking.y", "shaking.m")
+"""What the forces of inertia of all links shake the ground with: the force's parts, and its moment about the origin."""
+
+
+def center_symbol(number: int) -> str:
+    """`G3`, the mass centre of link 3 where it is no point of its own: G3.x, G3.vx."""
+    return f"G{number}"
+
+
 def pair_symbol(letter: str, first: int, second: int) -> str:
     """`F34` of links 3 and 4; `F3_10` where a number has two digits."""
     return f"{letter}{first}{second}" if max(first, second) < 10 else f"{letter}{first}_{second}"

@@ -149,18 +149,11 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array], efforts: tu
     angles = {link.angle_symbol for link in solution.mechanism.links} & found.keys() & ours.keys()
     turned = {symbol: math.tau * np.round((ours[symbol] - found[symbol]) / math.tau) for symbol in angles}
     found |= {symbol: found[symbol] + np.nan_to_num(turns) for symbol, turns in turned.items()}
-    found |= {symbol: column for symbol, column in reference.by_time(solution).items() if symbol not in found}
-    found |= _forces(solution, efforts)
-    return found | reference.outputs(solution, found)
-
-
-def _forces(solution: reference.Solution, efforts: tuple[str, ...]) -> dict[str, Array]:
-    """The reference's forces, the driver's effort once more for virtual work."""
-    found = reference.forces(solution)
+    found |= {symbol: column for symbol, column in reference.further(solution).items() if symbol not in found}
     if efforts:
         effort, by_work = efforts
         found[by_work] = found[effort]
-    return found
+    return found | reference.outputs(solution, found)
 
 
 def _judged(plan: Plan) -> list[str]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, dynamics, joints, links, rates, results
+from mechsheet.description import dimensions, driver, dynamics, force_names, joints, links, rates, results
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -123,7 +123,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         table = (*table, *motion.dimensions)
 
     loads = part(data, "loads", [])
-    dynamics.declare(bodies, loads, made, sliding, driven, scope)
+    force_names.declare(bodies, loads, made, sliding, driven, scope)
     masses, cells = dynamics.read(bodies, part(data, "dynamics", {}), loads, made, scope)
     table = (*table, *cells)
 

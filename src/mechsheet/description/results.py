@@ -119,6 +119,8 @@ def _is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool
         return False
     if point not in scope.points:
         hint = suggestion(point, scope.points, "points")
+        if point in scope.centers:
+            hint = f"the mass centre is the point {scope.centers[point]}: write {scope.centers[point]}.{axis}"
         scope.report.at(path, f"{where}no point is called {quoted(point)}", hint)
     elif axis not in ("x", "y"):
         rates = f"; {point}.v, {point}.a for its velocity and acceleration" if scope.moves else ""
@@ -219,7 +221,7 @@ def _check_no_rate(name: Any, path: Path, scope: Scope) -> None:
     if name is BAD or not (is_rate(name, scope) or name in scope.forces or name in scope.of_rates):
         return
     what = "reads" if name in scope.of_rates else "is"
-    which = "a force" if name in scope.forces else "a velocity, an acceleration or a force"
+    which = f"a {scope.forces[name]}" if name in scope.forces else "a velocity, an acceleration or a force"
     if not scope.forces:
         which = "a velocity or an acceleration"
     message = f"{quoted(name)} {what} {which}: two-way tables have positions only"

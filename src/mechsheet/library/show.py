@@ -40,8 +40,8 @@ def overview_text(mechanism: Mechanism) -> str:
     rates = [equation.symbol for equation in equations.columns if equation.role == "rate"]
     if rates:
         lines.append(f"velocities and accelerations: {', '.join(rates)}")
-    if equations.joint_forces:
-        lines.append(f"forces: {', '.join(equations.joint_forces)}")
+    if equations.shown_forces:
+        lines.append(f"forces: {', '.join(equations.shown_forces)}")
         lines += ["speed 0: static forces"] * _stands(mechanism)
     if mechanism.outputs:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")

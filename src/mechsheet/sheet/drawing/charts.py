@@ -13,6 +13,7 @@ from typing import Literal
 
 import numpy as np
 
+from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ChartRequest, Mechanism, rate_symbols
@@ -90,7 +91,7 @@ def _of_forces(plan: Plan, sizes: Mapping[str, float]) -> list[ChartRequest]:
     if not plan.efforts:
         return []
     driver = plan.mechanism.driver.symbol
-    forces = [name for name in plan.equations.equations.held_forces if sizes[name] > 0]
+    forces = [name for name in plan.equations.equations.forces(*JOINT_FORCES) if sizes[name] > 0]
     groups = [forces[start : start + MOST_CURVES] for start in range(0, len(forces), MOST_CURVES)]
     return [ChartRequest(x=driver, y=names) for names in (plan.efforts, *map(tuple, groups))]
 

@@ -420,8 +420,7 @@ class _Block:
             self.bound(
                 'IF(COUNTIF(column,most)>0,name,"")', column=Symbol(ALL + name), most=cell, name=f" {plain(name)}"
             )
-            for name in plan.joint_forces
-            if not name.endswith((".n", ".c")) and name != effort
+            for name in plan.equations.equations.forces("size")
         ]
         force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
         style = styles.decimals(styles.RESULT, places(plan, "force"))
