@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, dynamics, force_names, joints, links, rates, results
+from mechsheet.description import dimensions, driver, dynamics, flywheel, force_names, joints, links, rates, results
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -129,6 +129,13 @@ def _read(source: Source, report: Report) -> Mechanism | None:
 
     results.declare(outputs, summary, scope)
     workbook = part(data, "workbook", {})
+    wheel = part(data, "flywheel", {})
+    flywheel.declare(wheel, scope)
+    if driven:
+        table = (
+            *table,
+            *flywheel.read(wheel, masses, driven, made, table, choice(workbook, "layout", "sheets"), scope),
+        )
     parts: dict[str, Any] = {
         "sketch": results.sketch(part(data, "assembly", {}), driven, scope),
         "outputs": results.outputs(outputs, scope),

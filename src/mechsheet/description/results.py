@@ -142,6 +142,8 @@ def _check_column(name: Any, path: Path, scope: Scope) -> None:
     rates = scope.rates if scope.moves else ()
     hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope), *rates, *scope.forces], "allowed")
     message = f"no variable or output is called {quoted(name)}"
+    if name in scope.charted:
+        message, hint = f"{quoted(name)} follows from all rows together: only charts can show it", ""
     if name in scope.units:
         message = f"{quoted(name)} is a dimension, the same in every row; a variable or an output is needed"
     scope.report.at(path, message, hint)
@@ -172,7 +174,8 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
         if x:
             _check_column(x, (*path, "x"), scope)
         for number, name in enumerate(y):
-            _check_column(name, (*path, "y", number), scope)
+            if name not in scope.charted:
+                _check_column(name, (*path, "y", number), scope)
         for number, name in enumerate(paths):
             if name is not BAD and name not in scope.points:
                 hint = suggestion(name, scope.points, "points")

@@ -18,9 +18,10 @@ from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, Role
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Dimension, Mechanism
+from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
+from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Name
 from mechsheet.words.workbook import Language, words
@@ -178,7 +179,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     values = driver_values(mechanism, dimension_values(mechanism))
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
-    assignments = lowered(mechanism, equations)
+    assignments = with_energy(mechanism, lowered(mechanism, equations))
     found = classification(mechanism, assignments)
     plan = Plan(mechanism, assignments, language, at, rows, [float(value) for value in values], found)
     _plan_columns(plan)
@@ -252,7 +253,7 @@ INPUT_BLOCKS = ("motion", "masses", "loads")
 
 def block_of(dim: Dimension) -> str:
     """The block of the first sheet in which such a dimension stands; "" for one of the description's own."""
-    places = {"driver": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
+    places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
     return places[str(dim.place[0])] if dim.place else ""
 
 
@@ -298,7 +299,7 @@ def _plan_columns(plan: Plan) -> None:
 def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[TableColumn]:
     """The columns of a sheet of its own in the rows of the positions: the driver's effort both ways and what holds for the
     whole mechanism first, then group by group as they are solved."""
-    first = plan.equations.equations.forces("effort", "work", "whole")
+    first = (*plan.equations.equations.forces("effort", "work", "whole"), ENERGY)
     found = [equation for equation in plan.equations.columns if equation.role in roles]
     found.sort(key=lambda equation: equation.symbol not in first)
     columns = []
