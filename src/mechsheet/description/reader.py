@@ -7,7 +7,19 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, drivers, dynamics, gears, joints, links, rates, results
+from mechsheet.description import (
+    dimensions,
+    driver,
+    drivers,
+    dynamics,
+    flywheel,
+    force_names,
+    gears,
+    joints,
+    links,
+    rates,
+    results,
+)
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -133,12 +145,19 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     table = (*table, *values)
 
     loads = part(data, "loads", [])
-    dynamics.declare(bodies, loads, made, sliding, driven, scope)
+    force_names.declare(bodies, loads, made, sliding, driven, scope)
     masses, cells = dynamics.read(bodies, part(data, "dynamics", {}), loads, made, scope)
     table = (*table, *cells)
 
     results.declare(outputs, summary, scope)
     workbook = part(data, "workbook", {})
+    wheel = part(data, "flywheel", {})
+    flywheel.declare(wheel, scope)
+    if driven:
+        table = (
+            *table,
+            *flywheel.read(wheel, masses, driven, made, table, choice(workbook, "layout", "sheets"), scope),
+        )
     parts: dict[str, Any] = {
         "sketch": sketch,
         "relations": relations,

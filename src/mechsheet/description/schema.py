@@ -336,6 +336,10 @@ DYNAMICS = Table(
     }
 )
 
+FLYWHEEL = Table(
+    {"fluctuation": Key(Number(), "coefficient of fluctuation of speed that is allowed, (ω max − ω min)/ω mean", True)}
+)
+
 LOAD = Table(
     {
         "name": Key(Text(longest=40), "what its cells are called; by default L1, L2 …"),
@@ -429,6 +433,7 @@ DESCRIPTION = Table(
         "rates": Key(RATES, "velocities and accelerations, where the driver has a speed"),
         "dynamics": Key(DYNAMICS, "gravity and units, where links have masses or loads"),
         "loads": Key(Items(LOAD), "forces and torques on links"),
+        "flywheel": Key(FLYWHEEL, "how large one must be, for whole turns at constant speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
@@ -436,5 +441,5 @@ DESCRIPTION = Table(
         "tables": Key(Items(TABLE), "two-way tables"),
         "workbook": Key(WORKBOOK, "how the workbook is written"),
     },
-    later=("flywheel", "friction"),
+    later=("friction",),
 )

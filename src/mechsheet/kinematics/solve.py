@@ -104,9 +104,8 @@ class Found:
     rates: Written
 
 
-Further: TypeAlias = Callable[[Found], tuple[str, ...]]
-"""Writes the forces' equations into the ledger, behind those of positions and rates and before the outputs; the `efforts`
-of `Equations`."""
+Further: TypeAlias = Callable[[Found], None]
+"""Writes the forces' equations into the ledger, behind those of positions and rates and before the outputs."""
 
 
 def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further: Further | None = None) -> Equations:
@@ -168,7 +167,8 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     rates = Written({}, {})
     if wanted(mechanism):
         rates = add_rates(poses, order, [solved for _, solved, _, _ in found])
-    efforts = () if further is None else further(Found(poses, order, rates))
+    if further is not None:
+        further(Found(poses, order, rates))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
@@ -180,7 +180,6 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
         rates.fits,
         rates.turning,
-        efforts,
         tuple(_listed(driver) for driver in mechanism.drivers if driver.values),
         _tied(poses, order),
     )

@@ -22,6 +22,8 @@ def given_words(plan: Plan, dim: Dimension) -> str:
             kind, on = ("rack", relation.joint) if isinstance(relation, Rack) else (relation.kind, relation.on)
             links = {link.name: link_words(link).of(plan.language) for link in plan.mechanism.links}
             return plan.text(f"gears.{kind}.{key}", link=links[relation.link], on=links.get(on, plain(on)))
+        case ("flywheel", _):
+            return plan.text("motion.fluctuation")
         case ("dynamics", "gravity"):
             return plan.text("masses.gravity")
         case ("dynamics", "gravity", int(axis)):

@@ -208,7 +208,8 @@ def _given_elsewhere(writer: Writer) -> None:
         writer.heading(key)
         for symbol, row in plan.blocks[key].rows.items():
             dim = next(dim for dim in plan.mechanism.dimensions if dim.symbol == symbol)
-            name = plan.text(f"name.{symbol}") if symbol == dim.driver_key else rich(symbol)
+            named = symbol == dim.driver_key or dim is plan.mechanism.flywheel
+            name = plan.text(f"name.{symbol}") if named else rich(symbol)
             writer.line(row, name, dim.unit.text, given_words(plan, dim))
             if isinstance(dim.value, float):
                 writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
