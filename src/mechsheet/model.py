@@ -7,12 +7,11 @@ is in internal units. The reader has parsed it and checked that it names only di
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Call, Node
 from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.units import Unit
 
@@ -175,7 +174,7 @@ class Joint:
     symbol: str
 
 
-PRESSURE: Node = NumberNode(math.radians(20))
+PRESSURE: Node = Call("RADIANS", (NumberNode(20.0),))
 """The usual angle between a tooth force and the tangent of the pitch circles [rad]."""
 
 

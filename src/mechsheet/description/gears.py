@@ -19,7 +19,7 @@ from mechsheet.description.scope import Scope
 from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
-from mechsheet.model import Dimension, Gear, Joint, Link, Rack, Relation
+from mechsheet.model import PRESSURE, Dimension, Gear, Joint, Link, Rack, Relation
 from mechsheet.units import NUMBER, Unit, unit_of
 
 ROUGH = 1
@@ -86,7 +86,7 @@ class _Reader:
             if size >= math.pi / 2:
                 message = "must be less than 90 degrees to either side"
                 self.scope.report.at((*path[:2], "pressure_angle"), message, "usual are 20 and 14.5 degrees")
-        return node, _as_node(degrees if "pressure_angle" in entry else math.radians(STANDARD))
+        return node, _as_node(degrees) if "pressure_angle" in entry else PRESSURE
 
     @property
     def _length(self) -> Unit:

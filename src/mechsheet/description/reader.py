@@ -145,7 +145,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     table = (*table, *values)
 
     loads = part(data, "loads", [])
-    force_names.declare(bodies, loads, made, sliding, driven, scope)
+    force_names.declare(bodies, loads, made, sliding, driven, further, relations, scope)
     masses, cells = dynamics.read(bodies, part(data, "dynamics", {}), loads, made, scope)
     table = (*table, *cells)
 

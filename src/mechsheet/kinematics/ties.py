@@ -131,7 +131,12 @@ def solved_for(
         for variable in [name for name in terms if name not in tied.unknowns]:
             right = al.sub(right, al.mul(terms.pop(variable), of(variable)))
         rows.append((terms, right))
-    return _eliminated(rows, list(tied.unknowns), value)
+    return eliminated(rows, list(tied.unknowns), value)
+
+
+def axis_of(graph: Graph, wheel: str, arm: str) -> str:
+    """The point about which a wheel turns on its arm."""
+    return next(point for point in graph.points[wheel] if point in graph.points[arm])
 
 
 def _alone(relation: Relation, unknown: str, of: Callable[[str], Node], phased: bool) -> Node:
@@ -152,7 +157,7 @@ def _alone(relation: Relation, unknown: str, of: Callable[[str], Node], phased: 
     return al.div(turned, al.sub(al.ONE, relation.ratio))
 
 
-def _eliminated(rows: list[tuple[Terms, Node]], unknowns: list[str], value: Callable[[Node], float]) -> dict[str, Node]:
+def eliminated(rows: list[tuple[Terms, Node]], unknowns: list[str], value: Callable[[Node], float]) -> dict[str, Node]:
     """Gauss's elimination with symbols; the pivot is the coefficient that is largest now."""
     done: list[tuple[str, Terms, Node]] = []
     while rows:
