@@ -16,6 +16,12 @@ GEARS: dict[str, tuple[str, str]] = {
     "gears.gear.phase": ("angle of {link} where that of {on} is 0", "{on} açısı 0 iken {link} açısı"),
     "gears.belt.phase": ("angle of {link} where that of {on} is 0", "{on} açısı 0 iken {link} açısı"),
     "gears.rack.phase": ("displacement {on} where the angle of {link} is 0", "{link} açısı 0 iken {on} ötelenmesi"),
+    "drawing.wheels": ("Wheels", "Çarklar"),
+    "drawing.radius": ("radius", "yarıçap"),
+    "drawing.angle": ("angle", "açı"),
+    "drawing.wheel": ("wheel {link}", "{link} çarkı"),
+    "drawing.belt": ("belt to {link}", "{link} kayışı"),
+    "drawing.rack": ("rack {link}", "{link} kremayeri"),
     "drivers.value": ("held by hand: the same in every row", "elle verilir: her satırda aynı"),
     "drivers.listed": ("typed, row by row", "satır satır yazılır"),
 }  # fmt: skip
