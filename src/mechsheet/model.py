@@ -189,6 +189,7 @@ class Gear:
     ratio     negative where the wheels turn against each other: external gears, crossed belts
     phase     [rad];  pressure  angle between the tooth force and the tangent of the pitch circles [rad]
     order     its place among the joints of the file, from 0
+    read_off  True where the description has no phase: it is what the sketch shows, or 0
     """
 
     kind: Literal["gear", "belt"]
@@ -199,6 +200,7 @@ class Gear:
     phase: Node
     order: int
     pressure: Node = PRESSURE
+    read_off: bool = False
 
     @property
     def turning(self) -> tuple[str, ...]:
@@ -223,6 +225,7 @@ class Rack:
     phase: Node
     order: int
     pressure: Node = PRESSURE
+    read_off: bool = False
 
     @property
     def turning(self) -> tuple[str, ...]:

@@ -22,6 +22,10 @@ def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
         mechanism.driver.symbol: np.array([unit.written(float(value)) for value in compiled.driver])
     }
     units = {mechanism.driver.symbol: unit.text}
+    for symbol in mechanism.listed_symbols:
+        unit = mechanism.driver_of(symbol).unit
+        columns[symbol] = np.array([unit.written(float(value)) for value in values[symbol]])
+        units[symbol] = unit.text
     for equation in compiled.equations.columns:
         symbol = equation.symbol
         if equation.role not in SHOWN_ROLES or symbol in columns:

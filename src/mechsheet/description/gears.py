@@ -69,7 +69,7 @@ class _Reader:
             return None
         ratio, pressure = given
         phase = self._phase(entry, order, link, self._gear_shows(link, on, arm, ratio))
-        return Gear(entry["type"], link, on, arm, ratio, phase, order, pressure)
+        return Gear(entry["type"], link, on, arm, ratio, phase, order, pressure, "phase" not in entry)
 
     def _ratio(self, entry: dict[str, Any], order: int, link: str | None) -> tuple[Node, Node]:
         """The ratio (of a rack the radius), and the pressure angle."""
@@ -164,7 +164,8 @@ class _Reader:
         phase = 0.0
         if angle is not None and still is not None and slid is not None:
             phase = float(f"{slid - self.scope.number(radius) * (angle - still):.4g}")
-        return Rack(slide.symbol, link, arm, radius, self._phase(entry, order, link, phase), order, pressure)
+        node = self._phase(entry, order, link, phase)
+        return Rack(slide.symbol, link, arm, radius, node, order, pressure, "phase" not in entry)
 
     def _carries_pinion(self, arm: str, link: str, sides: list[str], path: Path, given: bool) -> bool:
         where: Path = (*path, "arm") if given else (*path, "link")

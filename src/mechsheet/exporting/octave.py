@@ -96,6 +96,7 @@ def _given(program: Program) -> list[str]:
     names = program.names
     changeable = [names[line.symbol] for line in (*program.given, *program.modes)]
     changeable.append(names[program.mechanism.driver.symbol])
+    changeable += [names[symbol] for symbol, _ in program.listed]
     lines = [f"  check_names(varargin, {{{', '.join(_string(name) for name in changeable)}}});", "", "  % dimensions"]
     for line in program.given:
         lines += _argument(program, line)
@@ -127,6 +128,10 @@ def _driver(program: Program) -> list[str]:
     else:
         lines, values = [], f"[{', '.join(_text(program, value) for value in program.values)}]"
     lines += [f"  {name} = given(varargin, '{name}', {values});", f"  {name} = {name}(:);", f"  rows = numel({name});"]
+    for symbol, found in program.listed:
+        other = program.names[symbol]
+        listed = ", ".join(_text(program, value) for value in found)
+        lines += [f"  {other} = given(varargin, '{other}', [{listed}]);", f"  {other} = {other}(:);"]
     return ["", "  % driver", *lines]
 
 

@@ -61,6 +61,7 @@ class Program:
     exists     true in a row that every group closes
     shown      driver, variables, points, rates and outputs: what the program hands back
     names      symbol -> its name in the language
+    listed     further drivers whose values are given row by row: symbol and values
     """
 
     mechanism: Mechanism
@@ -74,11 +75,13 @@ class Program:
     exists: Node
     shown: tuple[str, ...]
     names: dict[str, str]
+    listed: tuple[tuple[str, tuple[Node, ...]], ...] = ()
 
     @property
     def moving(self) -> frozenset[str]:
         """The symbols that have one value per row."""
-        return frozenset((self.mechanism.driver.symbol, *(column.symbol for column in self.columns)))
+        listed = (symbol for symbol, _ in self.listed)
+        return frozenset((self.mechanism.driver.symbol, *listed, *(column.symbol for column in self.columns)))
 
     def unit_shown(self, symbol: str) -> Unit:
         """The unit in which people read a symbol's value."""
@@ -144,6 +147,8 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "rate", "force", "output")]
     wanted = [driver.symbol, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
     wanted += [column.symbol for column in columns]
+    listed = [other for other in mechanism.drivers if other.values]
+    wanted += [other.symbol for other in listed]
     return Program(
         mechanism,
         equations,
@@ -154,8 +159,9 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
         tuple(quantity(value, driver.unit) for value in driver.values),
         columns,
         _exists(equations),
-        tuple(dict.fromkeys([driver.symbol, *kept])),
+        tuple(dict.fromkeys([driver.symbol, *mechanism.listed_symbols, *kept])),
         identifiers(dict.fromkeys(wanted), reserved),
+        tuple((other.symbol, tuple(quantity(value, other.unit) for value in other.values)) for other in listed),
     )
 
 
@@ -178,7 +184,7 @@ def one_line(text: str) -> str:
 
 
 def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ...]:
-    moving = {mechanism.driver.symbol}
+    moving = {mechanism.driver.symbol, *mechanism.listed_symbols}
     closed: dict[tuple[Condition, ...], Symbol] = {}
     found = []
     for equation in equations.columns:

@@ -160,6 +160,11 @@ def _solve(program: Program) -> list[str]:
 def _signature(program: Program, driver: str) -> list[str]:
     head = ["", "def solve(", f"    {driver}: ArrayLike | None = None,", "    *,"]
     texts = ["", f"    {driver}: the driver's values, one per row; by default the description's sweep"]
+    for symbol, _ in program.listed:
+        head.append(f"    {program.names[symbol]}: ArrayLike | None = None,")
+        texts.append(
+            f"    {program.names[symbol]}: what is driven besides, one value per row; by default the description's"
+        )
     for line in program.given:
         head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.node)},")
         texts += _argument(program, line)
@@ -193,7 +198,15 @@ def _driver(program: Program, driver: str) -> list[str]:
         ]
     else:
         lines += [f"            {driver} = ({', '.join(_text(program, value) for value in program.values)},)"]
-    return [*lines, f"        {driver} = np.atleast_1d(np.asarray({driver}, float))"]
+    lines.append(f"        {driver} = np.atleast_1d(np.asarray({driver}, float))")
+    for symbol, values in program.listed:
+        name = program.names[symbol]
+        lines += [
+            f"        if {name} is None:",
+            f"            {name} = ({', '.join(_text(program, value) for value in values)},)",
+        ]
+        lines.append(f"        {name} = np.atleast_1d(np.asarray({name}, float))")
+    return lines
 
 
 def _column(program: Program, column: ColumnLine) -> list[str]:
