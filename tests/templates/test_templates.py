@@ -75,7 +75,7 @@ def test_written_as_promised(name):
     assert all(line.startswith("#") for line in lines if line)
     assert any("Source:" in line for line in lines)
     assert any("What to look at:" in line for line in lines)
-    dimensions = [dim for dim in mechanism.dimensions if not dim.driver_key]
+    dimensions = [dim for dim in mechanism.dimensions if not dim.place]
     for part in (*dimensions, *mechanism.links[1:], *mechanism.outputs, *mechanism.summaries):
         label = part.label
         assert label is not None, part

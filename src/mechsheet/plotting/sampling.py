@@ -15,7 +15,7 @@ from mechsheet.arguments.numbers import number_given
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.kinematics.sketched import tell
-from mechsheet.model import Mechanism
+from mechsheet.model import FurtherDriver, Mechanism
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 
@@ -58,13 +58,16 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     compiled = compiled_of(mechanism)
     tell(mechanism, compiled.equations)
     values = resampled(compiled.driver.tolist(), least)
+    rows = resampled([float(row) for row in range(len(compiled.driver))], least)
     shown, sweep = None, len(values)
     if at is not None:
         values, shown = with_value(values, mechanism.driver.unit.to_internal(at))
+        rows = _with_row(rows, values, shown)
         sweep = sweep if shown == sweep else len(values)
     drawn = replace(
         mechanism,
         driver=replace(mechanism.driver, values=tuple(values)),
+        drivers=tuple(_at_rows(driver, compiled, rows) for driver in mechanism.drivers),
         language=language or mechanism.language,
         layout="sheets",
         tables=(),
@@ -74,6 +77,24 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
     if shown is not None and not found.exists[shown]:
         raise MechanismError(_missing(found, at))
     return found
+
+
+def _with_row(rows: list[float], values: Sequence[float], shown: int) -> list[float]:
+    """The rows (fractions lie between two) of the values, of which that at `shown` may be a new one."""
+    if len(rows) == len(values):
+        return rows
+    if shown == len(rows):
+        return [*rows, rows[-1]]
+    part = (values[shown] - values[shown - 1]) / (values[shown + 1] - values[shown - 1])
+    return [*rows[:shown], rows[shown - 1] + part * (rows[shown] - rows[shown - 1]), *rows[shown:]]
+
+
+def _at_rows(driver: FurtherDriver, compiled: Compiled, rows: Sequence[float]) -> FurtherDriver:
+    """A further driver whose values are listed, at these rows."""
+    if not driver.values:
+        return driver
+    listed = compiled.values[driver.symbol]
+    return replace(driver, values=tuple(np.interp(rows, np.arange(len(listed)), listed).tolist()))
 
 
 def resampled(values: Sequence[float], least: int = LEAST) -> list[float]:
