@@ -41,7 +41,7 @@ def verdict(compiled: Compiled) -> str:
 def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
     """The stop of the sweep as people read it, where the steps do not land on it."""
     driver = mechanism.driver
-    if driver.values:
+    if not driver.stepped:
         return None
     values = dimension_values(mechanism)
     start, stop, step = (number(part, values) for part in (driver.start, driver.stop, driver.step))
