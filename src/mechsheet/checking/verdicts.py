@@ -58,7 +58,7 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
         for group in equations.groups
     )
     search = Search(
-        replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.driver,
+        replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.given,
         stepped=not mechanism.driver.values,
     )  # fmt: skip
     return _Judge(values, plan, search).result()
