@@ -228,7 +228,9 @@ class _Judge:
             for link, one, other in loop.sides(self.search.mechanism.ground)
         ]
         excess = 2 * (min(lengths) + max(lengths)) - sum(lengths)
-        self._number(f"grashof_{loop.group}", [excess], 1e-8 * self.search.size)
+        wrong = self._found("inputs")
+        found = [] if isinstance(wrong, float) and wrong > 0 else [excess]  # nothing is said of inputs that cannot be
+        self._number(f"grashof_{loop.group}", found, 1e-8 * self.search.size)
 
     def _extent(self, key: str, symbol: str, scale: float) -> None:
         """A swing or a stroke: of one stretch."""
