@@ -156,7 +156,6 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "dynamics": masses,
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
-    dynamics.check_layout(layout, scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

@@ -187,6 +187,14 @@ LINK = Table(
     later=("friction",),
 )
 
+REASONS = {
+    "friction": (
+        "joints are taken to be free of it",
+        'a load against the motion may stand for it: [[loads]] with torque = "-0.2*omega14"',
+    )
+}
+"""Reserved keys of which more can be said: why they are refused, and what to do instead."""
+
 _TYPE = Key(Text(), "kind of the joint", True)
 _NAME = Key(Text(), "what the driver calls it; the symbol by default")
 _ON = Key(Text(names="link"), "the link that carries the line", True)
@@ -208,7 +216,8 @@ JOINT = Kinds(
                 "angle": _ANGLE,
                 "orientation": Key(Quantity(), "angle of `link`'s x axis from the line; default 0"),
                 "symbol": _SYMBOL,
-            }
+            },
+            later=("friction",),
         ),
         "pin-slot": Table(
             {
@@ -220,7 +229,8 @@ JOINT = Kinds(
                 "through": _THROUGH,
                 "angle": _ANGLE,
                 "symbol": _SYMBOL,
-            }
+            },
+            later=("friction",),
         ),
     },
     later=("gear",),
@@ -287,7 +297,8 @@ DYNAMICS = Table(
         ),
         "force_unit": Key(Text(longest=20), "label of forces, where the length unit is not mm, cm, dm or m"),
         "mass_unit": Key(Text(longest=20), "label of masses, likewise"),
-    }
+    },
+    later=("friction",),
 )
 
 FLYWHEEL = Table(
