@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from mechsheet.checking.audit import same
+from mechsheet.checking.edits import same
 from mechsheet.checking.expected import Expected
 from mechsheet.checking.report import text_of
 from mechsheet.diagnostics import Fault, WorkbookError

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from mechsheet.checking.audit import same
 from mechsheet.checking.changes import Change, changes_in, input_places
+from mechsheet.checking.edits import same
 from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.inserted_rows import moves_between, undone
 from mechsheet.checking.perturb import description_or_fault
