@@ -252,12 +252,14 @@ class Top:
             crank=said("one", turning[0]), rockers=said("coupler"), follower=said("one", turning[1]),
         )  # fmt: skip
         words = formula(
-            "IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which)))",
+            'IFERROR(IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which))),"")',
             excess=excess, shortest=shortest, coupler=coupler, which=which,
             open=said("open"), change=said("change"), none=said("none"),
         )  # fmt: skip
         self.line(row, loop.name, plan.mechanism.length_unit, words)
-        value = formula("2*(shortest+longest)-total", shortest=shortest, longest=longest, total=total)
+        value = formula(
+            "IF(_inputs>0,NA(),2*(shortest+longest)-total)", shortest=shortest, longest=longest, total=total
+        )
         self.fill(row, VALUE, value, value_style(plan, "length"))
 
     def _length(self, key: str, length: Node) -> Node:
@@ -319,8 +321,7 @@ class Top:
             )
             meaning = plan.text("page.take.rows", label=label)
             self.line(row, rich(summary.symbol), shown_unit(plan, summary.of), meaning)
-            driver = plan.mechanism.driver
-            kind = (driver.unit if summary.of == driver.symbol else plan.equations.of(summary.of).unit).kind
+            kind = (plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit).kind
             value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=self._taken(summary))
             self.fill(row, VALUE, value, value_style(plan, kind))
 
