@@ -119,7 +119,14 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     rates.declare(made, sliding, driven, data["driver"], scope)
     motion = rates.motion(data["driver"], made, driven, scope) if driven else None
     if driven and motion:
-        driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
+        driven = replace(
+            driven,
+            speed=motion.speed,
+            acceleration=motion.acceleration,
+            law=motion.law,
+            speeds=motion.speeds,
+            accelerations=motion.accelerations,
+        )
         table = (*table, *motion.dimensions)
 
     loads = part(data, "loads", [])

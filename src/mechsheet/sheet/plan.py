@@ -14,9 +14,10 @@ import numpy as np
 
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, Role
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
+from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
@@ -62,14 +63,15 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """One column of the table: the row's number, the driver, what it says of the row, or a quantity.
+    """One column of the table: the row's number, the driver, what it says of the row, the time of a law, what is listed
+    beside the driver's values, or a quantity.
 
     inner  an intermediate quantity, in quieter ink
     """
 
     col: int
     symbol: str
-    kind: Literal["number", "driver", "status", "equation"]
+    kind: Literal["number", "driver", "status", "time", "listed", "equation"]
     group: int
     inner: bool
     equation: Assignment | None = None
@@ -106,9 +108,14 @@ class Plan:
         return largest_length(self.mechanism, dimension_values(self.mechanism)) or 1.0
 
     @cached_property
+    def given(self) -> Mapping[str, Array]:
+        """Of every row the driver's value and what is given beside it, with the dimensions as described."""
+        return given_values(self.mechanism, dimension_values(self.mechanism))
+
+    @cached_property
     def nominal(self) -> dict[str, Array]:
         """Every symbol's values over the rows with the dimensions and modes as described, NaN where there is none."""
-        return sweep(self.mechanism, self.equations.equations, np.array(self.driver))
+        return sweep(self.mechanism, self.equations.equations, self.given)
 
     @cached_property
     def first_existing(self) -> int:
@@ -176,7 +183,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     roles = {equation.role for equation in equations.columns}
     further = [key for key, own in (("rates", RATES), ("forces", FORCES)) if roles & {*own}]
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
-    values = driver_values(mechanism, dimension_values(mechanism))
+    values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
     assignments = with_energy(mechanism, lowered(mechanism, equations))
@@ -198,7 +205,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     plan.next_row = FIRST_BLOCK
     _block(plan, "position", ["position", mechanism.driver.symbol, "status"])
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
-    if not mechanism.driver.values:
+    if mechanism.driver.stepped:
         _block(plan, "sweep", ["start", "step", "stop"])
     for key in INPUT_BLOCKS:
         entries = [dim.symbol for dim in mechanism.dimensions if block_of(dim) == key]
@@ -207,7 +214,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     modes = [group.mode for group in plan.equations.groups if group.mode]
     if modes:
         _block(plan, "assembly", modes)
-    variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
+    variables = [*mechanism.given_by_row]
+    variables += [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
     variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
@@ -284,6 +292,8 @@ def _plan_columns(plan: Plan) -> None:
     _add_column(plan, "#number", "number", 0, False)
     _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
     _add_column(plan, "#status", "status", 0, False)
+    for symbol in plan.mechanism.given_by_row:
+        _add_column(plan, symbol, "time" if driver.law else "listed", 0, False)
     for equation in plan.equations.columns:
         if equation.role in (*RATES, *FORCES):
             continue
@@ -314,7 +324,7 @@ def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[Table
 def _add_column(
     plan: Plan,
     symbol: str,
-    kind: Literal["number", "driver", "status", "equation"],
+    kind: Literal["number", "driver", "status", "time", "listed", "equation"],
     group: int,
     degrees: bool,
     equation: Assignment | None = None,
