@@ -290,7 +290,9 @@ def _curves(program: Program, request: ChartRequest, number: int, name: str) -> 
             ", ".join(["rows", *(_shown(program, f"{point}.v{axis}") for point in request.hodographs)]) for axis in "xy"
         )
         legend = ", ".join(_string(point) for point in request.hodographs)
-        return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y of v [{unit}/s]')}, '{name}');"
+        return (
+            f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y of v [{unit}/s]')}, '{name}');"
+        )
     x = _shown(program, request.x)
     y = ", ".join(["rows", *(_shown(program, symbol) for symbol in request.y)])
     legend = ", ".join(_string(program.names[symbol]) for symbol in request.y)

@@ -51,6 +51,10 @@ FOOTER_TITLE = 100
 """Characters of the title in the footer, which holds 255 in all."""
 
 
+ArrowKind = Literal["velocity", "acceleration", "forces"]
+"""What arrows in the drawing show; a cell of the first sheet, `show_velocity`, hides each."""
+
+
 @dataclass(frozen=True, slots=True)
 class Block:
     """A block of the first sheet: its heading's row and the rows of its entries by symbol (or key)."""
@@ -141,6 +145,25 @@ class Plan:
         return self.equations.equations.joint_forces
 
     @property
+    def moving_points(self) -> tuple[str, ...]:
+        """Points that have a velocity and an acceleration."""
+        points = {point for link in self.mechanism.links for point in link.points}
+        found = (column.symbol.rpartition(".") for column in self.rates)
+        return tuple(point for point, _, part in found if part == "v" and point in points)
+
+    @property
+    def held_columns(self) -> tuple[str, ...]:
+        """The forces of joints, as far as they differ from row to row."""
+        columns = {column.symbol for column in self.forces}
+        return tuple(name for name in self.equations.equations.held_forces if name in columns)
+
+    @property
+    def arrows(self) -> tuple[ArrowKind, ...]:
+        """What arrows there are in the drawing."""
+        found: tuple[ArrowKind, ...] = ("velocity", "acceleration") if self.moving_points else ()
+        return (*found, "forces") if self.held_columns else found
+
+    @property
     def footer(self) -> str:
         """What stands below every printed page: title, sheet, page; an ampersand is a mark there."""
         title = self.mechanism.title.of(self.language).replace("&", "&&")
@@ -202,7 +225,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
     taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
     plan.next_row = FIRST_BLOCK
-    _block(plan, "position", ["position", mechanism.driver.symbol, "status"])
+    shown = [f"show_{kind}" for kind in plan.arrows]
+    _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
     if mechanism.driver.stepped:
         _block(plan, "sweep", ["start", "step", "stop"])
@@ -246,6 +270,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _spot(plan, f"#summary {summary.symbol}", row, False, name, taken)
     name = safe_name(plan.text("name.position"), taken)
     _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
+    for key in shown:
+        _spot(plan, f"#{key}", plan.blocks["position"].rows[key], False, safe_name(key, taken), taken)
     _spot(plan, "#verdict", VERDICT_ROW, False, safe_name("verdict", taken), taken, SYMBOL)
     for key in plan.found.entries:
         row = plan.blocks["verdicts"].rows[key]

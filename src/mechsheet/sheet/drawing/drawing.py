@@ -18,6 +18,7 @@ from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.drawing.arrows import arrows_of
 from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
@@ -99,7 +100,7 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     place_names(page, cells, guides)
     first, last = marks(page, cells)
     behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *_shapes(page, cells, guides)]
-    before = [*frame.series, _caption(page), *last]
+    before = [*frame.series, _caption(page), *last, *arrows_of(page, cells)]
     names = names_of(page, cells)[: max(0, MOST_SERIES - len(behind) - len(before))]
     series = [*behind, *names, *before]
     title = plan.mechanism.title.of(plan.language)

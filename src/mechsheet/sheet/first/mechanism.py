@@ -281,6 +281,17 @@ def _position(writer: Writer) -> None:
     writer.line(rows["status"], plan.text("head.status"), "", "")
     said = _at_position(plan, plan.at.column("#status", plan.main))
     writer.formula(rows["status"], VALUE, said, styles.VERDICT)
+    for kind in plan.arrows:
+        row = rows[f"show_{kind}"]
+        writer.line(row, plan.text("name.arrows"), "", plan.text(f"position.show_{kind}"))
+        writer.put(row, VALUE, 1.0, styles.INPUT)
+        title, message = plan.text(f"arrows.{kind}"), plan.text(f"position.show_{kind}")
+        writer.validations.append(
+            Validation(
+                Area(row, VALUE, row, VALUE), "list", choices=("1", "0"), input_title=title, input_message=message,
+                error_title=title, error_message=message,
+            )
+        )  # fmt: skip
 
 
 def _variables(writer: Writer) -> None:
