@@ -20,7 +20,8 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import TIME, Driver, Mechanism
-from mechsheet.sheet.plan import STATUS, VALUE
+from mechsheet.sheet.drawing.frames import CHART_X
+from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Workbook
 
@@ -48,14 +49,19 @@ class Sample(Compiled):
 
     @property
     def layout(self) -> Workbook:
-        """The workbook, its arrows shown or hidden."""
-        workbook, plan = super().layout, self.plan
-        if self.vectors:
+        """The workbook, its drawing with or without arrows."""
+        workbook, rows = super().layout, self.plan.arrow_rows
+        if self.vectors or not rows:
             return workbook
-        hidden = {(plan.at.spots[f"#show_{kind}"].row, VALUE) for kind in plan.arrows}
         main = workbook.sheets[0]
-        cells = tuple(replace(cell, content=0.0) if (cell.row, cell.col) in hidden else cell for cell in main.cells)
-        return replace(workbook, sheets=(replace(main, cells=cells), *workbook.sheets[1:]))
+        drawing, *others = main.charts
+        title = self.plan.at.titles["drawing"]
+        kept = [
+            each for each in drawing.series if each.x.sheet != title or each.x.area.first_row not in rows
+            or each.x.area.first_col != CHART_X
+        ]  # fmt: skip
+        main = replace(main, charts=(replace(drawing, series=tuple(kept)), *others))
+        return replace(workbook, sheets=(main, *workbook.sheets[1:]))
 
     @cached_property
     def shown(self) -> int:

@@ -88,6 +88,7 @@ class Plan:
     rates   the columns of the sheet of rates behind its first two; none without velocities
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    arrow_rows  rows of the drawing's sheet in which its arrows stand, likewise
     """
 
     mechanism: Mechanism
@@ -104,6 +105,7 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
+    arrow_rows: range = range(0)
 
     @cached_property
     def size(self) -> float:

@@ -29,6 +29,10 @@ RATES: dict[str, tuple[str, str]] = {
     "arrows.acceleration": ("Accelerations", "İvmeler"),
     "arrows.forces": ("Joint forces", "Mafsal kuvvetleri"),
     "arrows.scale": ("half windows by unit", "birim başına yarım pencere"),
+    "notes.use.arrows": (
+        "Arrows in the drawing are true to scale, each kind with a bar of its own; a 0 in show_… hides a kind.",
+        "Çizimdeki oklar ölçeklidir, her türün kendi ölçek çubuğu vardır; show_… hücresine 0 yazılırsa o tür gizlenir.",
+    ),
     "block.motion": ("Motion of the driver", "Tahrik hareketi"),
     "motion.speed": ("speed of the driver", "tahrik hızı"),
     "motion.speed.own": ("speed of the driver, in its own unit", "tahrik hızı, kendi biriminde"),

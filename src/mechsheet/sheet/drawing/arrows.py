@@ -46,8 +46,10 @@ class Arrow:
 def arrows_of(page: Page, cells: Mapping[str, PointCells]) -> tuple[Series, ...]:
     """All arrows and their scale bars; nothing in a workbook without velocities and forces."""
     found: list[Series] = []
+    first = page.row
     for number, kind in enumerate(page.plan.arrows):
         found += _kind(page, cells, kind, number)
+    page.plan.arrow_rows = range(first, page.row)
     return tuple(found)
 
 
