@@ -360,12 +360,13 @@ class Summary:
 
 @dataclass(frozen=True, slots=True)
 class ChartRequest:
-    """Curves of `y` against `x`, or (when `paths` is not empty) the paths of points at true scale."""
+    """Curves of `y` against `x`, or the paths of points at true scale, or those of the ends of their velocity vectors."""
 
     title: Words | None = None
     x: str = ""
     y: tuple[str, ...] = ()
     paths: tuple[str, ...] = ()
+    hodographs: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

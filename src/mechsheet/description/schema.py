@@ -355,9 +355,11 @@ CHART = Table(
         "x": Key(Text(names="variable or output"), "the horizontal axis"),
         "y": Key(Items(Text(names="variable or output"), 1, MOST_SERIES), "the curves"),
         "paths": Key(Items(Text(names="point"), 1, MOST_SERIES), "curves of points, x and y at the same scale"),
+        "hodographs": Key(
+            Items(Text(names="point"), 1, MOST_SERIES), "curves of the ends of points' velocity vectors, at true scale"
+        ),
     },
-    ways=((("x", "y"), ("paths",)),),
-    later=("hodographs",),
+    ways=((("x", "y"), ("paths",), ("hodographs",)),),
 )
 
 TABLE = Table(
