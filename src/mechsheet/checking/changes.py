@@ -18,7 +18,8 @@ from mechsheet.sheet.table.two_way import table_sheets
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),
-("driver", "speed"), ("driver", "values", 3), ("tables", 0, 2), ("links", "crank", "mass"), ("loads", 0, "force", 1)."""
+("driver", "speed"), ("driver", "speed", 3), ("driver", "motion", "duration"), ("driver", "values", 3), ("tables", 0, 2),
+("links", "crank", "mass"), ("loads", 0, "force", 1)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,13 +38,15 @@ class Change:
                 return f"tolerance of {symbol}"
             case ("driver", "values", int(index)):
                 return f"driver value {index + 1}"
+            case ("driver", str(key), int(index)):
+                return f"{key} {index + 1} of the driver"
             case ("tables", int(table), int(column)):
                 return f"column {column + 1} of table {table + 1}"
             case ("links", str(link), str(key), *part):
                 return f"{key} of {link}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
             case ("loads", int(number), str(key), *part):
                 return f"{key} of load {number + 1}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
-        return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[1]} of the driver"
+        return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[-1]} of the driver"
 
 
 def changes_in(book: Book, expected: Expected, shown: str) -> list[Change]:
@@ -97,12 +100,14 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
         for key in ("start", "step"):
             if isinstance(getattr(mechanism.driver, key), float):
                 yield ("driver", key), (plan.main, plan.blocks["sweep"].rows[key], VALUE)
-    for index, value in enumerate(mechanism.driver.values):
-        if isinstance(value, float):
-            yield (
-                ("driver", "values", index),
-                (plan.table, plan.at.first + index, plan.at.spots[mechanism.driver.symbol].col),
-            )
+    kept = dict(zip(mechanism.driver_rates, ("speed", "acceleration"), strict=True))
+    for symbol, listed in mechanism.listed.items():
+        for index, value in enumerate(listed):
+            if isinstance(value, float):
+                yield (
+                    ("driver", kept.get(symbol, "values"), index),
+                    (plan.table, plan.at.first + index, plan.at.spots[symbol].col),
+                )
     yield from _table_places(expected)
 
 

@@ -193,7 +193,8 @@ def _given(change: Change) -> float:
 
 def _with_stop(source: Source, changes: Sequence[Change], target: Expected) -> Source:
     """With the stop of the sweep where the workbook's last row is now: a workbook keeps its number of rows."""
-    if not any(change.key[0] == "driver" and len(change.key) == 2 for change in changes):
+    stepped = target.plan.mechanism.driver.stepped
+    if not stepped or not any(change.key[0] == "driver" and len(change.key) == 2 for change in changes):
         return source
     rows = target.plan.rows
     start, stop, step = _sweep(target.plan.mechanism, ())

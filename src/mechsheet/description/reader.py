@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, dynamics, joints, links, rates, results
+from mechsheet.description import dimensions, driver, dynamics, flywheel, force_names, joints, links, rates, results
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -119,16 +119,30 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     rates.declare(made, sliding, driven, data["driver"], scope)
     motion = rates.motion(data["driver"], made, driven, scope) if driven else None
     if driven and motion:
-        driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
+        driven = replace(
+            driven,
+            speed=motion.speed,
+            acceleration=motion.acceleration,
+            law=motion.law,
+            speeds=motion.speeds,
+            accelerations=motion.accelerations,
+        )
         table = (*table, *motion.dimensions)
 
     loads = part(data, "loads", [])
-    dynamics.declare(bodies, loads, made, sliding, driven, scope)
+    force_names.declare(bodies, loads, made, sliding, driven, scope)
     masses, cells = dynamics.read(bodies, part(data, "dynamics", {}), loads, made, scope)
     table = (*table, *cells)
 
     results.declare(outputs, summary, scope)
     workbook = part(data, "workbook", {})
+    wheel = part(data, "flywheel", {})
+    flywheel.declare(wheel, scope)
+    if driven:
+        table = (
+            *table,
+            *flywheel.read(wheel, masses, driven, made, table, choice(workbook, "layout", "sheets"), scope),
+        )
     parts: dict[str, Any] = {
         "sketch": results.sketch(part(data, "assembly", {}), driven, scope),
         "outputs": results.outputs(outputs, scope),

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
+from mechsheet.model import LAWS
 
 FORMAT = 1
 HEADING_ROWS = 20
@@ -230,10 +231,19 @@ _ACCELERATION_UNITS = ("rad/s^2", "deg/s^2", "rpm/s")
 
 
 def _rate(units: tuple[str, ...], per: str) -> Either:
-    """A number (of the first unit), an expression, or a number with its unit."""
+    """A number (of the first unit), an expression, a number with its unit, or one for each of the driver's values."""
     note = " or ".join(f'"{unit}"' for unit in units) + f'; of a displacement "LENGTH UNIT/{per}"'
-    return Either((Quantity(), Table({"value": Key(Number(), "a number", True), "unit": Key(Text(), note, True)})))
+    with_unit = Table({"value": Key(Number(), "a number", True), "unit": Key(Text(), note, True)})
+    return Either((Quantity(), with_unit, Items(Quantity(), 1, note="a list with one for each of `values`")))
 
+
+MOTION = Table(
+    {
+        "law": Key(Text(LAWS), "how the way grows with the time", True),
+        "duration": Key(Quantity(), "time from start to stop, in s", True),
+        "rows": Key(Integer(2, MOST_ROWS), "positions, equally spaced in time; default 41"),
+    }
+)
 
 DRIVER = Table(
     {
@@ -245,17 +255,18 @@ DRIVER = Table(
         "stop": Key(Quantity(), "last value, when the steps land on it"),
         "step": Key(Quantity(), "from row to row"),
         "values": Key(Items(Quantity(), 1), "or all values one by one"),
+        "motion": Key(MOTION, "or from start to stop in a given time, by a motion law"),
         "speed": Key(
             _rate(_SPEED_UNITS, "s"),
-            "in rad/s (of a displacement in length units/s); an expression may read the driver, too",
+            "in rad/s (of a displacement in length units/s); an expression may read the driver, too; "
+            "or a list, one for each of `values`",
         ),
         "acceleration": Key(
             _rate(_ACCELERATION_UNITS, "s^2"),
-            "in rad/s^2; default 0, or as the speed changes with the driver",
+            "in rad/s^2; default 0, or as the speed changes with the driver; or a list, likewise",
         ),
     },
-    ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",))),
-    later=("motion",),
+    ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",), ("start", "stop", "motion"))),
 )
 
 RATES = Table(
@@ -277,6 +288,10 @@ DYNAMICS = Table(
         "force_unit": Key(Text(longest=20), "label of forces, where the length unit is not mm, cm, dm or m"),
         "mass_unit": Key(Text(longest=20), "label of masses, likewise"),
     }
+)
+
+FLYWHEEL = Table(
+    {"fluctuation": Key(Number(), "coefficient of fluctuation of speed that is allowed, (ω max − ω min)/ω mean", True)}
 )
 
 LOAD = Table(
@@ -371,6 +386,7 @@ DESCRIPTION = Table(
         "rates": Key(RATES, "velocities and accelerations, where the driver has a speed"),
         "dynamics": Key(DYNAMICS, "gravity and units, where links have masses or loads"),
         "loads": Key(Items(LOAD), "forces and torques on links"),
+        "flywheel": Key(FLYWHEEL, "how large one must be, for whole turns at constant speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
@@ -378,5 +394,5 @@ DESCRIPTION = Table(
         "tables": Key(Items(TABLE), "two-way tables"),
         "workbook": Key(WORKBOOK, "how the workbook is written"),
     },
-    later=("drivers", "flywheel", "friction"),
+    later=("drivers", "friction"),
 )

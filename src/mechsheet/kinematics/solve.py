@@ -17,6 +17,7 @@ from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.coefficients import Written, add_rates, wanted
+from mechsheet.kinematics.driving import driver_values, given_values
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
@@ -26,7 +27,6 @@ from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
-from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import Place, angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rpr import solve_rpr
@@ -66,16 +66,6 @@ def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
     return tuple(known)
 
 
-def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
-    """The driver's values, row by row: start + n step (no drift); stop is included when the steps land on it."""
-    driver = mechanism.driver
-    if driver.values:
-        return np.array([number(value, dimensions) for value in driver.values])
-    start, stop, step = (number(part, dimensions) for part in (driver.start, driver.stop, driver.step))
-    count = math.floor((stop - start) / step + 1e-9) + 1
-    return np.asarray(start + step * np.arange(count), dtype=np.float64)
-
-
 @dataclass(frozen=True, slots=True)
 class Found:
     """What is known when all positions and rates are written down: what forces are found from."""
@@ -86,9 +76,8 @@ class Found:
     rates: Written
 
 
-Further: TypeAlias = Callable[[Found], tuple[str, ...]]
-"""Writes the forces' equations into the ledger, behind those of positions and rates and before the outputs; the `efforts`
-of `Equations`."""
+Further: TypeAlias = Callable[[Found], None]
+"""Writes the forces' equations into the ledger, behind those of positions and rates and before the outputs."""
 
 
 def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further: Further | None = None) -> Equations:
@@ -143,21 +132,23 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     rates = Written({}, {})
     if wanted(mechanism):
         rates = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
-    efforts = () if further is None else further(Found(poses, order.drive, order.dyads, rates))
+    if further is not None:
+        further(Found(poses, order.drive, order.dyads, rates))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
+    law = mechanism.driver.law
+    positive = {*ledger.positive, *((law.duration,) if law else ())}
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
         _groups(found, loops_of(poses, order.dyads)),
-        tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in ledger.positive),
+        tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
         rates.fits,
         rates.turning,
-        efforts,
     )
-    validate(result, (*dimensions, mechanism.driver.symbol))
+    validate(result, (*dimensions, mechanism.driver.symbol, *mechanism.given_by_row))
     return result
 
 
@@ -188,11 +179,12 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
 
 
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
-    values = driver_values(mechanism, dimensions)
-    if len(values) > 2 * PROBED_ROWS:
-        rest = np.linspace(PROBED_ROWS, len(values) - 1, PROBED_ROWS).astype(int)
-        values = np.concatenate([values[:PROBED_ROWS], values[rest]])
-    ledger = Ledger(dimensions, mechanism.driver.symbol, values, given_names(mechanism))
+    given = given_values(mechanism, dimensions)
+    rows = len(given[mechanism.driver.symbol])
+    if rows > 2 * PROBED_ROWS:
+        rest = np.linspace(PROBED_ROWS, rows - 1, PROBED_ROWS).astype(int)
+        given = {name: np.concatenate([column[:PROBED_ROWS], column[rest]]) for name, column in given.items()}
+    ledger = Ledger(dimensions, mechanism.driver.symbol, given, given_names(mechanism))
     ledger.tolerance = ledger.define(
         ledger.reserve("tol"),
         al.mul(NumberNode(CLOSING), _largest_length(mechanism)),

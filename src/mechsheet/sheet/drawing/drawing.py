@@ -183,7 +183,7 @@ def _shown(page: Page, requests: Sequence[ChartRequest], cells: Mapping[str, Poi
     missing = []
     for name in wanted:
         point, dot, axis = name.partition(".")
-        if dot and point in cells:
+        if dot and point in cells and axis in ("x", "y"):
             cell = cells[point].x if axis == "x" else cells[point].y
             found[name] = page.reference(cell.row, cell.col)
         elif name not in there and plan.at.spots[name].column:

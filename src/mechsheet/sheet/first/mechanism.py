@@ -9,7 +9,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
-from mechsheet.sheet.first.given import given_words
+from mechsheet.sheet.first.given import given_words, words_of
 from mechsheet.sheet.first.inputs import gated_tolerance
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
@@ -27,7 +27,6 @@ from mechsheet.sheet.plan import (
 )
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.lowering import Assignment
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import (
     Anchor,
@@ -208,7 +207,8 @@ def _given_elsewhere(writer: Writer) -> None:
         writer.heading(key)
         for symbol, row in plan.blocks[key].rows.items():
             dim = next(dim for dim in plan.mechanism.dimensions if dim.symbol == symbol)
-            name = plan.text(f"name.{symbol}") if symbol == dim.driver_key else rich(symbol)
+            named = symbol == dim.driver_key or dim is plan.mechanism.flywheel
+            name = plan.text(f"name.{symbol}") if named else rich(symbol)
             writer.line(row, name, dim.unit.text, given_words(plan, dim))
             if isinstance(dim.value, float):
                 writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
@@ -288,12 +288,12 @@ def _variables(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("variables")
     for symbol, row in plan.blocks["variables"].rows.items():
-        equation: Assignment = plan.equations.of(symbol)
-        writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
+        unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
+        writer.line(row, rich(symbol), shown_unit(plan, symbol), words_of(plan, symbol))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
-        rate = styles.decimals(styles.RESULT, places_of(plan, equation.unit))
-        as_is = equation.unit.per or equation.role == "force"
-        writer.formula(row, VALUE, node, rate if as_is else value_style(plan, equation.unit.kind))
+        rate = styles.decimals(styles.RESULT, places_of(plan, unit))
+        as_is = unit.per or symbol in plan.shown_forces
+        writer.formula(row, VALUE, node, rate if as_is else value_style(plan, unit.kind))
 
 
 def controls(plan: Plan) -> tuple[Control, ...]:

@@ -20,10 +20,11 @@ import numpy as np
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Direction, Node, Symbol, TriangleAngle, symbols, transform, walk
+from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.numeric import value as numeric
-from mechsheet.kinematics.solve import dimension_values, driver_values, largest_length
+from mechsheet.kinematics.solve import dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.quoted import formula
@@ -68,10 +69,10 @@ class _Lowering:
         symbols_found = [equation.symbol for equation in equations.all]
         self.names = FreshNames([*given_names(mechanism), *symbols_found, *modes])
         self.still = {*dimension_values(mechanism), *modes, *(equation.symbol for equation in equations.constants)}
-        self.known = {*self.still, mechanism.driver.symbol}
+        self.known = {*self.still, mechanism.driver.symbol, *mechanism.given_by_row}
         values = dimension_values(mechanism)
         self.size = largest_length(mechanism, values) or 1.0
-        self.nominal = sweep(mechanism, equations, np.array(driver_values(mechanism, values)))
+        self.nominal = sweep(mechanism, equations, given_values(mechanism, values))
         self.plain: dict[str, Node] = {}
         self.legs: dict[Node, Node] = {}
         self.constants: list[Assignment] = []

@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.equations import RATES, Equations
-from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
+from mechsheet.kinematics.driving import driver_values
+from mechsheet.kinematics.equations import INNER, RATES, Equations
+from mechsheet.kinematics.solve import dimension_order, dimension_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
@@ -133,7 +134,7 @@ def _plan_top(plan: PagePlan) -> None:
     mechanism, found = plan.mechanism, plan.found
     plan.next_row = FIRST_ROW
     _block(plan, "dimensions", (dim.symbol for dim in mechanism.dimensions if not dim.derived))
-    if not mechanism.driver.values:
+    if mechanism.driver.stepped:
         _block(plan, "sweep", ("start", "step"))
     modes = [group.mode for group in plan.equations.groups if group.mode]
     _block(plan, "assembly", modes)
@@ -210,8 +211,10 @@ def _plan_table(plan: PagePlan) -> None:
     outputs = {output.symbol for output in plan.mechanism.outputs}
     columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
     degrees = {driver.symbol: driver.unit.in_degrees}
-    for col, equation in enumerate(plan.equations.columns, 1):
-        inner = equation.role in ("intermediate", "coefficient")
+    for symbol in plan.mechanism.given_by_row:
+        columns.append(TableColumn(len(columns), symbol, "time" if driver.law else "listed", 0, False))
+    for col, equation in enumerate(plan.equations.columns, len(columns)):
+        inner = equation.role in INNER
         group = -1 if equation.symbol in outputs else equation.group
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
         degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees

@@ -319,8 +319,7 @@ class Top:
             )
             meaning = plan.text("page.take.rows", label=label)
             self.line(row, rich(summary.symbol), shown_unit(plan, summary.of), meaning)
-            driver = plan.mechanism.driver
-            kind = (driver.unit if summary.of == driver.symbol else plan.equations.of(summary.of).unit).kind
+            kind = (plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit).kind
             value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=self._taken(summary))
             self.fill(row, VALUE, value, value_style(plan, kind))
 
