@@ -134,7 +134,14 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     rates.declare(made, sliding, driven, data["driver"], scope)
     motion = rates.motion(data["driver"], made, driven, scope) if driven else None
     if driven and motion:
-        driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
+        driven = replace(
+            driven,
+            speed=motion.speed,
+            acceleration=motion.acceleration,
+            law=motion.law,
+            speeds=motion.speeds,
+            accelerations=motion.accelerations,
+        )
         table = (*table, *motion.dimensions)
     drivers.check_speeds(driven, further, scope)
     driven = drivers.listed(driven, further, scope) if driven else None
@@ -165,7 +172,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(part(data, "charts", []), scope),
-        "tables": results.tables(part(data, "tables", []), driven.symbol if driven else None, scope),
+        "tables": results.tables(part(data, "tables", []), driven, scope),
         "language": choice(workbook, "language", "en"),
         "layout": (layout := choice(workbook, "layout", "sheets")),
         "drawn": workbook.get("drawing", True) is not False,
@@ -173,7 +180,6 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "dynamics": masses,
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
-    dynamics.check_layout(layout, scope)
     drivers.check_tables(further, parts["tables"], scope)
     name = _name(head, report)
     if report.faults or driven is None:

@@ -204,12 +204,19 @@ class Reactions:
         moving = drive.moving
         held: list[Force] = self.joints.contacts.get(moving, [])
         couples = self.joints.couples.get(moving, [])
-        total = together((*(force.vector for force in held), self.acting.total(moving)))
         joint = drive.joint
         at = self.poses.xy[joint.point if isinstance(joint, Pin) else joint.joint.point]
+        ground = self.poses.mechanism.ground.name
+        if isinstance(joint, Pin) and drive.base == ground and not held:
+            # alone it holds the link: its force is minus the sum of all others, which needs no columns besides
+            acting = self.acting.of(moving)
+            force = self.joints.outer(joint.point, moving, negative(together(each.vector for each in acting.forces)))
+            acting.sum = negative(force)
+            driver = self.poses.mechanism.driver_of(drive.symbol)
+            return self.joints.driving_torque(driver, al.neg(self.acting.moment(moving, at, whole=True)))
+        total = together((*(force.vector for force in held), self.acting.total(moving)))
         arms = al.total(cross(minus(force.at, at), force.vector) for force in held)
         moment = al.total([self.acting.moment(moving, at), al.mul(self.columns.metre, arms), *couples])
-        ground = self.poses.mechanism.ground.name
         if isinstance(joint, Pin):
             if on_known:
                 self.joints.outer(joint.point, moving, negative(total))

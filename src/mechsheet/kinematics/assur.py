@@ -56,6 +56,8 @@ class Dyad:
 
     kind  outer of the first, inner, outer of the second: RRR, RRP, RPR, PRP or RPP. Of RRP and RPP the first assembly
           has the R outside; otherwise the first is the one that comes first in the description.
+    frame  the driven pair (with what moves with it already) in which the dyad is solved; empty: it is joined to the ground's
+    whole  pair and dyad as one assembly, in the frame of the first of these bodies
     """
 
     kind: Literal["RRR", "RRP", "RPR", "PRP", "RPP"]
@@ -63,14 +65,18 @@ class Dyad:
     second: tuple[str, ...]
     outer: tuple[Contact, Contact]
     inner: Contact
+    frame: tuple[str, ...] = ()
+    whole: tuple[str, ...] = ()
 
 
 Step = Drive | Tied | Dyad
+Bodies = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """All driven joints, the driver's first, and the steps in order.
+    """All driven joints, the driver's first, and the steps in order. Dyads that are joined to both sides of a driven joint
+    alone move with these.
 
     A driven joint is a step of its own where one side of it is known before; otherwise both its sides move as one assembly.
     """
@@ -89,13 +95,14 @@ class Order:
         return tuple(step for step in self.steps if isinstance(step, Dyad))
 
     def pair(self, assembly: tuple[str, ...]) -> Drive:
-        """The driven joint inside an assembly of two bodies."""
-        return next(drive for drive in self.drives if {*drive.bodies} == {*assembly})
+        """The driven joint inside an assembly of bodies."""
+        return next(drive for drive in self.drives if {*drive.bodies} <= {*assembly})
 
 
 def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     """How the mechanism is solved. MechanismError when a driver drives no joint, or a group is not of class II."""
     drives = tuple(_drive(mechanism, driver, graph) for driver in mechanism.all_drivers)
+    clusters: dict[Drive, Bodies] = {drive: drive.bodies for drive in drives}
     solved = {mechanism.ground.name}
     steps: list[Step] = []
     while len(solved) < len(graph.bodies):
@@ -105,14 +112,33 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
             done = [relation for step in steps if isinstance(step, Tied) for relation in step.relations]
             step = next_tied(graph, done, solved, _oriented(graph, pending, solved))
         if step is None:
-            assemblies = _assemblies(graph, pending, solved)
-            step = _next_dyad(graph, assemblies, solved)
+            assemblies = _assemblies(graph, [clusters[drive] for drive in pending], solved)
+            step = _next_dyad(graph, assemblies, solved) or _grown(graph, assemblies, pending, clusters, solved)
         if step is None:
             faults = stiff_faults(graph) or _tied_too_deep(graph, steps) or [_not_class_two(graph, assemblies, solved)]
             raise MechanismError(faults)
         steps.append(step)
         solved.update(bodies_of(step))
     return Order(drives, tuple(steps))
+
+
+def _grown(
+    graph: Graph,
+    assemblies: list[Bodies],
+    pending: list[Drive],
+    clusters: dict[Drive, Bodies],
+    solved: set[str],
+) -> Dyad | None:
+    """A dyad on both sides of a driven joint, which are one link with it from now on.
+
+    A closed form, so it comes before any group that must be solved by iteration.
+    """
+    for drive in pending:
+        inside = _within(graph, assemblies, clusters[drive], solved)
+        if inside is not None:
+            clusters[drive] = inside.whole
+            return inside
+    return None
 
 
 def bodies_of(step: Step) -> tuple[str, ...]:
@@ -122,8 +148,8 @@ def bodies_of(step: Step) -> tuple[str, ...]:
             return step.bodies
         case Tied():
             return tuple(held.body for held in step.bodies)
-        case Dyad():
-            return (*step.first, *step.second)
+        case Dyad():  # one that moves with a driven pair is known when that is
+            return () if step.frame else (*step.first, *step.second)
 
 
 def _next_drive(pending: list[Drive], solved: set[str]) -> Drive | None:
@@ -148,9 +174,9 @@ def _oriented(graph: Graph, pending: list[Drive], solved: set[str]) -> set[str]:
     return found
 
 
-def _assemblies(graph: Graph, pending: list[Drive], solved: set[str]) -> list[tuple[str, ...]]:
-    """What is not solved, in the description's order: bodies alone, and both sides of a driven joint together."""
-    pairs = [drive.bodies for drive in pending]
+def _assemblies(graph: Graph, pairs: list[Bodies], solved: set[str]) -> list[Bodies]:
+    """What is not solved, in the description's order: bodies alone, and both sides of a driven joint with what moves with
+    them; of these the larger ones first."""
     grouped = [body for pair in pairs for body in pair]
     twice = [body for body in grouped if grouped.count(body) > 1]
     if twice:
@@ -159,7 +185,7 @@ def _assemblies(graph: Graph, pending: list[Drive], solved: set[str]) -> list[tu
             Fault(message, key="drivers", hint="let one of the driven joints be on a link that is known")
         )
     found = [*pairs, *((body,) for body in graph.bodies if body not in solved and body not in grouped)]
-    return sorted(found, key=lambda bodies: graph.bodies.index(bodies[0]))
+    return sorted(found, key=lambda bodies: -1 if len(bodies) > 2 else graph.bodies.index(bodies[0]))
 
 
 def _tied_too_deep(graph: Graph, steps: list[Step]) -> list[Fault]:
@@ -232,6 +258,22 @@ def _next_dyad(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str]
             if len(inner) == 1:
                 return _dyad(first, second, outer_first[0], inner[0], outer_second[0])
     return None
+
+
+def _within(graph: Graph, assemblies: list[tuple[str, ...]], driven: tuple[str, ...], solved: set[str]) -> Dyad | None:
+    """Two links that are joined to each other and each to the driven pair, by three pins; None where there are none.
+
+    A link that is joined to what is solved comes first, if there is one: in its frame the whole is read best.
+    """
+    others = [bodies for bodies in assemblies if bodies != driven and bodies[0] not in graph.blocks]
+    dyad = _next_dyad(graph, others, set(driven))
+    if dyad is None or dyad.kind != "RRR":
+        return None
+    first, second, outer = dyad.first, dyad.second, dyad.outer
+    if _contacts(graph, second, solved) and not _contacts(graph, first, solved):
+        first, second, outer = second, first, outer[::-1]
+    whole = (*first, *second, *driven) if _contacts(graph, first, solved) else (*driven, *first, *second)
+    return Dyad("RRR", first, second, outer, dyad.inner, driven, whole)
 
 
 def _dyad(

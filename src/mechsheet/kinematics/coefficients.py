@@ -47,6 +47,8 @@ def asked(mechanism: Mechanism) -> dict[str, None]:
     found |= dict.fromkeys(summary.of for summary in mechanism.summaries)
     for load in mechanism.dynamics.loads if mechanism.dynamics else ():
         found |= dict.fromkeys(name for part in (*(load.force or ()), load.torque) if part for name in symbols(part))
+    for chart in mechanism.charts:
+        found |= dict.fromkeys(f"{point}.v{axis}" for point in chart.hodographs for axis in "xy")
     return found | dict.fromkeys(name for chart in mechanism.charts for name in (chart.x, *chart.y) if name)
 
 
@@ -107,6 +109,9 @@ class _ByDriver:
         self.unknown |= dict.fromkeys(f"{symbol}{part}" for part in _COEFFICIENTS)
         return primed(symbol)
 
+    def of_relative(self, symbol: str) -> Rate:
+        return self.of(symbol)
+
     def of_point(self, point: str) -> PointRate | None:
         return self.points.get(point)
 
@@ -124,6 +129,11 @@ class _ByTime:
 
     def of(self, symbol: str) -> Rate:
         return Rate(*(Symbol(name) for name in rate_symbols(symbol, symbol in self.angles)))
+
+    def of_relative(self, symbol: str) -> Rate:
+        own, speed = primed(symbol), self.driver.first
+        second = al.add(al.mul(own.second, al.square(speed)), al.mul(own.first, self.driver.second))
+        return Rate(al.mul(own.first, speed), second)
 
     def of_point(self, point: str) -> PointRate | None:
         found = self.points.get(point)
@@ -184,6 +194,7 @@ class _Writer:
         self.shown: set[Node] = {al.ZERO, al.ONE}
         self.ledger.group = 0
         self.motions = Motions(poses, order, self.names)
+        self.pairs = {drive: Motions(poses, order, self.names, drive) for drive in _clustered(order)}
         lengths = self.mechanism.driver.joint
         self.per = self.mechanism.length_unit if lengths else ""
 
@@ -272,6 +283,12 @@ class _Writer:
     # --- a group ----------------------------------------------------------------------------------------------
 
     def _dyad(self, dyad: Dyad, solved: Solved) -> None:
+        if dyad.frame:
+            meeting = self.pairs[self.order.pair(dyad.frame)].meet_within(dyad)
+            self.angles.update(meeting.unknowns)
+            once, twice = (self._cramer(meeting, order) for order in (1, 2))
+            self._solve(solved, meeting, once, twice, timed=False)
+            return
         pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
         for force in (False, True):
             meeting = self.motions.meet(dyad, {pin: self._outer(pin, force) for pin in pins})
@@ -306,7 +323,7 @@ class _Writer:
         known = minus(_without(right, zero), _without(left, zero))
         return _Cramer(columns[0], columns[1], known)
 
-    def _solve(self, solved: Solved, meeting: Meeting, once: _Cramer, twice: _Cramer) -> None:
+    def _solve(self, solved: Solved, meeting: Meeting, once: _Cramer, twice: _Cramer, timed: bool = True) -> None:
         """D, both first coefficients, k, both second ones; then the rates."""
         det = self._determinant(solved.determinant)
         self.determinants[self.ledger.group] = det.node
@@ -317,7 +334,7 @@ class _Writer:
         k = self._hoisted(twice.right, "k", 2)
         for name, node in zip(names, twice.solved(k, det), strict=True):
             self._coefficient(name, 2, node)
-        if self.timed:
+        if self.timed and timed:
             for name in names:
                 self._rates(name)
 
@@ -467,6 +484,7 @@ class _Writer:
             names[driver.symbol] = Rate(*(Symbol(name) for name in rate_symbols(driver.symbol, not driver.joint)))
         by_time = _ByTime(self.mechanism, self.names.points, names)
         motions = Motions(self.poses, self.order, by_time)
+        pairs = {drive: Motions(self.poses, self.order, by_time, drive) for drive in self.pairs}
         found = {}
         number = 0
         for dyad in self.order.steps:
@@ -477,8 +495,11 @@ class _Writer:
                 motions.tie(dyad, {held.variable: by_time.of(self._symbol(held)) for held in dyad.bodies})
                 continue
             number += 1
-            pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
-            meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
+            if dyad.frame:
+                meeting = pairs[self.order.pair(dyad.frame)].meet_within(dyad)
+            else:
+                pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
+                meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
             left, right = meeting.ways
             found[number] = (*minus(left.first, right.first), *minus(left.second, right.second))
         turning = {
@@ -486,6 +507,11 @@ class _Writer:
             for link in self.mechanism.links[1:]
         }
         return Written(found, turning, by_time=motions)
+
+
+def _clustered(order: Order) -> list[Drive]:
+    """Driven pairs with which dyads move."""
+    return list(dict.fromkeys(order.pair(dyad.frame) for dyad in order.dyads if dyad.frame))
 
 
 def _order(order: int) -> Words:

@@ -18,6 +18,7 @@ def given_names(mechanism: Mechanism) -> list[str]:
         *(link.angle_symbol for link in mechanism.links),
         *(joint.symbol for joint in mechanism.joints),
         *mechanism.driven_symbols,
+        *(name for name in mechanism.given_by_row if name not in mechanism.driven_symbols),
         *_rates(mechanism),
     ]
 

@@ -261,17 +261,14 @@ _WORST |= dict.fromkeys(("torque", "effort", "force"), "MAX")
 
 def typed_over(plan: Plan) -> Node:
     """How many cells of the tables hold no formula any more."""
-    listed = plan.mechanism.driver.values
-    last = len(plan.columns) - 1
-    typed = len(plan.mechanism.listed_symbols)
-    runs = [(STATUS if listed else 0, last)]
-    if typed:  # columns of their own behind what is said of the row
-        runs = [(STATUS, STATUS), (STATUS + 1 + typed, last)]
+    last, listed = len(plan.columns) - 1, [column.col for column in plan.columns if column.kind == "listed"]
+    cols = [(STATUS if plan.mechanism.driver.values else 0, last)]
+    if listed:
+        cols = [(STATUS, listed[0] - 1), (listed[-1] + 1, last)]
     areas = [
-        RangeRef(
-            CellRef(plan.at.first, start, True, True, plan.table), CellRef(plan.at.last, end, True, True, plan.table)
-        )
-        for start, end in runs
+        RangeRef(CellRef(plan.at.first, a, True, True, plan.table), CellRef(plan.at.last, b, True, True, plan.table))
+        for a, b in cols
+        if a <= b
     ]
     for key, columns in (("rates", plan.rates), ("forces", plan.forces)):
         if columns:

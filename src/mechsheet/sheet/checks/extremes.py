@@ -19,10 +19,11 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
-from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.quoted import ALL, SHOWN, formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.units import turn as whole_turn
@@ -150,6 +151,9 @@ class Extremes:
             return
         turn = whole_turn(driver.unit.in_degrees)
         covered = formula("ABS(_step)*(rows-1)/turn", rows=plan.rows, turn=turn)
+        if driver.law is not None:
+            covered = formula("ABS(last-first)/turn", first=Symbol(SHOWN + driver.law.start),
+                              last=Symbol(SHOWN + driver.law.stop), turn=turn)  # fmt: skip
         if tied := plan.equations.equations.tied:
             back = Call("AND", tuple(self._is_back(symbol) for symbol in tied))
             probes.work(
@@ -157,6 +161,11 @@ class Extremes:
                 "IF(AND(ABS(ROUND(covered,0)-covered)<1E-9,ROUND(covered,0)>0),IFERROR(IF(back,1,0),0),0)",
                 covered=covered, back=back,
             )  # fmt: skip
+            return
+        if driver.law is not None:
+            probes.work(
+                self.whole_row, 1, "IF(AND(covered>0.5,ABS(ROUND(covered,0)-covered)<1E-9),1,0)", covered=covered
+            )
             return
         probes.work(
             self.whole_row, 1,
@@ -254,6 +263,10 @@ class Extremes:
         low, high = self._ends_of_stretch()
         turns = self._half_turn(symbol)
         near = "ABS(start-end)<half" if turns else "TRUE"
+        if (
+            plan.mechanism.driver.law is not None
+        ):  # rows follow each other in time: the last is no neighbour of the first
+            near, turns = "FALSE", 0.0
         start, end = (
             CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
         )
@@ -296,8 +309,8 @@ class Extremes:
 
     def _half_turn(self, symbol: str) -> float:
         """Half a turn in the unit of a quantity that is an angle, else 0."""
-        equation = self.plan.equations.of(symbol)
-        if equation.unit.kind != "angle" or equation.unit.per:
+        unit = self.plan.mechanism.given_unit(symbol) or self.plan.equations.of(symbol).unit
+        if unit.kind != "angle" or unit.per:
             return 0.0
         return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
 
@@ -337,7 +350,7 @@ class Extremes:
         within = formula(
             "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=plan.rows
         )
-        probes.work(row + 2, SIDE + 1, "_start+(within-1)*_step", styles.RESULT, within=within)
+        probes.work(row + 2, SIDE + 1, "driver", styles.RESULT, driver=driver_at(plan, within))
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
         low, high = self._ends_of_stretch()
         # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be

@@ -125,7 +125,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
 def _returning(
     mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
-    if not mechanism.driver.link or mechanism.driver.values:
+    if not mechanism.driver.link or not mechanism.driver.stepped:
         return ()
     final = _final_links(mechanism, equations)
     ground = mechanism.ground.name

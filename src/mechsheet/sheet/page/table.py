@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
+from mechsheet.model import TIME
 from mechsheet.sheet import styles
+from mechsheet.sheet.driving import by_time, time_after
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
@@ -21,11 +22,11 @@ from mechsheet.sheet.table.positions import (
     degrees_together,
     first_open,
     group_headings,
-    listed_driver,
     places,
     places_of,
 )
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
+from mechsheet.units import SECONDS
 
 MOST_STEPPED = 400
 """Rows in which the driver is the row above and a step; in more the rounding of so many sums would be seen."""
@@ -79,7 +80,10 @@ class Table:
     def _mathematics(self, column: TableColumn) -> Rich | str:
         """The formula as people write it."""
         plan = self.plan
-        if column.kind == "driver" and not plan.mechanism.driver.values:
+        law = plan.mechanism.driver.law
+        if law is not None and column.kind in ("driver", "time"):
+            return written(time_after(law, Symbol("n")) if column.kind == "time" else law.value, plan.language)
+        if column.kind == "driver" and plan.mechanism.driver.stepped:
             step = plan.text("name.step")
             return plan.text("page.step", step=step) if self._stepped else f"{plan.text('name.start')} + n·{step}"
         return "" if column.equation is None else written(column.equation.says, plan.language)
@@ -115,7 +119,16 @@ class Table:
         )
         match column.kind:
             case "driver":
-                self._driver(column)
+                self._driver()
+            case "listed":
+                own = plan.mechanism.given_unit(column.symbol) or SECONDS
+                self._listed(column.symbol, column.col, styles.decimals(styles.COLUMN, places_of(plan, own)))
+            case "time" if plan.mechanism.driver.law is not None:
+                rows = formula("ROW()-ROW(top)", top=CellRef(first, 0, row_abs=True))
+                time = self._checked(time_after(plan.mechanism.driver.law, rows))
+                self._fill(
+                    column.col, self._bound(time, first), styles.decimals(styles.COLUMN, places_of(plan, SECONDS))
+                )
             case "status":
                 self._fill(column.col, self._bound(status(plan), first), styles.STATUS)
             case _:
@@ -128,19 +141,14 @@ class Table:
     def _bound(self, node: Node, row: int) -> Node:
         return transform(self.plan.at.bind(node, self.plan.main, row), degrees_together)
 
-    def _driver(self, column: TableColumn) -> None:
-        plan, first = self.plan, self.plan.at.first
-        driver = plan.mechanism.driver_of(column.symbol)
+    def _driver(self) -> None:
+        plan, driver, first = self.plan, self.plan.mechanism.driver, self.plan.at.first
         style = styles.decimals(styles.COLUMN, places(plan, driver.unit.kind))
         if driver.values:
-            degrees = driver.unit.in_degrees
-
-            def bound(value: Node, row: int) -> Node:
-                return in_degrees(self._bound(value, row)) if degrees else self._bound(value, row)
-
-            cells, fills = listed_driver(plan, column, bound)
-            self.cells += cells
-            self.fills += [replace(fill, style=style) for fill in fills]
+            self._listed(driver.symbol, 0, style)
+            return
+        if driver.law is not None:
+            self._fill(0, self._bound(by_time(driver.law, Symbol(TIME)), first), style)
             return
         start = self._bound(self._checked(Symbol("#start")), first)
         self.fills.append(Fill(first, 0, start, style))
@@ -150,6 +158,16 @@ class Table:
             top = CellRef(first, 0, row_abs=True)
             further = formula("top+(ROW()-ROW(top))*_step", top=top)
         self._fill(0, self._bound(further, first + 1), style, skip=1)
+
+    def _listed(self, symbol: str, col: int, style: Style) -> None:
+        """What is listed row by row, as inputs."""
+        unit = self.plan.mechanism.given_unit(symbol) or SECONDS
+        for row, value in enumerate(self.plan.mechanism.listed[symbol], self.plan.at.first):
+            if isinstance(value, float):
+                self.cells.append(Cell(row, col, unit.written(value), styles.INPUT))
+            else:
+                node = self._bound(value, row)
+                self.fills.append(Fill(row, col, in_degrees(node) if unit.in_degrees else node, style))
 
     def _checked(self, start: Node) -> Node:
         """The first value, while every yellow cell holds what can be: else no row pretends to exist."""
