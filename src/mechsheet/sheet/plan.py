@@ -15,7 +15,7 @@ import numpy as np
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.driving import given_values
-from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, Role
+from mechsheet.kinematics.equations import FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
@@ -158,7 +158,7 @@ class Plan:
     def held_columns(self) -> tuple[str, ...]:
         """The forces of joints, as far as they differ from row to row."""
         columns = {column.symbol for column in self.forces}
-        return tuple(name for name in self.equations.equations.held_forces if name in columns)
+        return tuple(name for name in self.equations.equations.forces(*JOINT_FORCES) if name in columns)
 
     @property
     def arrows(self) -> tuple[ArrowKind, ...]:
