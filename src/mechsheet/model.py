@@ -371,13 +371,23 @@ class ChartRequest:
 
 @dataclass(frozen=True, slots=True)
 class TableRequest:
-    """A two-way table: the driver down (`rows`), a dimension across (`column` takes `columns`), `value` in the cells."""
+    """A two-way table: a dimension across (`column` takes `columns`), `value` in the cells.
+
+    rows        the driver's symbol: down go its values; or another dimension, which takes `row_values`: then `value` is
+                a summary of the sweep with these two dimensions
+    """
 
     rows: str
     column: str
     columns: tuple[Quantity, ...]
     value: str
     title: Words | None = None
+    row_values: tuple[Quantity, ...] = ()
+
+    @property
+    def of_summary(self) -> bool:
+        """Whether it shows a summary over two dimensions."""
+        return bool(self.row_values)
 
 
 @dataclass(frozen=True, slots=True)
