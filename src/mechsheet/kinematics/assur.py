@@ -155,9 +155,7 @@ def _next_dyad(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str]
     return None
 
 
-def _within(
-    graph: Graph, assemblies: list[tuple[str, ...]], driven: tuple[str, ...], solved: set[str]
-) -> Dyad | None:
+def _within(graph: Graph, assemblies: list[tuple[str, ...]], driven: tuple[str, ...], solved: set[str]) -> Dyad | None:
     """Two links that are joined to each other and each to the driven pair, by three pins; None where there are none.
 
     A link that is joined to what is solved comes first, if there is one: in its frame the whole is read best.
