@@ -119,7 +119,8 @@ def test_formulas_of_forces_alone_are_damaged_and_the_sheet_asks_both_ways_to_th
     text = (
         'format = 1\n[mechanism]\nname = "crank"\n[links.ground]\npoints = { A0 = [0, 0] }\n[links.crank]\n'
         "points = { A0 = [0, 0] }\nmass = 2\ncenter = [30, 4]\ninertia = 1e-3\n"
-        '[driver]\nlink = "crank"\nstart = 0\nstop = 90\nstep = 30\nspeed = 5\nacceleration = 2\n[dynamics]\ngravity = 9.81\n'
+        '[driver]\nlink = "crank"\nstart = 0\nstop = 90\nstep = 30\nspeed = 5\nacceleration = 2\n'
+        "[dynamics]\ngravity = 9.81\n"
     )
     path = tmp_path / "crank.toml"
     path.write_text(text, encoding="utf-8")
