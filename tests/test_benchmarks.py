@@ -13,6 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 
 import bench_engine
 import bench_forces
+import bench_rows
 import bench_sweep
 import tables
 
@@ -39,6 +40,12 @@ def test_the_four_bar_and_the_two_way_table():
     expected = bench_engine.pump_by_hand(ROWS)
     for col in range(len(bench_engine.ACROSS)):
         assert np.allclose(pump.arrays("Table", col + 1, 7, ROWS + 6)[0], expected[:, col], rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", sorted(bench_rows.CASES))
+def test_columns_that_read_each_other_row_by_row(name):
+    build, by_hand, _, _ = bench_rows.CASES[name]
+    assert bench_rows.worst(build(ROWS), by_hand(ROWS)) < 1e-12
 
 
 def test_the_sweep_of_the_four_bar():
