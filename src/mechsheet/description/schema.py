@@ -355,17 +355,29 @@ CHART = Table(
         "x": Key(Text(names="variable or output"), "the horizontal axis"),
         "y": Key(Items(Text(names="variable or output"), 1, MOST_SERIES), "the curves"),
         "paths": Key(Items(Text(names="point"), 1, MOST_SERIES), "curves of points, x and y at the same scale"),
+        "hodographs": Key(
+            Items(Text(names="point"), 1, MOST_SERIES), "curves of the ends of points' velocity vectors, at true scale"
+        ),
     },
-    ways=((("x", "y"), ("paths",)),),
-    later=("hodographs",),
+    ways=((("x", "y"), ("paths",), ("hodographs",)),),
 )
+
+MOST_PAIRS = 400
+"""Cells of a table whose value is a summary: each has a column of helpers, and more where its formula is long."""
+
+MOST_CELLS = 100_000
+"""Helper cells of such a table: its cells times the driver's values."""
+
+_VALUES = Named(Items(Quantity(), 1, MOST_COLUMNS), "dimension", 1, 1)
 
 TABLE = Table(
     {
         "title": Key(Words(), "title of the table"),
-        "rows": Key(Text(names="driver"), "the driver's symbol", True),
-        "columns": Key(Named(Items(Quantity(), 1, MOST_COLUMNS), "dimension", 1, 1), "one input and its values", True),
-        "value": Key(Text(names="variable or output"), "what stands in the cells", True),
+        "rows": Key(
+            Either((Text(names="driver"), _VALUES)), "the driver's symbol; for a summary one input and its values", True
+        ),
+        "columns": Key(_VALUES, "one input and its values", True),
+        "value": Key(Text(names="variable, output or summary"), "what stands in the cells", True),
     }
 )
 

@@ -28,10 +28,11 @@ from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
 from mechsheet.kinematics.places import Place, angle_of, cartesian, number
-from mechsheet.kinematics.poses import Member, Poses
+from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
+from mechsheet.kinematics.within import member, sketched_mode, solve_within
 from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase, same
@@ -124,13 +125,17 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
             given = {group.mode: group.mode_value for group in shown} | dict(given)
         value, is_open = 1, True
         if modes is not None:
-            value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, given.get(solved.mode))
+            mode = given.get(solved.mode)
+            if mode is None and dyad.frame:
+                mode = sketched_mode(mechanism.sketch, dyad, dimensions)
+            value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, mode)
             is_open = is_open or solved.mode in opened
         poses.settle_turns()
         found.append((dyad, solved, value, is_open))
     _note_lengths(poses)
     rates = Written({}, {})
     if wanted(mechanism):
+        _refuse_forces(mechanism, found)
         rates = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
     if further is not None:
         further(Found(poses, order.drive, order.dyads, rates))
@@ -247,6 +252,8 @@ def _lengths_of_places(mechanism: Mechanism) -> list[Quantity]:
 
 
 def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
+    if dyad.frame:
+        return solve_within(poses, dyad)
     match dyad.kind:
         case "RRR":
             return solve_rrr(poses, dyad)
@@ -258,6 +265,16 @@ def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
             return solve_prp(poses, dyad)
         case "RPP":
             return solve_rpp(poses, dyad)
+
+
+def _refuse_forces(mechanism: Mechanism, found: list[tuple[Dyad, Solved, int, bool]]) -> None:
+    """Forces in links that move with a driven pair are a matter of their own."""
+    labels = [solved.label.en for dyad, solved, _, _ in found if dyad.frame]
+    if labels and mechanism.dynamics is not None:
+        message = f"forces are not found where a joint between two moving links is driven inside a loop that moves: {labels[0]}"
+        raise MechanismError(
+            Fault(message, key="dynamics", hint="leave masses and loads out; positions and velocities are found")
+        )
 
 
 def _groups(found: list[tuple[Dyad, Solved, int, bool]], loops: tuple[Loop, ...]) -> tuple[Group, ...]:
@@ -285,7 +302,7 @@ def _drive(poses: Poses, drive: Drive) -> None:
             poses.fix((drive.moving,), turn, own, *poses.xy[point])
             return
         base = poses.own_place(drive.base, point)
-        poses.members[drive.moving] = _member(turn, base, own)
+        poses.members[drive.moving] = member(turn, base, own)
         return
     joint = drive.joint.joint
     if on_ground:
@@ -300,7 +317,7 @@ def _drive(poses: Poses, drive: Drive) -> None:
     start = poses.through(joint)
     end = cartesian(symbol, al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
     turn = line + angle_of(joint.orientation)
-    poses.members[drive.moving] = _member(turn, end, poses.own_place(drive.moving, joint.point))
+    poses.members[drive.moving] = member(turn, end, poses.own_place(drive.moving, joint.point))
 
 
 def _note_lengths(poses: Poses) -> None:
@@ -309,14 +326,6 @@ def _note_lengths(poses: Poses) -> None:
         pins = [point for point, bodies in poses.graph.pins if link.name in bodies]
         if len(pins) == 2:
             poses.places[link.name].note_length(*pins)
-
-
-def _member(turn: Angle, at: Place, own: Place) -> Member:
-    """The body turned by `turn` whose place `own` lies at the place `at` of the assembly's frame."""
-    if own.is_zero:
-        return Member(turn, at)
-    x, y = own.turned(turn)
-    return Member(turn, at - cartesian(x, y))
 
 
 def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:

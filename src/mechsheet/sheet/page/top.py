@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, transform
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
@@ -13,6 +13,7 @@ from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
+from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, over_rows
 from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
@@ -26,18 +27,6 @@ SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
 
 SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
-
-LEAST, MOST, MEAN = "MINIFS", "MAXIFS", "AVERAGEIF"
-
-NUMBERS = "<1E+300"
-"""What numbers are, and errors are not: rows without a position are left out."""
-
-
-def over_rows(function: str, column: Node) -> Node:
-    """The least, the largest or the mean of the numbers of a column."""
-    if function == MEAN:
-        return formula("AVERAGEIF(column,numbers)", column=column, numbers=NUMBERS)
-    return Call(function, (column, column, Text(NUMBERS)))
 
 
 class Top:
