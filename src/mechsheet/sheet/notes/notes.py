@@ -36,6 +36,7 @@ PARAGRAPHS = (
     "forces",
     "charts",
     "tables",
+    "summaries",
     "checks",
     "extremes",
     "missing",
@@ -150,8 +151,10 @@ class _Page:
         if source:
             self.across(plan.text("source", source=source), styles.SUBTITLE)
         left_out = set()
-        if not plan.mechanism.tables:
+        if all(request.of_summary for request in plan.mechanism.tables):
             left_out.add("tables")
+        if not any(request.of_summary for request in plan.mechanism.tables):
+            left_out.add("summaries")
         if not any(group.mode for group in plan.equations.groups):
             left_out.add("modes")
         if plan.mechanism.driver.values:
