@@ -12,6 +12,7 @@ from mechsheet.engine import evaluate
 sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 
 import bench_engine
+import bench_forces
 import bench_rows
 import bench_sweep
 import tables
@@ -52,3 +53,8 @@ def test_the_sweep_of_the_four_bar():
     found, expected = bench_sweep.ours(theta12), bench_sweep.by_hand(theta12)
     for name, column in expected.items():
         assert np.allclose(found[name], column, rtol=1e-12, atol=1e-12), name
+
+
+def test_the_four_bar_with_forces():
+    book, plan = bench_forces.tables_of(ROWS)
+    assert bench_forces.worst_of(ROWS, evaluate(book), plan) < 1e-12

@@ -360,23 +360,34 @@ class Summary:
 
 @dataclass(frozen=True, slots=True)
 class ChartRequest:
-    """Curves of `y` against `x`, or (when `paths` is not empty) the paths of points at true scale."""
+    """Curves of `y` against `x`, or the paths of points at true scale, or those of the ends of their velocity vectors."""
 
     title: Words | None = None
     x: str = ""
     y: tuple[str, ...] = ()
     paths: tuple[str, ...] = ()
+    hodographs: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class TableRequest:
-    """A two-way table: the driver down (`rows`), a dimension across (`column` takes `columns`), `value` in the cells."""
+    """A two-way table: a dimension across (`column` takes `columns`), `value` in the cells.
+
+    rows        the driver's symbol: down go its values; or another dimension, which takes `row_values`: then `value` is
+                a summary of the sweep with these two dimensions
+    """
 
     rows: str
     column: str
     columns: tuple[Quantity, ...]
     value: str
     title: Words | None = None
+    row_values: tuple[Quantity, ...] = ()
+
+    @property
+    def of_summary(self) -> bool:
+        """Whether it shows a summary over two dimensions."""
+        return bool(self.row_values)
 
 
 @dataclass(frozen=True, slots=True)

@@ -148,7 +148,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(part(data, "charts", []), scope),
-        "tables": results.tables(part(data, "tables", []), driven.symbol if driven else None, scope),
+        "tables": results.tables(part(data, "tables", []), driven, scope),
         "language": choice(workbook, "language", "en"),
         "layout": (layout := choice(workbook, "layout", "sheets")),
         "drawn": workbook.get("drawing", True) is not False,
@@ -156,7 +156,6 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "dynamics": masses,
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
-    dynamics.check_layout(layout, scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

@@ -187,6 +187,14 @@ LINK = Table(
     later=("friction",),
 )
 
+REASONS = {
+    "friction": (
+        "joints are taken to be free of it",
+        'a load against the motion may stand for it: [[loads]] with torque = "-0.2*omega14"',
+    )
+}
+"""Reserved keys of which more can be said: why they are refused, and what to do instead."""
+
 _TYPE = Key(Text(), "kind of the joint", True)
 _NAME = Key(Text(), "what the driver calls it; the symbol by default")
 _ON = Key(Text(names="link"), "the link that carries the line", True)
@@ -208,7 +216,8 @@ JOINT = Kinds(
                 "angle": _ANGLE,
                 "orientation": Key(Quantity(), "angle of `link`'s x axis from the line; default 0"),
                 "symbol": _SYMBOL,
-            }
+            },
+            later=("friction",),
         ),
         "pin-slot": Table(
             {
@@ -220,7 +229,8 @@ JOINT = Kinds(
                 "through": _THROUGH,
                 "angle": _ANGLE,
                 "symbol": _SYMBOL,
-            }
+            },
+            later=("friction",),
         ),
     },
     later=("gear",),
@@ -287,7 +297,8 @@ DYNAMICS = Table(
         ),
         "force_unit": Key(Text(longest=20), "label of forces, where the length unit is not mm, cm, dm or m"),
         "mass_unit": Key(Text(longest=20), "label of masses, likewise"),
-    }
+    },
+    later=("friction",),
 )
 
 FLYWHEEL = Table(
@@ -344,17 +355,29 @@ CHART = Table(
         "x": Key(Text(names="variable or output"), "the horizontal axis"),
         "y": Key(Items(Text(names="variable or output"), 1, MOST_SERIES), "the curves"),
         "paths": Key(Items(Text(names="point"), 1, MOST_SERIES), "curves of points, x and y at the same scale"),
+        "hodographs": Key(
+            Items(Text(names="point"), 1, MOST_SERIES), "curves of the ends of points' velocity vectors, at true scale"
+        ),
     },
-    ways=((("x", "y"), ("paths",)),),
-    later=("hodographs",),
+    ways=((("x", "y"), ("paths",), ("hodographs",)),),
 )
+
+MOST_PAIRS = 400
+"""Cells of a table whose value is a summary: each has a column of helpers, and more where its formula is long."""
+
+MOST_CELLS = 100_000
+"""Helper cells of such a table: its cells times the driver's values."""
+
+_VALUES = Named(Items(Quantity(), 1, MOST_COLUMNS), "dimension", 1, 1)
 
 TABLE = Table(
     {
         "title": Key(Words(), "title of the table"),
-        "rows": Key(Text(names="driver"), "the driver's symbol", True),
-        "columns": Key(Named(Items(Quantity(), 1, MOST_COLUMNS), "dimension", 1, 1), "one input and its values", True),
-        "value": Key(Text(names="variable or output"), "what stands in the cells", True),
+        "rows": Key(
+            Either((Text(names="driver"), _VALUES)), "the driver's symbol; for a summary one input and its values", True
+        ),
+        "columns": Key(_VALUES, "one input and its values", True),
+        "value": Key(Text(names="variable, output or summary"), "what stands in the cells", True),
     }
 )
 

@@ -16,6 +16,7 @@ from mechsheet.description.numbers import typed_number, with_points
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, found, listed, suggestion
 from mechsheet.description.schema import (
+    REASONS,
     Either,
     Integer,
     Items,
@@ -225,7 +226,8 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
         if key in shape.keys:
             result[key] = fit(item, shape.keys[key].shape, (*path, key), report)
         elif key in shape.later:
-            report.at((*path, key), f'"{key}" is not supported yet: it is reserved for a later version')
+            why, hint = REASONS.get(key, ("it is reserved for a later version", ""))
+            report.at((*path, key), f'"{key}" is not supported yet: {why}', hint)
         else:
             report.at((*path, key), "unknown key", suggestion(key, shape.keys, "keys"))
     for key, rule in shape.keys.items():

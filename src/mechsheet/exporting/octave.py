@@ -278,13 +278,21 @@ def _block(program: Program, joint: Joint, driven: str) -> str:
 
 
 def _curves(program: Program, request: ChartRequest, number: int, name: str) -> str:
-    """A chart of the workbook: curves against the driver, or paths of points."""
+    """A chart of the workbook: curves against the driver, paths of points, or hodographs."""
     mechanism = program.mechanism
     unit = one_line(mechanism.length_unit)
     if request.paths:
         x, y = (", ".join(["rows", *(_place(program, point, axis) for point in request.paths)]) for axis in "xy")
         legend = ", ".join(_string(point) for point in request.paths)
         return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
+    if request.hodographs:
+        x, y = (
+            ", ".join(["rows", *(_shown(program, f"{point}.v{axis}") for point in request.hodographs)]) for axis in "xy"
+        )
+        legend = ", ".join(_string(point) for point in request.hodographs)
+        return (
+            f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y of v [{unit}/s]')}, '{name}');"
+        )
     x = _shown(program, request.x)
     y = ", ".join(["rows", *(_shown(program, symbol) for symbol in request.y)])
     legend = ", ".join(_string(program.names[symbol]) for symbol in request.y)

@@ -42,6 +42,8 @@ def asked(mechanism: Mechanism) -> dict[str, None]:
     found |= dict.fromkeys(summary.of for summary in mechanism.summaries)
     for load in mechanism.dynamics.loads if mechanism.dynamics else ():
         found |= dict.fromkeys(name for part in (*(load.force or ()), load.torque) if part for name in symbols(part))
+    for chart in mechanism.charts:
+        found |= dict.fromkeys(f"{point}.v{axis}" for point in chart.hodographs for axis in "xy")
     return found | dict.fromkeys(name for chart in mechanism.charts for name in (chart.x, *chart.y) if name)
 
 

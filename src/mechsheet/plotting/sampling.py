@@ -20,8 +20,10 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import TIME, Driver, Mechanism
+from mechsheet.sheet.drawing.frames import CHART_X
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.workbook import Workbook
 
 LEAST, MOST = 121, 361
 """A sweep with fewer positions is refined, each of its steps alike; of one with more, every second, third … is taken."""
@@ -33,13 +35,33 @@ SAME = 1e-9
 class Sample(Compiled):
     """A mechanism compiled at the positions to be drawn.
 
-    sweep  how many of the table's rows are the sweep; one more follows when a position outside of it is asked for
+    sweep    how many of the table's rows are the sweep; one more follows when a position outside of it is asked for
+    vectors  whether the drawing has arrows of velocities, accelerations and forces
     """
 
-    def __init__(self, mechanism: Mechanism, modes: Mapping[str, int], sweep: int, shown: int | None) -> None:
+    def __init__(
+        self, mechanism: Mechanism, modes: Mapping[str, int], sweep: int, shown: int | None, vectors: bool = False
+    ) -> None:
         super().__init__(mechanism, modes)
         self.sweep = sweep
+        self.vectors = vectors
         self._asked = shown
+
+    @property
+    def layout(self) -> Workbook:
+        """The workbook, its drawing with or without arrows."""
+        workbook, rows = super().layout, self.plan.arrow_rows
+        if self.vectors or not rows:
+            return workbook
+        main = workbook.sheets[0]
+        drawing, *others = main.charts
+        title = self.plan.at.titles["drawing"]
+        kept = [
+            each for each in drawing.series if each.x.sheet != title or each.x.area.first_row not in rows
+            or each.x.area.first_col != CHART_X
+        ]  # fmt: skip
+        main = replace(main, charts=(replace(drawing, series=tuple(kept)), *others))
+        return replace(workbook, sheets=(main, *workbook.sheets[1:]))
 
     @cached_property
     def shown(self) -> int:
@@ -49,12 +71,19 @@ class Sample(Compiled):
         return self.exists.index(True) if True in self.exists else 0
 
 
-def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None, least: int = LEAST) -> Sample:
+def sample(
+    mechanism: Mechanism,
+    at: float | None,
+    language: Literal["en", "tr"] | None,
+    least: int = LEAST,
+    vectors: bool = False,
+) -> Sample:
     """The mechanism's workbook at the positions to be drawn, `at` (in the driver's unit) among them exactly.
 
     There are `least` positions or a few more, where the sweep has fewer of its own.
-    The assembly modes are those of the description's own sweep. Raises MechanismError when the mechanism cannot be
-    solved, or cannot be assembled at `at`; MechsheetError when `at` is no number.
+    The assembly modes are those of the description's own sweep; `vectors` as of `Sample`. Raises MechanismError when the
+    mechanism cannot be solved, or cannot be assembled at `at`; MechsheetError when `at` is no number, or where there are no
+    vectors to draw.
     """
     at = None if at is None else number_given(at, "at")
     if language not in (None, "en", "tr"):
@@ -82,7 +111,10 @@ def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"]
         tables=(),
         summaries=(),
     )
-    found = Sample(drawn, compiled.modes, sweep, shown)
+    found = Sample(drawn, compiled.modes, sweep, shown, vectors)
+    if vectors and not found.plan.arrows:
+        hint = "give the driver a speed, or the links masses or loads"
+        raise MechsheetError(Fault("there are no velocities and no forces to draw", key="vectors", hint=hint))
     if shown is not None and not found.exists[shown]:
         raise MechanismError(_missing(found, at))
     return found

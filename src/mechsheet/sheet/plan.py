@@ -15,7 +15,7 @@ import numpy as np
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.driving import given_values
-from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, Role
+from mechsheet.kinematics.equations import FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
@@ -52,6 +52,10 @@ FOOTER_TITLE = 100
 """Characters of the title in the footer, which holds 255 in all."""
 
 
+ArrowKind = Literal["velocity", "acceleration", "forces"]
+"""What arrows in the drawing show; a cell of the first sheet, `show_velocity`, hides each."""
+
+
 @dataclass(frozen=True, slots=True)
 class Block:
     """A block of the first sheet: its heading's row and the rows of its entries by symbol (or key)."""
@@ -85,6 +89,7 @@ class Plan:
     rates   the columns of the sheet of rates behind its first two; none without velocities
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    arrow_rows  rows of the drawing's sheet in which its arrows stand, likewise
     """
 
     mechanism: Mechanism
@@ -101,6 +106,7 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
+    arrow_rows: range = range(0)
 
     @cached_property
     def size(self) -> float:
@@ -140,6 +146,25 @@ class Plan:
     def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces; see `Equations`."""
         return self.equations.equations.shown_forces
+
+    @property
+    def moving_points(self) -> tuple[str, ...]:
+        """Points that have a velocity and an acceleration."""
+        points = {point for link in self.mechanism.links for point in link.points}
+        found = (column.symbol.rpartition(".") for column in self.rates)
+        return tuple(point for point, _, part in found if part == "v" and point in points)
+
+    @property
+    def held_columns(self) -> tuple[str, ...]:
+        """The forces of joints, as far as they differ from row to row."""
+        columns = {column.symbol for column in self.forces}
+        return tuple(name for name in self.equations.equations.forces(*JOINT_FORCES) if name in columns)
+
+    @property
+    def arrows(self) -> tuple[ArrowKind, ...]:
+        """What arrows there are in the drawing."""
+        found: tuple[ArrowKind, ...] = ("velocity", "acceleration") if self.moving_points else ()
+        return (*found, "forces") if self.held_columns else found
 
     @property
     def footer(self) -> str:
@@ -203,7 +228,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
     taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
     plan.next_row = FIRST_BLOCK
-    _block(plan, "position", ["position", mechanism.driver.symbol, "status"])
+    shown = [f"show_{kind}" for kind in plan.arrows]
+    _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
     if mechanism.driver.stepped:
         _block(plan, "sweep", ["start", "step", "stop"])
@@ -247,6 +273,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _spot(plan, f"#summary {summary.symbol}", row, False, name, taken)
     name = safe_name(plan.text("name.position"), taken)
     _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
+    for key in shown:
+        _spot(plan, f"#{key}", plan.blocks["position"].rows[key], False, safe_name(key, taken), taken)
     _spot(plan, "#verdict", VERDICT_ROW, False, safe_name("verdict", taken), taken, SYMBOL)
     for key in plan.found.entries:
         row = plan.blocks["verdicts"].rows[key]

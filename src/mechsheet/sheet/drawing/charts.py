@@ -235,8 +235,8 @@ def driver_axis(plan: Plan, symbol: str) -> Axis:
 
 def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) -> tuple[Chart, ...]:
     """The drawing under the scroll bar, the other charts beside and below it in two columns."""
-    curves = [_curve_chart(plan, drawing, request) for request in requests if not request.paths]
-    paths = [drawing.paths[request.paths] for request in requests if request.paths]
+    curves = [_curve_chart(plan, drawing, request) for request in requests if request.y]
+    paths = [drawing.paths[request] for request in requests if not request.y]
     heights = [SIZE + GAP, 0]
     placed = [_placed(drawing.chart, 0, 0)]
     for chart in (*curves, *paths):

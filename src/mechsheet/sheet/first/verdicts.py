@@ -281,7 +281,7 @@ class _Block:
             lengths=lengths, rounding=self._rounding(), excess=cell, which=which, loop=loop.name,
             open=named("open"), change=named("change"), none=named("none"),
         )  # fmt: skip
-        excess = formula("2*(MIN(lengths)+MAX(lengths))-SUM(lengths)", lengths=lengths)
+        excess = self.bound("IF(_inputs>0,NA(),2*(MIN(lengths)+MAX(lengths))-SUM(lengths))", lengths=lengths)
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )

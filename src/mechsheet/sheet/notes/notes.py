@@ -35,6 +35,7 @@ PARAGRAPHS = (
     "positions",
     "rates",
     "forces",
+    "arrows",
     "charts",
     "tables",
     "checks",
@@ -161,6 +162,8 @@ class _Page:
             left_out.add("rates")
         if not plan.forces:
             left_out.add("forces")
+        if not plan.arrows:
+            left_out.add("arrows")
         self.list_of("use", tuple(entry for entry in PARAGRAPHS if entry not in left_out))
 
     def colours(self) -> None:

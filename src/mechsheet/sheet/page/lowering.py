@@ -250,7 +250,7 @@ class _Lowering:
         """Symbols that somebody reads: the roots, variables and outputs, and all that they read."""
         by_symbol = {each.symbol: each for each in (*self.constants, *self.columns)}
         waiting = [*roots, *self.kept, *(group.transmission for group in self.equations.groups)]
-        roles = ("variable", "rate", "output", "point") if self.drawn else ("variable", "rate", "output")
+        roles = ("variable", "rate", "force", "output", *(("point",) if self.drawn else ()))
         waiting += [each.symbol for each in by_symbol.values() if each.role in roles]
         read: set[str] = set()
         while waiting:

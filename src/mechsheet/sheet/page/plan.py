@@ -9,7 +9,7 @@ from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.equations import INNER, RATES, Equations
+from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations
 from mechsheet.kinematics.solve import dimension_order, dimension_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
@@ -88,9 +88,9 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     kept = {f"{point}.{axis}" for point in traced for axis in ("x", "y")}
     kept |= {symbol for chart in mechanism.charts for symbol in (chart.x, *chart.y) if symbol}
     kept |= {summary.of for summary in mechanism.summaries}
-    # points that velocities are found from have columns: written out, they would make the formulas long
-    rates = (equation for equation in equations.columns if equation.role in RATES)
-    kept |= {name for equation in rates for name in equation.reads if name.endswith((".x", ".y"))}
+    # points that velocities and forces are found from have columns: written out, they would make the formulas long
+    further = (equation for equation in equations.columns if equation.role in (*RATES, *FORCES))
+    kept |= {name for equation in further for name in equation.reads if name.endswith((".x", ".y"))}
     page = lowered(mechanism, equations, kept, drawn)
     at = Addresses(mechanism.references, titles, 0, 0)
     plan = PagePlan(
