@@ -1,4 +1,4 @@
-"""A description written out as a workbook by hand would be: dimensions, one column a quantity, no checks, no helper sheets."""
+"""A description written out as by hand: dimensions, one column a quantity, no checks, no helper sheets."""
 
 from __future__ import annotations
 
