@@ -25,7 +25,8 @@ need = "all rows and mu_min > 28"
 @pytest.fixture(scope="module")
 def week(tmp_path_factory):
     folder = tmp_path_factory.mktemp("week")
-    (folder / "four-bar.toml").write_text(mechsheet.template("four-bar").text + EXERCISE, encoding="utf-8")
+    text = mechsheet.template("four-bar").text.replace("[workbook]", '[workbook]\nlayout = "page"')
+    (folder / "four-bar.toml").write_text(text + EXERCISE, encoding="utf-8")
     (folder / "class.csv").write_text("id;name\n101;Ayşe\n102;<b>Bora</b>\n103;=1+1\n", encoding="utf-8")
     run("exercise", folder / "four-bar.toml", folder / "class.csv", "-o", folder / "week")
     return folder
