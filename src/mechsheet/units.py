@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 Value = TypeVar("Value", float, NDArray[np.float64])
 
-Kind: TypeAlias = Literal["length", "angle", "number", "force", "moment", "label"]
+Kind: TypeAlias = Literal["length", "angle", "number", "force", "moment", "power", "label"]
 """A "label" is whatever a description writes behind an output's numbers: the program knows nothing of it."""
 
 
@@ -76,6 +76,7 @@ class Unit:
 DEG = Unit("angle", "deg", math.degrees(1.0))
 RAD = Unit("angle", "rad")
 NUMBER = Unit("number", "1")
+SECONDS = Unit("number", "s")
 ANGLE = Unit("angle")
 """An angle, shown as the mechanism shows angles."""
 LENGTH = Unit("length")

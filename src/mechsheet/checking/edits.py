@@ -221,10 +221,14 @@ def same(one: Scalar, other: Scalar) -> bool:
 
 
 def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Expected, moves: Moves) -> Iterator[str]:
-    """Inputs that were changed, and texts. Not the position shown, which says nothing, nor modes: others tell of them."""
+    """Inputs that were changed, and texts. Not the position and the arrows shown, which say nothing, nor modes: others tell
+    of them.
+    """
     spots = expected.plan.at.spots
+    shown = [key for key in spots if key.startswith("#show_")]
     silent = {
-        spots[key] for key in ("#position", *(group.mode for group in expected.plan.equations.groups if group.mode))
+        spots[key]
+        for key in ("#position", *shown, *(group.mode for group in expected.plan.equations.groups if group.mode))
     }
     places = {(spot.sheet, spot.row, spot.col) for spot in silent}
     texts: list[tuple[int, int]] = []

@@ -61,9 +61,12 @@ class Scope:
     variables  symbols of angles, displacements and the driver
     points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
+    summaries  name of a summary -> the quantity that it is of
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
     of_rates   names of outputs that read rates
-    forces     names of joint forces and of the driver's effort, where there are masses or loads
+    forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
+    charted    columns that follow from all rows together: charts may show them
+    centers    G3 of a mass centre that is a point of its link -> that point
     """
 
     report: Report
@@ -77,11 +80,14 @@ class Scope:
     points: dict[str, list[str]] = field(default_factory=dict)
     fixed: set[str] = field(default_factory=set)
     outputs: list[str] = field(default_factory=list)
+    summaries: dict[str, Any] = field(default_factory=dict)
     complete: bool = True
     rates: dict[str, None] = field(default_factory=dict)
     moves: bool = False
     of_rates: set[str] = field(default_factory=set)
-    forces: dict[str, None] = field(default_factory=dict)
+    forces: dict[str, str] = field(default_factory=dict)
+    centers: dict[str, str] = field(default_factory=dict)
+    charted: dict[str, None] = field(default_factory=dict)
     symbols: Space = field(init=False)
     cells: Space = field(init=False)
 

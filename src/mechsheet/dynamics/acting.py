@@ -20,7 +20,7 @@ from mechsheet.kinematics.places import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, size, together
-from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words
+from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words, center_symbol
 from mechsheet.model import Place as GivenPlace
 from mechsheet.units import LENGTH, Unit
 from mechsheet.words.equations import body_words, link_words, phrase
@@ -102,29 +102,33 @@ class ActingForces:
             )
         return acting.sum
 
-    def moment(self, body: str, about: Vector) -> Node:
-        """The moment of all that acts on a body, about a place."""
+    def moment(self, body: str, about: Vector, whole: bool = False) -> Node:
+        """The moment of all that acts on a body, about a place.
+
+        whole  as an expression for a column that says nothing else, not as a column of its own
+        """
         acting = self.of(body)
         forces = acting.forces
         if acting.center is not None and len(forces) > 1:
-            whole = Force(self.total(body), acting.center)
-            arms = cross(minus(whole.at, about), whole.vector)
-            arms = al.total([arms, *(cross(minus(force.at, whole.at), force.vector) for force in forces)])
+            gathered = Force(self.total(body), acting.center)
+            arms = cross(minus(gathered.at, about), gathered.vector)
+            arms = al.total([arms, *(cross(minus(force.at, gathered.at), force.vector) for force in forces)])
         elif forces:
             vector = self.total(body) if len(forces) == 1 else None
             arms = al.total(cross(minus(force.at, about), vector or force.vector) for force in forces)
         else:
             arms = al.ZERO
-        return self.torque(f"M{self.number(body)}", arms, acting.couples, body_words(self.poses.mechanism, body))
+        return self.torque(f"M{self.number(body)}", arms, acting.couples, body_words(self.poses.mechanism, body), whole)
 
-    def torque(self, base: str, arms: Node, couples: list[Node], what: Words) -> Node:
+    def torque(self, base: str, arms: Node, couples: list[Node], what: Words, whole: bool = False) -> Node:
         """metre (force times length) + couples, as a column; the first arms in columns of their own where it is long."""
         columns = self.columns
         label = phrase("sum_of_moments", link=what)
         rest = columns.lengths.of(al.total([columns.metre, *couples]))
         unit = Unit("moment", f"{self.dynamics.force_unit} {self.poses.mechanism.length_unit}")
         arms = columns.lengths.split(arms, lambda part: columns.grey(base, part, unit, label), LONGEST - rest)
-        return columns.grey(base, al.total([al.mul(columns.metre, arms), *couples]), columns.torque, label)
+        torque = al.total([al.mul(columns.metre, arms), *couples])
+        return torque if whole else columns.grey(base, torque, columns.torque, label)
 
     def number(self, body: str) -> str:
         """The number of a link, the symbol of a block's slide."""
@@ -135,7 +139,7 @@ class ActingForces:
 
     def _weigh(self, acting: Acting, mass: Mass, link: Link) -> None:
         if mass.mass is not None:
-            center = self.place(link, mass.center, f"G{link.number}", phrase("mass_centre", link=link_words(link)))
+            center = self.mass_centre(mass, link)
             vector = self.field(mass, center, link)
             if not all(map(al.is_zero, vector)):
                 acting.center = center
@@ -144,18 +148,27 @@ class ActingForces:
         if not al.is_zero(couple):
             acting.couples.append(couple)
 
+    def mass_centre(self, mass: Mass, link: Link) -> Vector:
+        """Where it is; in columns of its own where it is no point of the link."""
+        name = center_symbol(link.number)
+        known = tuple(Symbol(f"{name}.{axis}") for axis in "xy")
+        if not isinstance(mass.center, str) and all(each.name in self.poses.ledger.values for each in known):
+            return known[0], known[1]
+        return self.place(link, mass.center, name, phrase("mass_centre", link=link_words(link)))
+
     def field(self, mass: Mass, center: Vector, link: Link) -> Vector:
         """m (g - a_G), the weight and the force of inertia; a_G in columns."""
         if mass.mass is None:
             return NOWHERE
-        parts = self._acceleration(mass, center, link)
+        parts = self.acceleration(mass, center, link)
         found = []
         for gravity, part in zip(self.dynamics.gravity, parts, strict=True):
             both = al.mul(mass.mass, al.sub(gravity, al.mul(self.columns.metre, part)))
             found.append(al.neg(al.mul(al.mul(mass.mass, self.columns.metre), part)) if al.is_zero(gravity) else both)
         return found[0], found[1]
 
-    def _acceleration(self, mass: Mass, center: Vector, link: Link) -> Vector:
+    def acceleration(self, mass: Mass, center: Vector, link: Link) -> Vector:
+        """Of a mass centre, as columns."""
         motions: Motions | None = self.found.rates.by_time
         if motions is None:
             return NOWHERE
@@ -164,7 +177,7 @@ class ActingForces:
             found = motions.of_point(str(mass.center), self.columns.lengths.of).second
         else:
             found = motions.motion[link.name](center).second
-        name = str(mass.center) if named else f"G{link.number}"
+        name = str(mass.center) if named else center_symbol(link.number)
         unit = LENGTH.per_time().per_time()
         parts: list[Node] = []
         for axis, node in zip("xy", found, strict=True):

@@ -80,8 +80,11 @@ class Joints:
     def _settle(self, point: str, body: str, force: Vector) -> None:
         self.pins.setdefault(point, {})[body] = force
 
-    def outer(self, point: str, body: str, force: Vector) -> None:
-        """The force of a pin on a body, whose place was known before the body's: it is handed on to who bears the pin."""
+    def outer(self, point: str, body: str, force: Vector) -> Vector:
+        """The force of a pin on a body, whose place was known before the body's: it is handed on to who bears the pin.
+
+        The same over its columns.
+        """
         known = self._known(point)
         done = self.pins.get(point, {})
         rest = [other for other in self.poses.graph.bodies_at(point) if other != body and other not in done]
@@ -102,6 +105,7 @@ class Joints:
         bearer = self.bearers[point]
         if bearer != self.mechanism.ground.name:
             self.acting.hang(bearer, Force(negative(force), at))
+        return force
 
     def inner(self, point: str, one: str, other: str, force: Vector) -> Vector:
         """The force of the other on the one, to whom all else at the pin has been counted; the same over its columns."""
@@ -149,7 +153,7 @@ class Joints:
         n = turned(self.found.rates.by_driver.direction(slide)) if self.found.rates.by_driver else NOWHERE
         sign = al.ONE if body == slide.body else al.number(-1.0)
         value = al.mul(sign, normal)
-        value = self.columns.black(f"{name}.n", value, self.columns.force, phrase("normal_force", **words))
+        value = self.columns.black(f"{name}.n", value, self.columns.force, phrase("normal_force", **words), "normal")
         on_link = self.columns.pair(name, times(value, n), self.columns.force, "slide_force", **words)
         force = times(sign, on_link)
         place = self.poses.xy[joint.point]
@@ -157,7 +161,7 @@ class Joints:
         if joint.kind == "prismatic":
             turning = al.mul(sign, al.add(couple, al.mul(metre, cross(minus(at, place), force))))
             label = phrase("couple", point=joint.point, **words)
-            turning = self.columns.black(f"{name}.c", turning, self.columns.torque, label)
+            turning = self.columns.black(f"{name}.c", turning, self.columns.torque, label, "couple")
         own = al.mul(sign, turning)
         self._hold(body, force, own, place)
         other = slide.other(body)
@@ -183,7 +187,7 @@ class Joints:
         base = driver.relative_to or self.mechanism.ground.name
         name = pair_symbol("T", self._number(base), self._number(driver.link))
         label = phrase("driving_torque", one=self._words(base), other=self._words(driver.link))
-        self.columns.written(name, torque, self.columns.torque, label)
+        self.columns.written(name, torque, self.columns.torque, label, "effort")
         return name
 
     def driven_slide(self, slide: Slide, moving: str, force: Vector, couple: Node) -> str:
@@ -193,9 +197,9 @@ class Joints:
         if moving != slide.body:
             force, couple = negative(force), al.neg(couple)
         unit = self.columns.force
-        self.columns.written(f"{name}.t", dot(force, d), unit, phrase("driving_force", **words))
-        self.columns.black(f"{name}.n", dot(force, turned(d)), unit, phrase("normal_force", **words))
+        self.columns.written(f"{name}.t", dot(force, d), unit, phrase("driving_force", **words), "effort")
+        self.columns.black(f"{name}.n", dot(force, turned(d)), unit, phrase("normal_force", **words), "normal")
         if slide.joint.kind == "prismatic":
             label = phrase("couple", point=slide.joint.point, **words)
-            self.columns.black(f"{name}.c", couple, self.columns.torque, label)
+            self.columns.black(f"{name}.c", couple, self.columns.torque, label, "couple")
         return f"{name}.t"

@@ -6,7 +6,7 @@ equations stand.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -14,7 +14,7 @@ import numpy as np
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Direction, Node, Symbol, symbols
-from mechsheet.kinematics.equations import Condition, Equation, Role
+from mechsheet.kinematics.equations import Condition, Equation, ForceKind, Role
 from mechsheet.kinematics.naming import FreshNames
 from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.model import Words
@@ -30,11 +30,13 @@ class Ledger:
     values            the columns' values over the first `rows` rows, by symbol
     """
 
-    def __init__(self, dimensions: dict[str, float], driver: str, driver_values: Array, taken: Iterable[str]) -> None:
+    def __init__(
+        self, dimensions: dict[str, float], driver: str, given: Mapping[str, Array], taken: Iterable[str]
+    ) -> None:
         self.dimensions = dimensions
-        self.rows = len(driver_values)
+        self.rows = len(given[driver])
         self.values: dict[str, Array] = {name: np.full(self.rows, number) for name, number in dimensions.items()}
-        self.values[driver] = driver_values
+        self.values |= given
         self.driver = driver
         self.constant_symbols = set(dimensions)
         self.constants: list[Equation] = []
@@ -71,9 +73,10 @@ class Ledger:
         label: Words,
         role: Role,
         exists: Sequence[Condition] = (),
+        force: ForceKind = "",
     ) -> Symbol:
         """Write `symbol = expression` down and compute it. `role` "constant" is for all rows, others are columns."""
-        equation = Equation(symbol, expression, role, unit, label, self.group, tuple(exists))
+        equation = Equation(symbol, expression, role, unit, label, self.group, tuple(exists), force)
         if role == "constant":
             self.constants.append(equation)
             self.constant_symbols.add(symbol)

@@ -24,6 +24,8 @@ _FORCE = re.compile(r"([FT])([0-9]+|[0-9]+_[0-9]+)\.(x|y|n|c|t|work)")
 _SLIDE = {"n": "N", "c": "C", "t": "P"}
 """Normal force, couple and driving force of a slide."""
 
+_SHAKING = {"shaking.x": ("F", "s,x"), "shaking.y": ("F", "s,y"), "shaking.m": ("M", "s")}
+
 _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
 
 
@@ -32,6 +34,8 @@ def parts(symbol: str) -> tuple[str, str]:
 
     theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14)
     """
+    if symbol in _SHAKING:
+        return _SHAKING[symbol]
     force = _FORCE.fullmatch(symbol)
     if force:
         letter, numbers, part = force.groups()
