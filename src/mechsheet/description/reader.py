@@ -12,6 +12,7 @@ from mechsheet.description import (
     driver,
     drivers,
     dynamics,
+    exercise,
     flywheel,
     force_names,
     gears,
@@ -178,6 +179,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "drawn": workbook.get("drawing", True) is not False,
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "dynamics": masses,
+        "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     drivers.check_tables(further, parts["tables"], scope)
