@@ -18,6 +18,7 @@ from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
+from mechsheet.words.equations import phrase
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +93,7 @@ class Source:
         given.append(Parameter(driver.symbol, Words("driver", "tahrik"), driver.unit.internal))
         for symbol in self.mechanism.listed_symbols:
             besides = self.mechanism.driver_of(symbol)
-            given.append(Parameter(symbol, Words("driven besides", "ayrıca tahrik edilen"), besides.unit.internal))
+            given.append(Parameter(symbol, phrase("further_driver"), besides.unit.internal))
         words = {group.mode: group.label for group in self.equations.groups if group.mode}
         return (*given, *(Parameter(mode, label, NUMBER) for mode, label in words.items()))
 
