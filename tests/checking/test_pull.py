@@ -118,19 +118,24 @@ def test_heads_of_tables_and_listed_driver_values(tmp_path):
     text = template("adjustable-pump").replace(
         "start = 0\nstop = 360\nstep = 20\n", 'values = [0, 20.0, "pi/4", 100] # by hand\n'
     )
+    table = '[[tables]]\nrows = { a2 = [35, "a2"] }\ncolumns = { s1 = [20] }\nvalue = "kurs"\n\n[workbook]'
+    text = text.replace("[workbook]", table)
     mechanism = loads(text)
     workbook, plan = lay_out(mechanism, solve(mechanism))
-    table = next(sheet.title for sheet in workbook.sheets if sheet.title.startswith("Tablo"))
+    table = next(sheet.title for sheet in workbook.sheets if sheet.title.startswith("Tablo s15"))
     (row, col) = min(
         (cell.row, cell.col)
         for cell in next(s for s in workbook.sheets if s.title == table).cells
         if cell.content == 50.0
     )
     changes = {f"{table}_{chr(65 + col)}{row + 1}": 60.0, f"Konumlar_B{plan.at.first + 2}": 25.0}
+    changes |= {"Tablo kurs_A8": 40.0, "Tablo kurs_B7": 30.0}
     path = saved(edited(workbook, **changes), tmp_path / "e.xlsx")
     assert changed_lines(text, pull(path).text) == [
         'values = [0, 25.0, "pi/4", 100] # by hand',
         "columns = { s1 = [20, 60, 100, 150, 200, 250] }",
+        'rows = { a2 = [40, "a2"] }',
+        "columns = { s1 = [30] }",
     ]
 
 
