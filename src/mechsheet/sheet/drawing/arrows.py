@@ -133,8 +133,9 @@ def _scale(page: Page, kind: ArrowKind, sizes: Sequence[Node], unit: str, number
     text = page.plan.text
     shown = page.plan.at.cell(f"#show_{kind}", page.title, None)
     page.put(NAME, text("arrows.scale"))
+    largest = page.formula(SECOND, al.largest(sizes))
     scale = page.formula(FIRST, formula(
-        "IF(AND(shown=1,largest>0),longest/largest,NA())", shown=shown, largest=al.largest(sizes), longest=LONGEST
+        "IF(AND(shown=1,largest>0),longest/largest,NA())", shown=shown, largest=largest, longest=LONGEST
     ))  # fmt: skip
     page.row += 1
     page.put(NAME, text("drawing.bar"))
