@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from mechsheet.checking import Comparison, Report, check
     from mechsheet.diagnostics import MechsheetError
     from mechsheet.exporting import export
+    from mechsheet.homework.audit import Audit, audit
+    from mechsheet.homework.exercise import exercise
+    from mechsheet.homework.marks import Marks, mark
     from mechsheet.library.building import build, compile_workbook
     from mechsheet.library.linkage import Linkage, Motion, load, loads, template
     from mechsheet.library.recalculation import Result, recalc
@@ -25,6 +28,11 @@ if TYPE_CHECKING:
     from mechsheet.plotting import plot
 
 _HOMES = {
+    "audit": "homework.audit",
+    "Audit": "homework.audit",
+    "exercise": "homework.exercise",
+    "mark": "homework.marks",
+    "Marks": "homework.marks",
     "build": "library.building",
     "compile_workbook": "library.building",
     "check": "checking",
@@ -47,8 +55,10 @@ _HOMES = {
 """Name -> module: imported when first used, so that `mechsheet --help` need not load numpy."""
 
 __all__ = [
+    "Audit",
     "Comparison",
     "Linkage",
+    "Marks",
     "Mechanism",
     "MechsheetError",
     "Motion",
@@ -56,12 +66,15 @@ __all__ = [
     "Result",
     "Session",
     "__version__",
+    "audit",
     "build",
     "check",
     "compile_workbook",
+    "exercise",
     "export",
     "load",
     "loads",
+    "mark",
     "open_book",
     "plot",
     "recalc",

@@ -7,14 +7,14 @@ from edited import laid_out, saved
 
 from chosen import ALL, IN_CI
 from mechsheet.checking import mutate
-from mechsheet.checking.audit import audit
-from mechsheet.checking.damage import damages
+from mechsheet.checking.edits import edits_of
 from mechsheet.checking.expected import expected_for
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.formats import read
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import column_letters
+from mechsheet.formula.slips import damages
 
 
 def texts(formula, kind, names=()):
@@ -93,11 +93,11 @@ def test_survivors_are_told(yoke):
     assert data["damages"] == 3
 
 
-def test_an_audit_sees_every_kind_of_damage(yoke):
+def test_edits_show_every_kind_of_damage(yoke):
     """Not only those that change a value."""
     book = read(yoke)
     expected = expected_for(laid_out("scotch-yoke")[1].mechanism.text, "inside")
-    assert audit(book, expected).edits == ()
+    assert edits_of(book, expected).edits == ()
     for sheet in book.sheets:
         for block in sheet.blocks[:: 7 if IN_CI else 21]:
             for damage in damages(block.formula)[::12]:
@@ -105,7 +105,7 @@ def test_an_audit_sees_every_kind_of_damage(yoke):
                 damaged = replace(
                     book, sheets=[replace(one, blocks=others) if one is sheet else one for one in book.sheets]
                 )
-                assert audit(damaged, expected).edits, (sheet.title, block, damage)
+                assert edits_of(damaged, expected).edits, (sheet.title, block, damage)
 
 
 def test_a_workbook_without_description(tmp_path):
@@ -113,3 +113,19 @@ def test_a_workbook_without_description(tmp_path):
     path = saved(replace(workbook, sheets=workbook.sheets[:-1]), tmp_path / "foreign.xlsx")
     with pytest.raises(MechsheetError, match="carries no description"):
         mutate(path, 1)
+
+
+def test_formulas_of_forces_alone_are_damaged_and_the_sheet_asks_both_ways_to_the_torque(tmp_path):
+    text = (
+        'format = 1\n[mechanism]\nname = "crank"\n[links.ground]\npoints = { A0 = [0, 0] }\n[links.crank]\n'
+        "points = { A0 = [0, 0] }\nmass = 2\ncenter = [30, 4]\ninertia = 1e-3\n"
+        '[driver]\nlink = "crank"\nstart = 0\nstop = 90\nstep = 30\nspeed = 5\nacceleration = 2\n'
+        "[dynamics]\ngravity = 9.81\n"
+    )
+    path = tmp_path / "crank.toml"
+    path.write_text(text, encoding="utf-8")
+    found = mutate(path, 8, sheets=("forces",))
+    assert found.clear
+    assert found.agrees
+    assert {damage.where.partition("!")[0] for damage in found.damages} == {"Forces"}
+    assert 0 < found.caught("sheet") < 8  # the size of a joint force is read by nobody

@@ -7,8 +7,8 @@ import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 
 from chosen import first
-from mechsheet.checking.audit import same
 from mechsheet.checking.changes import input_places
+from mechsheet.checking.edits import same
 from mechsheet.checking.expected import expected_for
 from mechsheet.checking.perturb import drawn
 from mechsheet.checking.pull import pull
@@ -17,6 +17,7 @@ from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, update_values, write
+from mechsheet.formula.references import cell_name
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 
@@ -277,3 +278,23 @@ def test_the_speed_of_the_driver(tmp_path):
     assert 'speed = { value = 90, unit = "rpm" }' in found.text
     assert loads(found.text).driver_rates == ("omega12", "alpha12")
     assert held(found.text, path) == []
+
+
+def test_a_duration_and_listed_speeds(tmp_path):
+    """What stands in the driver's own cells, deep in an inline table or in a list."""
+    head, _, tail = template("scotch-yoke").partition("[driver]\n")
+    link, rest = tail.split("\n", 1)
+    rest = "\n".join(line for line in rest.split("\n") if not line.startswith(("start", "stop", "step", "speed")))
+    law = 'start = 0\nstop = 90\nmotion = { law = "harmonic", duration = 2, rows = 3 }  # s\n'
+    lists = "values = [0, 10, 5]\nspeed = [1, 0, -1]\n"
+    for driver, cell, wanted in (
+        (law, "duration", "duration = 3.5, rows = 3 }  # s"),
+        (lists, "omega12", "[1, 0, 3.5]"),
+    ):
+        mechanism = loads(f"{head}[driver]\n{link}\n{driver}{rest}")
+        workbook, plan = lay_out(mechanism, solve(mechanism))
+        spot = plan.at.spots[cell]
+        place = f"{spot.sheet}_{cell_name(plan.at.last if spot.column else spot.row, spot.col)}"
+        found = pull(saved(edited(workbook, **{place: 3.5}), tmp_path / "typed.xlsx"))
+        assert len(found.changes) == 1
+        assert wanted in found.text

@@ -12,9 +12,10 @@ from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.dynamics.solve import solve
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, driver_values
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
 
@@ -25,6 +26,8 @@ def weighed(text, seed, static=False):
     """A description with random masses and loads on all its links, in the layout that has forces."""
     random = np.random.default_rng(seed)
     text = re.sub(r"(?m)^layout *=.*$", "", text)
+    text = re.sub(r"(?m)^(mass|center|inertia) *=.*$", "", text)  # its own go: the layouts are what is wanted
+    text = re.sub(r"(?ms)^\[\[?(loads|dynamics|flywheel|summary|charts)\]\]?$.*?(?=^\[|\Z)", "", text)
     mechanism = loads(text)
     if not static:
         text = re.sub(r"(?m)^(speed|acceleration) *=.*$", "", text)

@@ -22,7 +22,7 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.sweep import rough_poses
-from mechsheet.model import Mechanism
+from mechsheet.model import ENERGY, Mechanism
 from mechsheet.sheet.plan import Plan
 
 DEAD_CENTRE = 1e-6
@@ -55,7 +55,11 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
             if symbol in plan.at.spots and plan.equations.of(symbol).role in RESULTS:
                 _expect_nothing(plan, tally, symbol, _column(plan, values, symbol), mask)
         return tally.result(), [*inputs.remarks, NOWHERE]
-    solution = reference.solve(mechanism, inputs.dimensions, start=start, values=inputs.driver)
+    by_law = mechanism.driver.law is not None  # the reference has laws of its own
+    solution = reference.solve(
+        _with_listed_rates(mechanism, inputs), inputs.dimensions, start=start,
+        values=None if by_law else inputs.given[mechanism.driver.symbol],
+    )  # fmt: skip
     tally = Tally("reference")
     known = _Known(plan, values)
     steep = Steepness(plan, known)
@@ -65,11 +69,20 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     closed = _closed_rows(mechanism, solution, ours | placed)
     _judge_status(plan, tally, opened, solution.exists)
     for symbol, column in ours.items():
-        if steep.concerns(symbol):
+        if symbol == ENERGY:
+            _compare_energy(plan, tally, column, theirs, solution, steep)
+        elif steep.concerns(symbol):
             _compare_rate(plan, tally, symbol, column, theirs, solution, steep)
         else:
             _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol))
     return tally.result(), list(inputs.remarks)
+
+
+def _with_listed_rates(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
+    """The mechanism with the speeds and accelerations that stand in the cells."""
+    speeds, accelerations = (tuple(inputs.given[name].tolist()) if name in inputs.given else ()
+                             for name in mechanism.driver_rates)  # fmt: skip
+    return replace(mechanism, driver=replace(mechanism.driver, speeds=speeds, accelerations=accelerations))
 
 
 RESULTS = ("variable", "point", "rate", "force", "output")
@@ -159,7 +172,8 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array], efforts: tu
 def _judged(plan: Plan) -> list[str]:
     fixed = [f"{point}.{axis}" for point in plan.mechanism.ground.points for axis in "xy"]
     columns = [equation.symbol for equation in plan.equations.columns if equation.role in RESULTS]
-    judged = list(dict.fromkeys([plan.mechanism.driver.symbol, *fixed, *columns]))
+    given = (plan.mechanism.driver.symbol, *plan.mechanism.given_by_row)
+    judged = list(dict.fromkeys([*given, *fixed, *columns]))
     return [symbol for symbol in judged if symbol in plan.at.spots]
 
 
@@ -195,15 +209,16 @@ def _compare_column(
 ) -> None:
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
-    unit = plan.equations.of(symbol).unit.kind if symbol != plan.mechanism.driver.symbol else ""
-    is_angle = unit == "angle" or (unit == "" and plan.mechanism.driver.unit.kind == "angle")
-    scale = solution.size if output is None or unit == "length" else 1.0
+    own = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
+    unit, is_angle = own.kind, own.kind == "angle" and not own.per
+    of_length = unit == "length" or (output is None and symbol not in plan.mechanism.given_by_row)
+    scale = solution.size if of_length else 1.0
     with np.errstate(invalid="ignore"):
         gap = ours - theirs
         if is_angle:
             gap = np.remainder(gap + math.pi, math.tau) - math.pi
         else:
-            gap = gap / (scale if output is None or unit == "length" else np.maximum(1.0, np.abs(theirs)))
+            gap = gap / (scale if of_length else np.maximum(1.0, np.abs(theirs)))
     apart = np.abs(gap)
     fine = np.isnan(ours) & np.isnan(theirs)
     # in a row that does not exist, the sheet goes on with what does not depend on the group that comes apart
@@ -239,6 +254,16 @@ def _compare_rate(
     _note_worst(plan, tally, symbol, apart, ours, theirs)
 
 
+def _compare_energy(
+    plan: Plan, tally: Tally, ours: Array, found: Mapping[str, Array], solution: reference.Solution, steep: Steepness
+) -> None:
+    """The flywheel's energy: a sum over rows, measured by the largest torque over a radian."""
+    theirs, largest = found[ENERGY], steep.scale(plan.efforts[0], solution, found)
+    apart = np.abs(ours - theirs) / np.max(largest) * np.min(steep.sine) ** 2
+    apart = np.where(np.isnan(ours) & np.isnan(theirs), 0.0, np.where(np.isnan(apart), math.inf, apart))
+    _note_worst(plan, tally, ENERGY, apart, ours, theirs)
+
+
 def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array, theirs: Array) -> None:
     """Count a column, and note the row where the two are farthest apart."""
     tally.cells += len(apart) - 1
@@ -254,12 +279,14 @@ def _start(mechanism: Mechanism, inputs: Inputs) -> dict[str, tuple[float, float
     mode. The poses are rounded to three digits: Newton's method finds the position itself.
     """
 
+    values = tuple(inputs.given[mechanism.driver.symbol].tolist())
+    listed = replace(mechanism, driver=replace(mechanism.driver, values=values))
     changed = replace(
         mechanism,
         dimensions=tuple(
             dim if dim.derived else replace(dim, value=inputs.dimensions[dim.symbol]) for dim in mechanism.dimensions
         ),
-        driver=replace(mechanism.driver, values=tuple(float(value) for value in inputs.driver)),
+        driver=mechanism.driver if mechanism.driver.law is not None else _with_listed_rates(listed, inputs).driver,
     )
     try:
         return rough_poses(changed, inputs.modes)

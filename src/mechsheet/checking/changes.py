@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from mechsheet.checking.audit import same
+from mechsheet.checking.edits import same
 from mechsheet.checking.expected import Expected
 from mechsheet.checking.report import text_of
 from mechsheet.diagnostics import Fault, WorkbookError
@@ -18,8 +18,8 @@ from mechsheet.sheet.table.requested import tables_of
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),
-("driver", "speed"), ("driver", "values", 3), ("tables", 0, "columns", 2),
-("tables", 0, "rows", 1), ("links", "crank", "mass"), ("loads", 0, "force", 1)."""
+("driver", "speed"), ("driver", "speed", 3), ("driver", "motion", "duration"), ("driver", "values", 3),
+("tables", 0, "columns", 2), ("tables", 0, "rows", 1), ("links", "crank", "mass"), ("loads", 0, "force", 1)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,13 +38,15 @@ class Change:
                 return f"tolerance of {symbol}"
             case ("driver", "values", int(index)):
                 return f"driver value {index + 1}"
+            case ("driver", str(key), int(index)):
+                return f"{key} {index + 1} of the driver"
             case ("tables", int(table), str(heads), int(index)):
                 return f"{heads.removesuffix('s')} {index + 1} of table {table + 1}"
             case ("links", str(link), str(key), *part):
                 return f"{key} of {link}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
             case ("loads", int(number), str(key), *part):
                 return f"{key} of load {number + 1}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
-        return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[1]} of the driver"
+        return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[-1]} of the driver"
 
 
 def changes_in(book: Book, expected: Expected, shown: str) -> list[Change]:
@@ -98,12 +100,14 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
         for key in ("start", "step"):
             if isinstance(getattr(mechanism.driver, key), float):
                 yield ("driver", key), (plan.main, plan.blocks["sweep"].rows[key], VALUE)
-    for index, value in enumerate(mechanism.driver.values):
-        if isinstance(value, float):
-            yield (
-                ("driver", "values", index),
-                (plan.table, plan.at.first + index, plan.at.spots[mechanism.driver.symbol].col),
-            )
+    kept = dict(zip(mechanism.driver_rates, ("speed", "acceleration"), strict=True))
+    for symbol, listed in mechanism.listed.items():
+        for index, value in enumerate(listed):
+            if isinstance(value, float):
+                yield (
+                    ("driver", kept.get(symbol, "values"), index),
+                    (plan.table, plan.at.first + index, plan.at.spots[symbol].col),
+                )
     yield from _table_places(expected)
 
 

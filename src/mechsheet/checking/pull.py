@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from mechsheet.checking.audit import same
 from mechsheet.checking.changes import Change, changes_in, input_places
+from mechsheet.checking.edits import same
 from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.inserted_rows import moves_between, undone
 from mechsheet.checking.perturb import description_or_fault
@@ -194,7 +194,8 @@ def _given(change: Change) -> float:
 
 def _with_stop(source: Source, changes: Sequence[Change], target: Expected) -> Source:
     """With the stop of the sweep where the workbook's last row is now: a workbook keeps its number of rows."""
-    if not any(change.key[0] == "driver" and len(change.key) == 2 for change in changes):
+    stepped = target.plan.mechanism.driver.stepped
+    if not stepped or not any(change.key[0] == "driver" and len(change.key) == 2 for change in changes):
         return source
     rows = target.plan.rows
     start, stop, step = _sweep(target.plan.mechanism, ())

@@ -62,7 +62,7 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
             dim if dim.derived else replace(dim, value=given[dim.symbol]) for dim in mechanism.dimensions
         )
         return Search(
-            replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.driver,
+            replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.given,
             stepped=not mechanism.driver.values,
         )  # fmt: skip
 
@@ -91,7 +91,9 @@ class _Judge:
         self._number("inputs", [0.0])
         self._number("rows_closed", [float(self.search.count)])
         for loop in self.plan.found.four_bars:
-            self._number(f"grashof_{loop.group}", [self.searched.grashof(loop)], 1e-8 * self.search.size)
+            # of inputs that cannot be nothing is said
+            excess = [] if self._inputs_wrong() else [self.searched.grashof(loop)]
+            self._number(f"grashof_{loop.group}", excess, 1e-8 * self.search.size)
         for group in self.plan.found.transmission:
             self._transmission(group)
         if not self.page:
@@ -155,6 +157,10 @@ class _Judge:
             nearest = float(min(expected, key=lambda one: abs(one - found)))
             apart = float(EXACT * abs(found - nearest) / allowed)
         self._note(key, apart, nearest)
+
+    def _inputs_wrong(self) -> bool:
+        wrong = self._found("inputs")
+        return isinstance(wrong, float) and wrong > 0
 
     def _warns(self, key: str, expected: bool) -> None:
         found = self._found(key)

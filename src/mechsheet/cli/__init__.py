@@ -12,10 +12,13 @@ import click
 from mechsheet import __version__
 from mechsheet.diagnostics import MechsheetError, near_miss
 
+from .audit import audit
 from .build import build
 from .check import check
 from .common import in_options
+from .exercise import exercise
 from .export import export
+from .mark import mark
 from .new import new
 from .plot import plot
 from .pull import pull
@@ -73,5 +76,5 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show, export, schema, pull):
+for command in (new, build, check, recalc, plot, show, export, schema, pull, audit, exercise, mark):
     main.add_command(command)

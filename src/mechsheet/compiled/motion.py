@@ -6,12 +6,14 @@ import numpy as np
 
 from mechsheet.compiled.mechanism import Compiled
 from mechsheet.kinematics.numeric import Array
+from mechsheet.model import ENERGY, energy_unit
 
 SHOWN_ROLES = ("variable", "point", "rate", "force", "output")
 
 
 def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
-    """Driver, variables, points, rates, forces and outputs, row by row; the unit of each: "°", "mm", "" for a plain number.
+    """Driver (with the time of a motion law, with listed speeds), variables, points, rates, forces and outputs, row by row;
+    the unit of each: "°", "mm", "" for a plain number.
 
     Angles are continuous; NaN in rows in which some group cannot be joined; no rates at dead centres. Raises MechanismError.
     """
@@ -21,6 +23,9 @@ def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
         mechanism.driver.symbol: np.array([unit.written(float(value)) for value in compiled.driver])
     }
     units = {mechanism.driver.symbol: unit.text}
+    for symbol in mechanism.given_by_row:
+        columns[symbol] = compiled.given[symbol]
+        units[symbol] = mechanism.shown(mechanism.given_unit(symbol) or unit).text
     for equation in compiled.equations.columns:
         symbol = equation.symbol
         if equation.role not in SHOWN_ROLES or symbol in columns:
@@ -28,4 +33,7 @@ def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
         unit = mechanism.shown(equation.unit)
         units[symbol] = unit.text
         columns[symbol] = np.where(exists & np.isfinite(values[symbol]), unit.to_shown(values[symbol]), np.nan)
+    if compiled.flywheel is not None and mechanism.dynamics is not None:
+        columns[ENERGY] = compiled.flywheel.energy
+        units[ENERGY] = energy_unit(mechanism.dynamics, mechanism.length_unit)
     return columns, units

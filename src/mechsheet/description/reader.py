@@ -7,7 +7,18 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, dynamics, force_names, joints, links, rates, results
+from mechsheet.description import (
+    dimensions,
+    driver,
+    dynamics,
+    exercise,
+    flywheel,
+    force_names,
+    joints,
+    links,
+    rates,
+    results,
+)
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -119,7 +130,14 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     rates.declare(made, sliding, driven, data["driver"], scope)
     motion = rates.motion(data["driver"], made, driven, scope) if driven else None
     if driven and motion:
-        driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
+        driven = replace(
+            driven,
+            speed=motion.speed,
+            acceleration=motion.acceleration,
+            law=motion.law,
+            speeds=motion.speeds,
+            accelerations=motion.accelerations,
+        )
         table = (*table, *motion.dimensions)
 
     loads = part(data, "loads", [])
@@ -129,6 +147,13 @@ def _read(source: Source, report: Report) -> Mechanism | None:
 
     results.declare(outputs, summary, scope)
     workbook = part(data, "workbook", {})
+    wheel = part(data, "flywheel", {})
+    flywheel.declare(wheel, scope)
+    if driven:
+        table = (
+            *table,
+            *flywheel.read(wheel, masses, driven, made, table, choice(workbook, "layout", "sheets"), scope),
+        )
     parts: dict[str, Any] = {
         "sketch": results.sketch(part(data, "assembly", {}), driven, scope),
         "outputs": results.outputs(outputs, scope),
@@ -140,9 +165,9 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "drawn": workbook.get("drawing", True) is not False,
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "dynamics": masses,
+        "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
-    dynamics.check_layout(layout, scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

@@ -146,6 +146,8 @@ def _check_column(name: Any, path: Path, scope: Scope) -> None:
     rates = scope.rates if scope.moves else ()
     hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope), *rates, *scope.forces], "allowed")
     message = f"no variable or output is called {quoted(name)}"
+    if name in scope.charted:
+        message, hint = f"{quoted(name)} follows from all rows together: only charts can show it", ""
     if name in scope.units:
         message = f"{quoted(name)} is a dimension, the same in every row; a variable or an output is needed"
     scope.report.at(path, message, hint)
@@ -171,20 +173,25 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
         if entry is BAD:
             continue
         path: Path = ("charts", place)
-        x, y, paths = (entry.get(key, default) for key, default in (("x", ""), ("y", []), ("paths", [])))
-        y, paths = ([] if y is BAD else y), ([] if paths is BAD else paths)
+        x = entry.get("x", "")
+        given = (entry.get(key, []) for key in ("y", "paths", "hodographs"))
+        y, paths, hodographs = ([] if names is BAD else names for names in given)
         if x:
             _check_column(x, (*path, "x"), scope)
         for number, name in enumerate(y):
-            _check_column(name, (*path, "y", number), scope)
-        for number, name in enumerate(paths):
-            if name is not BAD and name not in scope.points:
-                hint = suggestion(name, scope.points, "points")
-                scope.report.at((*path, "paths", number), f"no point is called {quoted(name)}", hint)
-        for key, names in (("y", y), ("paths", paths)):
+            if name not in scope.charted:
+                _check_column(name, (*path, "y", number), scope)
+        for key, names in (("paths", paths), ("hodographs", hodographs)):
+            for number, name in enumerate(names):
+                if name is not BAD and name not in scope.points:
+                    hint = suggestion(name, scope.points, "points")
+                    scope.report.at((*path, key, number), f"no point is called {quoted(name)}", hint)
+        for key, names in (("y", y), ("paths", paths), ("hodographs", hodographs)):
             _check_twice(names, (*path, key), scope)
         _check_moves(paths, (*path, "paths"), scope)
-        result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths)))
+        if hodographs:
+            _check_velocities(hodographs, (*path, "hodographs"), scope)
+        result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths), tuple(hodographs)))
     return tuple(result)
 
 
@@ -192,6 +199,17 @@ def _check_twice(names: list[Any], path: Path, scope: Scope) -> None:
     for number, name in enumerate(names):
         if name is not BAD and name in names[:number]:
             scope.report.at((*path, number), f"{quoted(name)} is listed twice")
+
+
+def _check_velocities(names: list[Any], path: Path, scope: Scope) -> None:
+    """A hodograph needs points that move, and the driver's speed."""
+    for number, name in enumerate(names):
+        if name in scope.fixed:
+            message = f"{quoted(name)} is a point of the ground: it has no velocity"
+            moving = [point for point in scope.points if point not in scope.fixed]
+            scope.report.at((*path, number), message, suggestion("", moving, "moving points"))
+    if not scope.moves:
+        scope.report.at(path, "a hodograph shows velocities: it needs the driver's speed", "write `speed` in [driver]")
 
 
 def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:

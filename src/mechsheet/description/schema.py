@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
+from mechsheet.model import LAWS
 
 FORMAT = 1
 HEADING_ROWS = 20
@@ -186,6 +187,14 @@ LINK = Table(
     later=("friction",),
 )
 
+REASONS = {
+    "friction": (
+        "joints are taken to be free of it",
+        'a load against the motion may stand for it: [[loads]] with torque = "-0.2*omega14"',
+    )
+}
+"""Reserved keys of which more can be said: why they are refused, and what to do instead."""
+
 _TYPE = Key(Text(), "kind of the joint", True)
 _NAME = Key(Text(), "what the driver calls it; the symbol by default")
 _ON = Key(Text(names="link"), "the link that carries the line", True)
@@ -207,7 +216,8 @@ JOINT = Kinds(
                 "angle": _ANGLE,
                 "orientation": Key(Quantity(), "angle of `link`'s x axis from the line; default 0"),
                 "symbol": _SYMBOL,
-            }
+            },
+            later=("friction",),
         ),
         "pin-slot": Table(
             {
@@ -219,7 +229,8 @@ JOINT = Kinds(
                 "through": _THROUGH,
                 "angle": _ANGLE,
                 "symbol": _SYMBOL,
-            }
+            },
+            later=("friction",),
         ),
     },
     later=("gear",),
@@ -230,10 +241,19 @@ _ACCELERATION_UNITS = ("rad/s^2", "deg/s^2", "rpm/s")
 
 
 def _rate(units: tuple[str, ...], per: str) -> Either:
-    """A number (of the first unit), an expression, or a number with its unit."""
+    """A number (of the first unit), an expression, a number with its unit, or one for each of the driver's values."""
     note = " or ".join(f'"{unit}"' for unit in units) + f'; of a displacement "LENGTH UNIT/{per}"'
-    return Either((Quantity(), Table({"value": Key(Number(), "a number", True), "unit": Key(Text(), note, True)})))
+    with_unit = Table({"value": Key(Number(), "a number", True), "unit": Key(Text(), note, True)})
+    return Either((Quantity(), with_unit, Items(Quantity(), 1, note="a list with one for each of `values`")))
 
+
+MOTION = Table(
+    {
+        "law": Key(Text(LAWS), "how the way grows with the time", True),
+        "duration": Key(Quantity(), "time from start to stop, in s", True),
+        "rows": Key(Integer(2, MOST_ROWS), "positions, equally spaced in time; default 41"),
+    }
+)
 
 DRIVER = Table(
     {
@@ -245,17 +265,18 @@ DRIVER = Table(
         "stop": Key(Quantity(), "last value, when the steps land on it"),
         "step": Key(Quantity(), "from row to row"),
         "values": Key(Items(Quantity(), 1), "or all values one by one"),
+        "motion": Key(MOTION, "or from start to stop in a given time, by a motion law"),
         "speed": Key(
             _rate(_SPEED_UNITS, "s"),
-            "in rad/s (of a displacement in length units/s); an expression may read the driver, too",
+            "in rad/s (of a displacement in length units/s); an expression may read the driver, too; "
+            "or a list, one for each of `values`",
         ),
         "acceleration": Key(
             _rate(_ACCELERATION_UNITS, "s^2"),
-            "in rad/s^2; default 0, or as the speed changes with the driver",
+            "in rad/s^2; default 0, or as the speed changes with the driver; or a list, likewise",
         ),
     },
-    ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",))),
-    later=("motion",),
+    ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",), ("start", "stop", "motion"))),
 )
 
 RATES = Table(
@@ -276,7 +297,12 @@ DYNAMICS = Table(
         ),
         "force_unit": Key(Text(longest=20), "label of forces, where the length unit is not mm, cm, dm or m"),
         "mass_unit": Key(Text(longest=20), "label of masses, likewise"),
-    }
+    },
+    later=("friction",),
+)
+
+FLYWHEEL = Table(
+    {"fluctuation": Key(Number(), "coefficient of fluctuation of speed that is allowed, (ω max − ω min)/ω mean", True)}
 )
 
 LOAD = Table(
@@ -329,9 +355,11 @@ CHART = Table(
         "x": Key(Text(names="variable or output"), "the horizontal axis"),
         "y": Key(Items(Text(names="variable or output"), 1, MOST_SERIES), "the curves"),
         "paths": Key(Items(Text(names="point"), 1, MOST_SERIES), "curves of points, x and y at the same scale"),
+        "hodographs": Key(
+            Items(Text(names="point"), 1, MOST_SERIES), "curves of the ends of points' velocity vectors, at true scale"
+        ),
     },
-    ways=((("x", "y"), ("paths",)),),
-    later=("hodographs",),
+    ways=((("x", "y"), ("paths",), ("hodographs",)),),
 )
 
 MOST_PAIRS = 400
@@ -370,6 +398,26 @@ ASSEMBLY = Named(
     keys={"at": Key(Quantity(), "the driver value that the sketch shows; by default the first")},
 )
 
+EXERCISE = Table(
+    {
+        "asked": Key(
+            Named(Number(0), "variable, coordinate, output or summary"),
+            "marks for each; default: a mark for every link angle, displacement and output",
+        ),
+        "vary": Key(
+            Named(Items(Number(), 3, 3, "from, to, step"), "dimension"),
+            "dimensions that differ from student to student, in their own units",
+        ),
+        "need": Key(
+            Text(longest=1000),
+            '"all rows", or a comparison of summaries in their units ("mu_min > 30"); several with "and"',
+        ),
+        "tolerance": Key(Number(0), "of the mechanism's size, radians for angles; default 1e-4"),
+        "follow_through": Key(YesNo(), "false: what is right but for an earlier fault has no marks; default true"),
+        "not_live": Key(Number(0), "share of a mark for what does not follow the dimensions; default 0.5"),
+    }
+)
+
 DESCRIPTION = Table(
     {
         "format": Key(Integer(FORMAT, FORMAT), "version of this format", True),
@@ -381,12 +429,14 @@ DESCRIPTION = Table(
         "rates": Key(RATES, "velocities and accelerations, where the driver has a speed"),
         "dynamics": Key(DYNAMICS, "gravity and units, where links have masses or loads"),
         "loads": Key(Items(LOAD), "forces and torques on links"),
+        "flywheel": Key(FLYWHEEL, "how large one must be, for whole turns at constant speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
         "charts": Key(Items(CHART), "charts; sensible ones are chosen when left out"),
         "tables": Key(Items(TABLE), "two-way tables"),
         "workbook": Key(WORKBOOK, "how the workbook is written"),
+        "exercise": Key(EXERCISE, "what is asked of students, and what varies from one to the next"),
     },
-    later=("drivers", "flywheel", "friction"),
+    later=("drivers", "friction"),
 )

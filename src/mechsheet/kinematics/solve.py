@@ -17,6 +17,7 @@ from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.coefficients import Written, add_rates, wanted
+from mechsheet.kinematics.driving import driver_values, given_values
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
@@ -26,12 +27,12 @@ from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
-from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import Place, angle_of, cartesian, number
-from mechsheet.kinematics.poses import Member, Poses
+from mechsheet.kinematics.places import angle_of, cartesian, number
+from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
+from mechsheet.kinematics.within import member, sketched_mode, solve_within
 from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase, same
@@ -64,16 +65,6 @@ def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
             known[symbol] = None
             del pending[symbol]
     return tuple(known)
-
-
-def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
-    """The driver's values, row by row: start + n step (no drift); stop is included when the steps land on it."""
-    driver = mechanism.driver
-    if driver.values:
-        return np.array([number(value, dimensions) for value in driver.values])
-    start, stop, step = (number(part, dimensions) for part in (driver.start, driver.stop, driver.step))
-    count = math.floor((stop - start) / step + 1e-9) + 1
-    return np.asarray(start + step * np.arange(count), dtype=np.float64)
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,29 +125,35 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
             given = {group.mode: group.mode_value for group in shown} | dict(given)
         value, is_open = 1, True
         if modes is not None:
-            value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, given.get(solved.mode))
+            mode = given.get(solved.mode)
+            if mode is None and dyad.frame:
+                mode = sketched_mode(mechanism.sketch, dyad, dimensions)
+            value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, mode)
             is_open = is_open or solved.mode in opened
         poses.settle_turns()
         found.append((dyad, solved, value, is_open))
     _note_lengths(poses)
     rates = Written({}, {})
     if wanted(mechanism):
+        _refuse_forces(mechanism, found)
         rates = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
     if further is not None:
         further(Found(poses, order.drive, order.dyads, rates))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
+    law = mechanism.driver.law
+    positive = {*ledger.positive, *((law.duration,) if law else ())}
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
         _groups(found, loops_of(poses, order.dyads)),
-        tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in ledger.positive),
+        tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
         rates.fits,
         rates.turning,
     )
-    validate(result, (*dimensions, mechanism.driver.symbol))
+    validate(result, (*dimensions, mechanism.driver.symbol, *mechanism.given_by_row))
     return result
 
 
@@ -187,11 +184,12 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
 
 
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
-    values = driver_values(mechanism, dimensions)
-    if len(values) > 2 * PROBED_ROWS:
-        rest = np.linspace(PROBED_ROWS, len(values) - 1, PROBED_ROWS).astype(int)
-        values = np.concatenate([values[:PROBED_ROWS], values[rest]])
-    ledger = Ledger(dimensions, mechanism.driver.symbol, values, given_names(mechanism))
+    given = given_values(mechanism, dimensions)
+    rows = len(given[mechanism.driver.symbol])
+    if rows > 2 * PROBED_ROWS:
+        rest = np.linspace(PROBED_ROWS, rows - 1, PROBED_ROWS).astype(int)
+        given = {name: np.concatenate([column[:PROBED_ROWS], column[rest]]) for name, column in given.items()}
+    ledger = Ledger(dimensions, mechanism.driver.symbol, given, given_names(mechanism))
     ledger.tolerance = ledger.define(
         ledger.reserve("tol"),
         al.mul(NumberNode(CLOSING), _largest_length(mechanism)),
@@ -254,6 +252,8 @@ def _lengths_of_places(mechanism: Mechanism) -> list[Quantity]:
 
 
 def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
+    if dyad.frame:
+        return solve_within(poses, dyad)
     match dyad.kind:
         case "RRR":
             return solve_rrr(poses, dyad)
@@ -265,6 +265,16 @@ def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
             return solve_prp(poses, dyad)
         case "RPP":
             return solve_rpp(poses, dyad)
+
+
+def _refuse_forces(mechanism: Mechanism, found: list[tuple[Dyad, Solved, int, bool]]) -> None:
+    """Forces in links that move with a driven pair are a matter of their own."""
+    labels = [solved.label.en for dyad, solved, _, _ in found if dyad.frame]
+    if labels and mechanism.dynamics is not None:
+        message = f"forces are not found where a joint between moving links is driven inside a moving loop: {labels[0]}"
+        raise MechanismError(
+            Fault(message, key="dynamics", hint="leave masses and loads out; positions and velocities are found")
+        )
 
 
 def _groups(found: list[tuple[Dyad, Solved, int, bool]], loops: tuple[Loop, ...]) -> tuple[Group, ...]:
@@ -292,7 +302,7 @@ def _drive(poses: Poses, drive: Drive) -> None:
             poses.fix((drive.moving,), turn, own, *poses.xy[point])
             return
         base = poses.own_place(drive.base, point)
-        poses.members[drive.moving] = _member(turn, base, own)
+        poses.members[drive.moving] = member(turn, base, own)
         return
     joint = drive.joint.joint
     if on_ground:
@@ -307,7 +317,7 @@ def _drive(poses: Poses, drive: Drive) -> None:
     start = poses.through(joint)
     end = cartesian(symbol, al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
     turn = line + angle_of(joint.orientation)
-    poses.members[drive.moving] = _member(turn, end, poses.own_place(drive.moving, joint.point))
+    poses.members[drive.moving] = member(turn, end, poses.own_place(drive.moving, joint.point))
 
 
 def _note_lengths(poses: Poses) -> None:
@@ -316,14 +326,6 @@ def _note_lengths(poses: Poses) -> None:
         pins = [point for point, bodies in poses.graph.pins if link.name in bodies]
         if len(pins) == 2:
             poses.places[link.name].note_length(*pins)
-
-
-def _member(turn: Angle, at: Place, own: Place) -> Member:
-    """The body turned by `turn` whose place `own` lies at the place `at` of the assembly's frame."""
-    if own.is_zero:
-        return Member(turn, at)
-    x, y = own.turned(turn)
-    return Member(turn, at - cartesian(x, y))
 
 
 def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:

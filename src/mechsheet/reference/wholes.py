@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..model import SHAKING, center_symbol, pair_symbol
+from ..model import ENERGY, SHAKING, center_symbol, pair_symbol
 from .forces import Applied, forces
 from .geometry import Array
 from .poses import Solution
@@ -20,7 +20,17 @@ from .rates import by_time
 def further(solution: Solution) -> dict[str, Array]:
     """Velocities, accelerations, forces, power, shaking force, mass centres: by name (n,); NaN in rows that do not exist."""
     held = forces(solution)
-    return by_time(solution) | held | _wholes(solution, held)
+    return by_time(solution) | held | _wholes(solution, held) | _energy(solution, held)
+
+
+def _energy(solution: Solution, held: dict[str, Array]) -> dict[str, Array]:
+    """What a flywheel has given since the first row: the work beyond that of the mean torque, by trapezia."""
+    if solution.mechanism.flywheel is None:
+        return {}
+    torque, steps = held[_effort(solution)], np.diff(solution.driver)
+    work = np.concatenate([[0.0], np.cumsum((torque[1:] + torque[:-1]) / 2 * steps)])
+    turned = solution.driver - solution.driver[0]
+    return {ENERGY: work - work[-1] / turned[-1] * turned}
 
 
 def _wholes(solution: Solution, held: dict[str, Array]) -> dict[str, Array]:

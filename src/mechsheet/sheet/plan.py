@@ -14,13 +14,15 @@ import numpy as np
 
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, Role
+from mechsheet.kinematics.driving import given_values
+from mechsheet.kinematics.equations import FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
+from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Dimension, Mechanism
+from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
+from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Name
 from mechsheet.words.workbook import Language, words
@@ -50,6 +52,10 @@ FOOTER_TITLE = 100
 """Characters of the title in the footer, which holds 255 in all."""
 
 
+ArrowKind = Literal["velocity", "acceleration", "forces"]
+"""What arrows in the drawing show; a cell of the first sheet, `show_velocity`, hides each."""
+
+
 @dataclass(frozen=True, slots=True)
 class Block:
     """A block of the first sheet: its heading's row and the rows of its entries by symbol (or key)."""
@@ -61,14 +67,15 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """One column of the table: the row's number, the driver, what it says of the row, or a quantity.
+    """One column of the table: the row's number, the driver, what it says of the row, the time of a law, what is listed
+    beside the driver's values, or a quantity.
 
     inner  an intermediate quantity, in quieter ink
     """
 
     col: int
     symbol: str
-    kind: Literal["number", "driver", "status", "equation"]
+    kind: Literal["number", "driver", "status", "time", "listed", "equation"]
     group: int
     inner: bool
     equation: Assignment | None = None
@@ -82,6 +89,7 @@ class Plan:
     rates   the columns of the sheet of rates behind its first two; none without velocities
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    arrow_rows  rows of the drawing's sheet in which its arrows stand, likewise
     """
 
     mechanism: Mechanism
@@ -98,6 +106,7 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
+    arrow_rows: range = range(0)
 
     @cached_property
     def size(self) -> float:
@@ -105,9 +114,14 @@ class Plan:
         return largest_length(self.mechanism, dimension_values(self.mechanism)) or 1.0
 
     @cached_property
+    def given(self) -> Mapping[str, Array]:
+        """Of every row the driver's value and what is given beside it, with the dimensions as described."""
+        return given_values(self.mechanism, dimension_values(self.mechanism))
+
+    @cached_property
     def nominal(self) -> dict[str, Array]:
         """Every symbol's values over the rows with the dimensions and modes as described, NaN where there is none."""
-        return sweep(self.mechanism, self.equations.equations, np.array(self.driver))
+        return sweep(self.mechanism, self.equations.equations, self.given)
 
     @cached_property
     def first_existing(self) -> int:
@@ -132,6 +146,25 @@ class Plan:
     def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces; see `Equations`."""
         return self.equations.equations.shown_forces
+
+    @property
+    def moving_points(self) -> tuple[str, ...]:
+        """Points that have a velocity and an acceleration."""
+        points = {point for link in self.mechanism.links for point in link.points}
+        found = (column.symbol.rpartition(".") for column in self.rates)
+        return tuple(point for point, _, part in found if part == "v" and point in points)
+
+    @property
+    def held_columns(self) -> tuple[str, ...]:
+        """The forces of joints, as far as they differ from row to row."""
+        columns = {column.symbol for column in self.forces}
+        return tuple(name for name in self.equations.equations.forces(*JOINT_FORCES) if name in columns)
+
+    @property
+    def arrows(self) -> tuple[ArrowKind, ...]:
+        """What arrows there are in the drawing."""
+        found: tuple[ArrowKind, ...] = ("velocity", "acceleration") if self.moving_points else ()
+        return (*found, "forces") if self.held_columns else found
 
     @property
     def footer(self) -> str:
@@ -175,10 +208,10 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     roles = {equation.role for equation in equations.columns}
     further = [key for key, own in (("rates", RATES), ("forces", FORCES)) if roles & {*own}]
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
-    values = driver_values(mechanism, dimension_values(mechanism))
+    values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
-    assignments = lowered(mechanism, equations)
+    assignments = with_energy(mechanism, lowered(mechanism, equations))
     found = classification(mechanism, assignments)
     plan = Plan(mechanism, assignments, language, at, rows, [float(value) for value in values], found)
     _plan_columns(plan)
@@ -195,9 +228,10 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
     taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
     plan.next_row = FIRST_BLOCK
-    _block(plan, "position", ["position", mechanism.driver.symbol, "status"])
+    shown = [f"show_{kind}" for kind in plan.arrows]
+    _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
-    if not mechanism.driver.values:
+    if mechanism.driver.stepped:
         _block(plan, "sweep", ["start", "step", "stop"])
     for key in INPUT_BLOCKS:
         entries = [dim.symbol for dim in mechanism.dimensions if block_of(dim) == key]
@@ -206,7 +240,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     modes = [group.mode for group in plan.equations.groups if group.mode]
     if modes:
         _block(plan, "assembly", modes)
-    variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
+    variables = [*mechanism.given_by_row]
+    variables += [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
     variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
@@ -238,6 +273,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _spot(plan, f"#summary {summary.symbol}", row, False, name, taken)
     name = safe_name(plan.text("name.position"), taken)
     _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
+    for key in shown:
+        _spot(plan, f"#{key}", plan.blocks["position"].rows[key], False, safe_name(key, taken), taken)
     _spot(plan, "#verdict", VERDICT_ROW, False, safe_name("verdict", taken), taken, SYMBOL)
     for key in plan.found.entries:
         row = plan.blocks["verdicts"].rows[key]
@@ -252,7 +289,7 @@ INPUT_BLOCKS = ("motion", "masses", "loads")
 
 def block_of(dim: Dimension) -> str:
     """The block of the first sheet in which such a dimension stands; "" for one of the description's own."""
-    places = {"driver": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
+    places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
     return places[str(dim.place[0])] if dim.place else ""
 
 
@@ -283,6 +320,8 @@ def _plan_columns(plan: Plan) -> None:
     _add_column(plan, "#number", "number", 0, False)
     _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
     _add_column(plan, "#status", "status", 0, False)
+    for symbol in plan.mechanism.given_by_row:
+        _add_column(plan, symbol, "time" if driver.law else "listed", 0, False)
     for equation in plan.equations.columns:
         if equation.role in (*RATES, *FORCES):
             continue
@@ -298,7 +337,7 @@ def _plan_columns(plan: Plan) -> None:
 def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[TableColumn]:
     """The columns of a sheet of its own in the rows of the positions: the driver's effort both ways and what holds for the
     whole mechanism first, then group by group as they are solved."""
-    first = plan.equations.equations.forces("effort", "work", "whole")
+    first = (*plan.equations.equations.forces("effort", "work", "whole"), ENERGY)
     found = [equation for equation in plan.equations.columns if equation.role in roles]
     found.sort(key=lambda equation: equation.symbol not in first)
     columns = []
@@ -313,7 +352,7 @@ def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[Table
 def _add_column(
     plan: Plan,
     symbol: str,
-    kind: Literal["number", "driver", "status", "equation"],
+    kind: Literal["number", "driver", "status", "time", "listed", "equation"],
     group: int,
     degrees: bool,
     equation: Assignment | None = None,

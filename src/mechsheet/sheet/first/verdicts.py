@@ -12,12 +12,13 @@ from typing import Literal
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import Link
+from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
+from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
@@ -61,6 +62,8 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         block.fits("acceleration", "accelerations_fit")
     if found.forces:
         block.efforts()
+    if found.flywheel:
+        block.flywheel()
     block.line_under_the_title()
     return [Merge(Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING))]
 
@@ -187,10 +190,6 @@ class _Block:
         self.line("limits", self.text("limits"), "", count, 0, words)
         self.colour("limits", "count>0", styles.WARN, count=cell)
 
-    def _driver_at(self, row: Node) -> Node:
-        """The driver's value at a place counted in rows."""
-        return formula("_start+(row-1)*_step", row=row)
-
     def input_range(self) -> None:
         """From where to where the driver can go in the first stretch."""
         if self.driver.values or self.plan.rows == 1:
@@ -199,7 +198,7 @@ class _Block:
                 for key in ("first", "last")
             ]
         else:
-            ends = [self._driver_at(Symbol(f"#{key}_1")) for key in ("from", "to")]
+            ends = [driver_at(self.plan, Symbol(f"#{key}_1")) for key in ("from", "to")]
         unit = self.driver.unit.text
         everywhere = formula("AND(count=rows,_whole>0,passes=0)", count=self.value("rows_closed"), rows=self.plan.rows,
                              passes=self.value("passes"))  # fmt: skip
@@ -220,7 +219,7 @@ class _Block:
         for number in reversed(self.extremes.gaps):
             dips = formula("IFERROR(least<-tolerance,FALSE)", least=Symbol(f"#gap_least_{number}"), tolerance=tolerance)
             found = al.add(formula("IF(dips,1,0)", dips=dips), found)
-            place = self._driver_at(Symbol(f"#gap_row_{number}"))
+            place = driver_at(self.plan, Symbol(f"#gap_row_{number}"))
             where = formula("IF(dips,place,other)", dips=dips, place=place, other=where)
         cell = self.value("passes")
         before, after = self.text("passes.not", place="#").split("#")
@@ -282,7 +281,7 @@ class _Block:
             lengths=lengths, rounding=self._rounding(), excess=cell, which=which, loop=loop.name,
             open=named("open"), change=named("change"), none=named("none"),
         )  # fmt: skip
-        excess = formula("2*(MIN(lengths)+MAX(lengths))-SUM(lengths)", lengths=lengths)
+        excess = self.bound("IF(_inputs>0,NA(),2*(MIN(lengths)+MAX(lengths))-SUM(lengths))", lengths=lengths)
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
@@ -435,6 +434,40 @@ class _Block:
         self.line(key, self.text(key), "", self.checks.worst("torque"), style, words)
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
         self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
+
+    def flywheel(self) -> None:
+        """Mean torque, change of energy over the turn, and the moment of inertia that keeps the speed within its bounds."""
+        plan, torque = self.plan, self.plan.efforts[0]
+        speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
+        even = formula("AND(_whole=1,count=rows,speed<>0,acceleration=0)", count=self.value("rows_closed"), rows=plan.rows,
+                       speed=speed, acceleration=acceleration)  # fmt: skip
+        column = plan.at.column(torque, plan.main)
+        mean = self.bound("IF(even,(SUM(column)-(first+last)/2)/steps,NA())", even=even, column=column, first=column.start,
+                          last=column.end, steps=max(1, plan.rows - 1))  # fmt: skip
+        style = styles.decimals(styles.RESULT, places(plan, "moment"))
+        missing = self.text("flywheel.missing")
+
+        def said(key: str, words: Node | str) -> Node:
+            return formula("IF(ISNUMBER(value),words,missing)", value=self.value(key), words=words, missing=missing)
+
+        unit = plan.equations.of(torque).unit.text
+        self.line("mean_torque", self.text("mean_torque"), unit, mean, style,
+                  said("mean_torque", self.text("mean_torque.words")))  # fmt: skip
+        energy, drivers = plan.at.column(ENERGY, plan.main), self._drivers()
+        ends = [
+            self.driver_text(formula(f"INDEX(drivers,MATCH({way}(energy),energy,0))", drivers=drivers, energy=energy))
+            for way in ("MAX", "MIN")
+        ]
+        words = joined(self.text("energy_change.slow"), " ", ends[0], self.text("energy_change.fast"), " ", ends[1])
+        change = formula("MAX(energy)-MIN(energy)", energy=energy)
+        self.line("energy_change", "ΔE", plan.equations.of(ENERGY).unit.text, change, style,
+                  said("energy_change", words))  # fmt: skip
+        inertia = self.bound("change/(fluctuation*speed^2)", change=self.value("energy_change"),
+                             fluctuation=Symbol("fluctuation"), speed=speed)  # fmt: skip
+        style, dynamics = styles.numbered(styles.RESULT, "0.000E+00"), plan.mechanism.dynamics
+        unit = inertia_unit(dynamics, plan.mechanism.length_unit) if dynamics else ""
+        self.line("flywheel", self.text("flywheel"), unit, inertia, style,
+                  said("flywheel", self.text("flywheel.words")))  # fmt: skip
 
     # --- the line under the title -----------------------------------------------------------------------------
 
