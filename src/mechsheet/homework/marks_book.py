@@ -50,7 +50,7 @@ def _class(marks: Marks) -> Sheet:
             cells.append(Cell(row, col, got, PLAIN))
         cells.append(Cell(row, total + 1, None, INPUT))
         cells.append(Cell(row, total + 3, float(len(one.audit.faults)) if one.audit else None, PLAIN))
-        cells.append(Cell(row, total + 4, words_of(one) or None, WRAPPED))
+        cells.append(Cell(row, total + 4, "; ".join(filter(None, [*one.private, words_of(one)])) or None, WRAPPED))
     count = len(marks.students)
     summed = Call("SUM", (RangeRef(CellRef(FIRST, 3), CellRef(FIRST, total - 1)),)) if symbols else Number(0.0)
     typed = CellRef(FIRST, total + 1)
