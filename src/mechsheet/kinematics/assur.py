@@ -77,7 +77,7 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     assemblies += [(body,) for body in graph.bodies if body not in grouped]
     assemblies.sort(key=lambda bodies: graph.bodies.index(bodies[0]))
     dyads = []
-    driven = (drive.base, drive.moving)
+    driven: tuple[str, ...] = (drive.base, drive.moving)
     while assemblies:
         dyad = _next_dyad(graph, assemblies, solved)
         if dyad is None and driven in assemblies and (inside := _within(graph, assemblies, driven, solved)) is not None:
