@@ -142,13 +142,8 @@ def _scale(page: Page, kind: ArrowKind, sizes: RangeRef, unit: str, number: int)
     text = page.plan.text
     shown = page.plan.at.cell(f"#show_{kind}", page.title, None)
     page.put(NAME, text("arrows.scale"))
-    largest = page.formula(SECOND, al.largest(sizes))
     scale = page.formula(FIRST, formula(
-<<<<<<< HEAD
         "IF(AND(shown=1,MAX(sizes)>0),longest/MAX(sizes),NA())", shown=shown, sizes=sizes, longest=LONGEST
-=======
-        "IF(AND(shown=1,largest>0),longest/largest,NA())", shown=shown, largest=largest, longest=LONGEST
->>>>>>> published
     ))  # fmt: skip
     page.row += 1
     page.put(NAME, text("drawing.bar"))
