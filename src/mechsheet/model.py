@@ -317,11 +317,24 @@ class TableRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class Solution:
+    """How groups are solved that no dyad can be taken from.
+
+    passes  Newton steps a row; None: as many as are needed, at least six
+    force   dyads are solved so, too
+    """
+
+    passes: int | None = None
+    force: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
     rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
     dynamics     masses and loads; None where the description has none
+    solution     how groups without a closed form are solved
     file         the stem of the file that it was read from, "" when it was read from none
     """
 
@@ -345,6 +358,7 @@ class Mechanism:
     drawn: bool = True
     rate_points: tuple[str, ...] | None = None
     dynamics: Dynamics | None = None
+    solution: Solution = Solution()
     text: str = ""
     file: str = field(default="", compare=False)
 

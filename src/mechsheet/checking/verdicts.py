@@ -22,7 +22,7 @@ from mechsheet.checking.undefined_dimensions import missing_dimensions
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
-from mechsheet.kinematics.equations import Group, assembly_of
+from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.sheet.checks.geometry import length_in_cells
@@ -59,12 +59,12 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
     )
     equations = plan.equations.equations
     groups = tuple(
-        replace(group, assembly=assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
+        replace(group, assembly=group.assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
         for group in equations.groups
     )
     search = Search(
         replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.driver,
-        stepped=not mechanism.driver.values,
+        stepped=not (mechanism.driver.values or plan.newton),
     )  # fmt: skip
     return _Judge(values, plan, search).result()
 

@@ -55,6 +55,7 @@ class Classification:
     limits        True where some group can come apart
     rates         True where there are velocities
     forces        True where there are masses or loads
+    newton        True where a group is solved by Newton's method
     """
 
     four_bars: tuple[FourBar, ...]
@@ -65,12 +66,14 @@ class Classification:
     limits: bool
     rates: bool = False
     forces: bool = False
+    newton: bool = False
 
     @property
     def entries(self) -> list[str]:
         """Keys of the lines of the block, in order: the names of their cells, too."""
         lines = ["inputs", "rows_closed", *(["limits", "input_from", "input_to", "passes"] if self.limits else [])]
         lines += ["largest_gap", "leaps"]
+        lines += ["same_assembly", "largest_residual", "passes_needed", "least_det"] if self.newton else []
         lines += [f"grashof_{loop.group}" for loop in self.four_bars]
         lines += [f"swing_{link.angle_symbol}" for link in self.swings]
         lines += [f"stroke_{joint.symbol}" for joint in self.strokes]
@@ -84,6 +87,7 @@ class Classification:
         """Keys of the lines that say where something occurs."""
         found = {f"transmission_{group.number}" for group in self.transmission}
         found |= {"largest_effort", "largest_force"} if self.forces else set()
+        found |= {"least_det"} if self.newton else set()
         return frozenset({*found, "largest_gap", *(["passes"] if self.limits else [])})
 
     @property
@@ -113,6 +117,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         bool(equations.margins),
         mechanism.driver.speed is not None and bool(equations.groups),
         bool(equations.equations.efforts),
+        any(group.system is not None for group in equations.groups),
     )
 
 

@@ -45,6 +45,8 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         block.input_range()
         block.passes()
     block.gap_and_leaps()
+    if found.newton:
+        block.newton()
     for loop in found.four_bars:
         block.grashof(loop)
     for link in found.swings:
@@ -255,6 +257,30 @@ class _Block:
                         none=self.text("leaps.none"), some=self.text("leaps.some"))  # fmt: skip
         self.line("leaps", self.text("leaps"), "", self.checks.worst("leap"), 0, words)
         self.colour("leaps", "count>0", styles.WARN, count=cell)
+
+    # --- groups solved by Newton's method ---------------------------------------------------------------------
+
+    def newton(self) -> None:
+        """Whether each row is of the same assembly, how well the links meet, how many passes that took, the least |det|."""
+        key, cell = "same_assembly", self.value("same_assembly")
+        kept, lost = self.text(f"{key}.kept"), self.text(f"{key}.lost")
+        words = formula('IF(closed=0,"",IF(count=0,kept,lost))', closed=self.value("rows_closed"), count=cell, kept=kept,
+                        lost=lost)  # fmt: skip
+        self.line(key, self.text(key), "", self.checks.worst("assembly"), 0, words)
+        self.colour(key, "count>0", styles.BAD, count=cell)
+        self.colour(key, "said=kept", styles.GOOD, said=self.words(key), kept=kept)
+        style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
+        self.line("largest_residual", self.text("residual"), "", self.checks.worst("residual"), style,
+                  Text(self.text("residual.fine")))  # fmt: skip
+        key, cell = "passes_needed", self.value("passes_needed")
+        most = max(group.system.passes for group in self.plan.equations.groups if group.system is not None)
+        words = formula("IF(count>most,many,fine)", count=cell, most=most, many=self.text(f"{key}.many", passes=most),
+                        fine=self.text(f"{key}.fine", passes=most))  # fmt: skip
+        self.line(key, self.text(key), "", self.checks.worst("needed"), 0, words)
+        self.colour(key, "count>most", styles.WARN, count=cell, most=most)
+        key = "least_det"
+        self.line(key, self.text(key), "", self.checks.worst("det"), 4, Text(self.text(f"{key}.words")))
+        self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("det")))
 
     # --- four-bar loops ---------------------------------------------------------------------------------------
 

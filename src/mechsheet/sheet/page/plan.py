@@ -9,6 +9,7 @@ from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import RATES, Equations
+from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
@@ -79,6 +80,7 @@ class PagePlan(Plan):
 
 def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     """The plan of a mechanism's page."""
+    need_closed_form(equations, "the layout page cannot hold this", "workbook.layout", 'layout = "sheets" does')
     language, drawn = mechanism.language, mechanism.drawn
     titles = dict.fromkeys(SHEETS, words(language, "sheet.mechanism"))
     titles["description"] = words(language, "sheet.description")

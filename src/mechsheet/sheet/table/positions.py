@@ -209,7 +209,8 @@ def status_words(plan: Plan) -> list[str]:
     found = []
     for group in plan.equations.groups:
         links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
-        found.append(plan.text("status.undetermined" if group.only_undetermined else "status.open", links=links))
+        key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
+        found.append(plan.text(f"status.{key}", links=links))
     return found
 
 
@@ -277,6 +278,8 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     if column.equation is None:
         return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit.in_degrees else "length"))
     unit = column.equation.unit
+    if column.symbol in plan.residuals:
+        return styles.numbered(styles.INNER, styles.ERROR.number_format)
     if column.inner:
         return _decimals(styles.INNER, 4 if unit.kind == "angle" else places(plan, unit.kind))
     return _decimals(styles.COLUMN, places_of(plan, unit))

@@ -14,6 +14,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Symbol
 from mechsheet.formula.printer import quote_sheet
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken, taken_near
+from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import Dimension, TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.charts import driver_axis
@@ -58,6 +59,8 @@ CELL = "a cell of the table"
 def table_sheets(plan: Plan) -> tuple[Sheet, ...]:
     """One sheet for each table that the description asks for."""
     taken = {title.casefold() for title in plan.at.titles.values()}
+    if plan.mechanism.tables:
+        need_closed_form(plan.equations.equations, "a two-way table cannot hold this", "tables", "leave the table out")
     sheets = []
     for request in plan.mechanism.tables:
         title = _sheet_title(plan, request, taken)
