@@ -35,6 +35,19 @@ def rate_symbols(symbol: str, turns: bool) -> tuple[str, str]:
     return f"omega{tail}", f"alpha{tail}"
 
 
+SHAKING = ("shaking.x", "shaking.y", "shaking.m")
+"""What the forces of inertia of all links shake the ground with: the force's parts, and its moment about the origin."""
+
+
+ENERGY = "E_f"
+"""What the flywheel has given by the position, from the first row on: the integral of the torque less its mean."""
+
+
+def center_symbol(number: int) -> str:
+    """`G3`, the mass centre of link 3 where it is no point of its own: G3.x, G3.vx."""
+    return f"G{number}"
+
+
 def pair_symbol(letter: str, first: int, second: int) -> str:
     """`F34` of links 3 and 4; `F3_10` where a number has two digits."""
     return f"{letter}{first}{second}" if max(first, second) < 10 else f"{letter}{first}_{second}"
@@ -231,6 +244,18 @@ class Dynamics:
     mass_unit: str = "kg"
 
 
+def energy_unit(dynamics: Dynamics, length_unit: str) -> str:
+    """J, or a force times a length in the description's own units."""
+    return "J" if dynamics.metre is not None else f"{dynamics.force_unit} {length_unit}"
+
+
+def inertia_unit(dynamics: Dynamics, length_unit: str) -> str:
+    """kg m², or in the description's own units; without a mass nobody has said what masses are called."""
+    if dynamics.metre is not None:
+        return "kg m²"
+    return f"{dynamics.mass_unit} {length_unit}²" if dynamics.mass_unit else f"{dynamics.force_unit} {length_unit} s²"
+
+
 @dataclass(frozen=True, slots=True)
 class Driver:
     """What is driven, and its values.
@@ -373,6 +398,11 @@ class Mechanism:
             return unit
         known = self.angle_unit if unit.kind == "angle" else Unit(unit.kind, self.length_unit)
         return replace(known, per=unit.per)
+
+    @property
+    def flywheel(self) -> Dimension | None:
+        """The coefficient of fluctuation that a flywheel must keep; None where no flywheel is asked for."""
+        return next((dim for dim in self.dimensions if dim.place[:1] == ("flywheel",)), None)
 
     @property
     def driver_rates(self) -> tuple[str, str]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 Value = TypeVar("Value", float, NDArray[np.float64])
 
-Kind: TypeAlias = Literal["length", "angle", "number", "force", "moment", "label"]
+Kind: TypeAlias = Literal["length", "angle", "number", "force", "moment", "power", "label"]
 """A "label" is whatever a description writes behind an output's numbers: the program knows nothing of it."""
 
 

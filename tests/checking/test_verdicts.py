@@ -15,6 +15,7 @@ from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.search import Search
+from mechsheet.library.verdicts import verdicts_of
 
 
 @cache
@@ -105,3 +106,15 @@ def test_the_search_knows_a_crank_slider():
     assert search.whole
     assert search.closes_everywhere
     assert not search.limits()
+
+
+def test_show_prints_what_the_search_finds_not_what_the_probes_found():
+    """A designer who reads the time ratio from a script gets it exactly; the sheet's is right to its own limits."""
+    compiled, _ = built("adjustable-pump")
+    shown = verdicts_of(compiled.mechanism)
+    ratio = shown["time_ratio_s15"]["value"]
+    sheet = compiled.value(compiled.plan.at.spots["#time_ratio_s15"])
+    assert ratio == pytest.approx(2.00873, abs=1e-5)  # the reference, Newton every 0.05 degrees
+    assert ratio != sheet
+    assert ratio == pytest.approx(sheet, rel=5e-3)
+    assert shown["time_ratio_s15"]["words"]

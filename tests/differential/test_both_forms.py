@@ -44,7 +44,7 @@ def random_ods(folder):
     """Workbooks of random mechanisms of all five dyads."""
     folder.mkdir()
     paths = []
-    for seed in first(range(1300, 1306), 2):
+    for seed in first(range(1300, 1306), 1):
         mechanism = loads(Grower(seed, 1 + seed % 4, KINDS).text(5))
         paths.append(folder / f"random-{seed}.ods")
         write(compile_workbook(mechanism)[0], paths[-1])

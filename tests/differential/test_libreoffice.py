@@ -18,7 +18,7 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import KINDS, Grower
 
-SAMPLE = int(os.environ.get("MECHSHEET_SAMPLE", "20" if ALL else "4" if IN_CI else "2"))
+SAMPLE = int(os.environ.get("MECHSHEET_SAMPLE", "20" if ALL else "3" if IN_CI else "2"))
 """How many of each; a file takes LibreOffice and us some three seconds."""
 
 pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]

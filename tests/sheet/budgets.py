@@ -23,7 +23,7 @@ TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 PAGES = sorted(path.stem.removesuffix("-page") for path in (ROOT / "generated").glob("*-page.xlsx"))
 """Templates that are generated in both layouts."""
 
-FOUR_BAR = {("sheets", "names"): 1_565, ("sheets", "anchors"): 1_590, ("page", "anchors"): 420}
+FOUR_BAR = {("sheets", "names"): 1_595, ("sheets", "anchors"): 1_620, ("page", "anchors"): 420}
 """Formulas of a four-bar of 25 rows. Its template has anchors: there a constant is a cell, a named one is typed in."""
 
 FOUR_BAR_COLUMNS = {"sheets": 19, "page": 15}
@@ -33,7 +33,7 @@ ALL = 100_000
 BESIDE, SHARE = 500, 2.5
 """Formulas but two-way tables are at most so many, and so many times those of Positions."""
 
-LARGE_BESIDE_FEW_ROWS = {"fivelink": 730, "adjustable-pump": 650, "cylinder-boom": 730, "peaucellier": 730}
+LARGE_BESIDE_FEW_ROWS = {"fivelink": 760, "adjustable-pump": 650, "cylinder-boom": 780, "peaucellier": 810}
 """Of 19 to 37 rows: what does not grow with the rows (drawing, extremes) is about half."""
 
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}

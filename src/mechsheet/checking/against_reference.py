@@ -22,7 +22,7 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.sweep import rough_poses
-from mechsheet.model import Mechanism
+from mechsheet.model import ENERGY, Mechanism
 from mechsheet.sheet.plan import Plan
 
 DEAD_CENTRE = 1e-6
@@ -65,7 +65,9 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     closed = _closed_rows(mechanism, solution, ours | placed)
     _judge_status(plan, tally, opened, solution.exists)
     for symbol, column in ours.items():
-        if steep.concerns(symbol):
+        if symbol == ENERGY:
+            _compare_energy(plan, tally, column, theirs, solution, steep)
+        elif steep.concerns(symbol):
             _compare_rate(plan, tally, symbol, column, theirs, solution, steep)
         else:
             _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol))
@@ -149,18 +151,11 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array], efforts: tu
     angles = {link.angle_symbol for link in solution.mechanism.links} & found.keys() & ours.keys()
     turned = {symbol: math.tau * np.round((ours[symbol] - found[symbol]) / math.tau) for symbol in angles}
     found |= {symbol: found[symbol] + np.nan_to_num(turns) for symbol, turns in turned.items()}
-    found |= {symbol: column for symbol, column in reference.by_time(solution).items() if symbol not in found}
-    found |= _forces(solution, efforts)
-    return found | reference.outputs(solution, found)
-
-
-def _forces(solution: reference.Solution, efforts: tuple[str, ...]) -> dict[str, Array]:
-    """The reference's forces, the driver's effort once more for virtual work."""
-    found = reference.forces(solution)
+    found |= {symbol: column for symbol, column in reference.further(solution).items() if symbol not in found}
     if efforts:
         effort, by_work = efforts
         found[by_work] = found[effort]
-    return found
+    return found | reference.outputs(solution, found)
 
 
 def _judged(plan: Plan) -> list[str]:
@@ -244,6 +239,16 @@ def _compare_rate(
     wrong = np.isnan(apart) | (~missing & (steep.sine < DEAD * (1 - EDGE)) & steep.at_all(symbol))
     apart = np.where(fine, 0.0, np.where(wrong, math.inf, apart))
     _note_worst(plan, tally, symbol, apart, ours, theirs)
+
+
+def _compare_energy(
+    plan: Plan, tally: Tally, ours: Array, found: Mapping[str, Array], solution: reference.Solution, steep: Steepness
+) -> None:
+    """The flywheel's energy: a sum over rows, measured by the largest torque over a radian."""
+    theirs, largest = found[ENERGY], steep.scale(plan.efforts[0], solution, found)
+    apart = np.abs(ours - theirs) / np.max(largest) * np.min(steep.sine) ** 2
+    apart = np.where(np.isnan(ours) & np.isnan(theirs), 0.0, np.where(np.isnan(apart), math.inf, apart))
+    _note_worst(plan, tally, ENERGY, apart, ours, theirs)
 
 
 def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array, theirs: Array) -> None:

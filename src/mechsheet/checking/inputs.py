@@ -88,7 +88,9 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
         if group.mode:
             typed = number(group.mode)
             if math.isfinite(typed) and typed not in group.mode_values:
-                wrong(group.mode, "must be 1 or -1" if group.system is None else f"must be 1 to {len(group.assemblies)}")
+                wrong(
+                    group.mode, "must be 1 or -1" if group.system is None else f"must be 1 to {len(group.assemblies)}"
+                )
             modes[group.mode] = group.value_of(typed)
             if modes[group.mode] != group.mode_value:
                 remarks.append(

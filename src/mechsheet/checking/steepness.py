@@ -10,7 +10,7 @@ from mechsheet import reference
 from mechsheet.checking.inputs import Array
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.dyads import DEAD
-from mechsheet.kinematics.equations import FORCES, RATES
+from mechsheet.kinematics.equations import FORCES, INNER, RATES
 from mechsheet.kinematics.numeric import value
 from mechsheet.sheet.plan import Plan
 
@@ -48,8 +48,7 @@ class Steepness:
             if equation.role in (*RATES, *FORCES) or (equation.role == "output" and of_rates):
                 dead = equation.symbol in self._dead or any(found[name] for name in of_rates)
                 found[equation.symbol] = dead
-        inner = ("coefficient", "dynamic")
-        return {symbol: dead for symbol, dead in found.items() if roles[symbol] not in inner}
+        return {symbol: dead for symbol, dead in found.items() if roles[symbol] not in INNER}
 
     def concerns(self, symbol: str) -> bool:
         """True for velocities, accelerations and forces, and outputs of them."""
@@ -63,15 +62,19 @@ class Steepness:
         """What a difference is measured by: the driver's own rate, as a length where it is one; the largest joint force."""
         mechanism = self.plan.mechanism
         equation = self.plan.equations.of(symbol)
-        if equation.role == "force":
+        if equation.unit.kind in ("force", "moment") and equation.role == "force":
             return self._largest(equation.unit.kind, solution, found)
+        if equation.unit.kind == "power":
+            effort = self.plan.equations.of(self.plan.efforts[0]).unit.kind
+            largest = self._largest(effort, solution, found)
+            return np.maximum(largest * np.abs(found[mechanism.driver_rates[0]]), 1e-300)
         if equation.role == "output" or mechanism.driver.speed is None:
             return np.ones(self.plan.rows)
         size = solution.size or 1.0
         speed, acceleration = (np.abs(found[name]) for name in mechanism.driver_rates)
         if mechanism.driver.joint:
             speed, acceleration = speed / size, acceleration / size
-        rate = speed if equation.unit.per == 1 else speed**2 + acceleration
+        rate = (np.ones(self.plan.rows), speed, speed**2 + acceleration)[equation.unit.per]
         return np.maximum(rate * (size if equation.unit.kind == "length" else 1.0), 1e-300)
 
     def _largest(self, kind: str, solution: reference.Solution, found: Mapping[str, Array]) -> Array:
@@ -85,7 +88,7 @@ class Steepness:
                 size = np.nan_to_num(np.abs(found[equation.symbol]))
                 if equation.unit.kind == "force":
                     forces = np.maximum(forces, size)
-                else:
+                elif equation.unit.kind == "moment":
                     torques = np.maximum(torques, size)
         # a joint that is pressed by couples alone has forces of their size over the lever, and the other way round
         largest = np.maximum(forces * lever, torques) if kind == "moment" else np.maximum(forces, torques / lever)

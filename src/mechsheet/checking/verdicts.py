@@ -10,23 +10,19 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
 from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.report import Comparison, Tally
+from mechsheet.checking.searched_verdicts import SearchedVerdicts
 from mechsheet.checking.undefined_dimensions import missing_dimensions
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Group
-from mechsheet.kinematics.numeric import Array, value
-from mechsheet.kinematics.search import TURN, Search
-from mechsheet.sheet.checks.geometry import length_in_cells
-from mechsheet.sheet.first.classification import FourBar
+from mechsheet.kinematics.search import Search
 from mechsheet.sheet.plan import MEANING, Plan
 
 EXACT = 1e-4
@@ -41,7 +37,6 @@ GAP = 1e-9
 ROUNDED = 2e-6
 """Angles by arccos [rad], at a dead centre."""
 
-LEAP = math.radians(90.0)
 _NUMBER = re.compile(r"\d+")
 
 
@@ -75,14 +70,8 @@ class _Judge:
     def __init__(self, values: Any, plan: Plan, search: Search) -> None:
         self.values, self.plan, self.search = values, plan, search
         self.tally = Tally("search", tolerance=EXACT)
-        driver = plan.mechanism.driver
-        self.driver_scale = math.degrees(1.0) if driver.unit.in_degrees else 1.0
-        self.angle_scale = math.degrees(1.0) if plan.mechanism.angle_unit.in_degrees else 1.0
-        self.page = plan.mechanism.layout == "page"
-        both = search.row_there[1:] & search.row_there[:-1]
-        self.leaps = any(np.any(both & (column > LEAP)) for column in search.turns_between_rows().values())
-        # nothing that hangs on it is said where the sheet warns, or may
-        self.sure = not (search.holes or search.doubtful or self.leaps)
+        self.searched = SearchedVerdicts(plan, search)
+        self.page = self.searched.page
 
     def result(self) -> Comparison:
         """All verdicts that this layout has."""
@@ -91,7 +80,7 @@ class _Judge:
         self._number("inputs", [0.0])
         self._number("rows_closed", [float(self.search.count)])
         for loop in self.plan.found.four_bars:
-            self._grashof(loop)
+            self._number(f"grashof_{loop.group}", [self.searched.grashof(loop)], 1e-8 * self.search.size)
         for group in self.plan.found.transmission:
             self._transmission(group)
         if not self.page:
@@ -111,12 +100,13 @@ class _Judge:
             gap = self._found("largest_gap")
             small = isinstance(gap, float) and gap <= GAP * search.size
             self._note("largest_gap", 0.0 if small else math.inf, 0.0)
-        if self.sure or (self.leaps and not (search.holes or search.doubtful)):
-            self._warns("leaps", self.leaps)
+        leaps = self.searched.leaps
+        if self.searched.sure or (leaps and not (search.holes or search.doubtful)):
+            self._warns("leaps", leaps)
         for link in found.swings:
-            self._extent(f"swing_{link.angle_symbol}", link.angle_symbol, self.angle_scale)
+            self._extent(f"swing_{link.angle_symbol}", link.angle_symbol)
         for joint in found.strokes:
-            self._extent(f"stroke_{joint.symbol}", joint.symbol, 1.0)
+            self._extent(f"stroke_{joint.symbol}", joint.symbol)
         for symbol in found.returning:
             self._ratio(symbol)
 
@@ -186,106 +176,54 @@ class _Judge:
         self._note("verdict", 0.0 if right else 1.0, expected)
 
     def _limits(self) -> None:
-        limits = self.search.limits()
-        self._number("limits", [float(len(limits))])
+        self._number("limits", [float(len(self.search.limits()))])
         if not self.search.stepped:
             return
         allowed = self._allowed_place()
         shown = [key for key in self.plan.at.spots if key.startswith("#limit_")]
         for number in range(1, len(shown) + 1):
-            places = limits[number - 1][1] if number <= len(limits) else []
-            self._number(f"limit_{number}", self._at(places), allowed)
+            self._number(f"limit_{number}", self.searched.limit(number), allowed)
 
     def _allowed_place(self) -> float:
         part = 1.0 if self.search.doubtful or self._about("limits") else EXACT
-        return max(part * abs(self.search.step) * self.driver_scale, 1e-9)
-
-    def _at(self, places: Iterable[float]) -> list[float]:
-        """Values of the driver, as people read them."""
-        return [float(self.search.driver(place)) * self.driver_scale for place in places]
+        return max(part * abs(self.search.step) * self.searched.driver_scale, 1e-9)
 
     def _ends(self) -> None:
         """From where to where the driver can go in the first stretch."""
-        search = self.search
-        if not search.count:
-            self._number("input_from", [])
-            self._number("input_to", [])
-            return
-        first, last = search.row_stretches[0]
-        for key, row, other in (("input_from", first, first - 1), ("input_to", last, last + 1)):
-            inside = search.stepped and 1 <= other <= search.rows
-            places = (search.edges_between(row, other) if inside else []) or [float(row)]
-            self._number(key, self._at(places), self._allowed_place())
+        for key, expected in zip(("input_from", "input_to"), self.searched.ends(), strict=True):
+            self._number(key, expected, self._allowed_place() if expected else 1.0)
 
     # --- quantities ------------------------------------------------------------------------------------------------------
 
-    def _grashof(self, loop: FourBar) -> None:
-        """Shortest + longest - the other two."""
-        known = {name: column[0] for name, column in self.search.at.items()}
-        poses = self.plan.equations.poses
-        lengths = [
-            float(value(length_in_cells(link, one, other, poses), known))
-            for link, one, other in loop.sides(self.search.mechanism.ground)
-        ]
-        excess = 2 * (min(lengths) + max(lengths)) - sum(lengths)
-        self._number(f"grashof_{loop.group}", [excess], 1e-8 * self.search.size)
-
-    def _extent(self, key: str, symbol: str, scale: float) -> None:
-        """A swing or a stroke: of one stretch."""
-        search = self.search
-        if len(search.row_stretches) != 1:
-            self._number(key, [])
+    def _extent(self, key: str, symbol: str) -> None:
+        """A swing or a stroke; where there are several stretches there is none."""
+        expected = self.searched.extent(symbol)
+        if not expected and len(self.search.row_stretches) == 1:
             return
-        extremes = search.extremes(symbol)
-        if not self.sure or extremes is None:
-            return
-        extent = (TURN if search.is_angle(symbol) and search.is_crank(symbol) else extremes[2] - extremes[0]) * scale
-        least = 1e-8 * (scale if search.is_angle(symbol) else search.size)
-        self._number(key, [extent], self._part(key) * extent + least)
+        if self.searched.sure or not expected:
+            least = 1e-8 * (self.searched.scale(symbol) if self.search.is_angle(symbol) else self.search.size)
+            self._number(key, expected, self._part(key) * max(expected, default=0.0) + least)
 
     def _part(self, key: str) -> float:
         return ABOUT if self._about(key) else EXACT
 
     def _ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster."""
-        search, key = self.search, f"time_ratio_{symbol}"
-        if not self.sure:
-            return
-        turns = search.whole and search.closes_everywhere and not (search.is_angle(symbol) and search.is_crank(symbol))
-        extremes = search.extremes(symbol) if turns else None
-        if extremes is None or extremes[2] - extremes[0] < 1e-7 * (1.0 if search.is_angle(symbol) else search.size):
-            self._number(key, [])
-            return
-        low, at_low, high, at_high = extremes
-        ratios = []
-        for one in (at_low, *self._ties(symbol, low, high - low)):
-            for other in (at_high, *self._ties(symbol, high, high - low)):
-                way = abs(other - one) * abs(search.step) % TURN
-                if 0 < way < TURN:
-                    ratios.append(max(way, TURN - way) / min(way, TURN - way))
-        self._number(key, ratios, (ABOUT if self._about(key) else 20 * EXACT) * min(ratios))
-
-    def _ties(self, symbol: str, best: float, span: float) -> Array:
-        """Places of the grid that are as good as the best by `EXACT`: a flat extreme's place is less sure than its value."""
-        near = self.search.u[np.abs(self.search.at[symbol] - best) < EXACT * span]
-        return near[:: max(1, len(near) // 20)]
+        key = f"time_ratio_{symbol}"
+        if self.searched.sure:
+            ratios = self.searched.time_ratio(symbol)
+            part = ABOUT if self._about(key) else 20 * EXACT
+            self._number(key, ratios, part * min(ratios, default=1.0))
 
     def _transmission(self, group: Group) -> None:
         """The angle of transmission that is farthest from 90 degrees, as an acute angle."""
-        search, key = self.search, f"transmission_{group.number}"
-        if not search.count:
+        key = f"transmission_{group.number}"
+        if not self.search.count:
             self._number(key, [])
-            return
-        if not self.sure and not self.page:
-            return
-
-        def acute(angle: Array) -> Array:
-            return np.minimum(angle, math.pi - angle) if group.kind == "RRR" else math.pi / 2 - np.abs(angle)
-
-        several = self.page or len(search.row_stretches) > 1
-        extremes = search.extremes(group.transmission, acute, rows_only=several)
-        if extremes is None:
-            return
-        least, _, most, _ = extremes
-        part = ABOUT if not self.page and self._about(key) else EXACT
-        self._number(key, [least * self.angle_scale], (part * max(most - least, 1e-3) + ROUNDED) * self.angle_scale)
+        elif self.searched.sure or self.page:
+            found = self.searched.transmission(group)
+            if found is not None:
+                least, _, most = found
+                scale = self.searched.angle_scale
+                part = ABOUT if not self.page and self._about(key) else EXACT
+                self._number(key, [least], part * max(most - least, 1e-3 * scale) + ROUNDED * scale)

@@ -17,7 +17,10 @@ from .streams import print_file
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
 @click.option("--cells", "what", flag_value="cells", help="Every cell of the workbook.")
 @click.option(
-    "--verdicts", "what", flag_value="verdicts", help="What the first sheet says of it, by the names of its cells."
+    "--verdicts",
+    "what",
+    flag_value="verdicts",
+    help="What the first sheet says, by names of its cells; searched.",
 )
 @JSON
 @click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from mechsheet.compiled.evaluation import computed
+from mechsheet.dynamics.flywheel import Flywheel, flywheel
 from mechsheet.dynamics.solve import solve
 from mechsheet.formula.nodes import Scalar
 from mechsheet.kinematics.equations import Equations
@@ -54,6 +55,11 @@ class Compiled:
     def values(self) -> Mapping[str, Array]:
         """Every symbol's values over the sweep, in internal units; NaN where a position does not exist."""
         return sweep(self.mechanism, self.equations, self.driver)
+
+    @cached_property
+    def flywheel(self) -> Flywheel | None:
+        """The flywheel that the description asks for."""
+        return flywheel(self.mechanism, self.equations, self.values)
 
     @property
     def closed(self) -> Array:

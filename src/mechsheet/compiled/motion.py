@@ -6,6 +6,7 @@ import numpy as np
 
 from mechsheet.compiled.mechanism import Compiled
 from mechsheet.kinematics.numeric import Array
+from mechsheet.model import ENERGY, energy_unit
 
 SHOWN_ROLES = ("variable", "point", "rate", "force", "output")
 
@@ -28,4 +29,7 @@ def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
         unit = mechanism.shown(equation.unit)
         units[symbol] = unit.text
         columns[symbol] = np.where(exists & np.isfinite(values[symbol]), unit.to_shown(values[symbol]), np.nan)
+    if compiled.flywheel is not None and mechanism.dynamics is not None:
+        columns[ENERGY] = compiled.flywheel.energy
+        units[ENERGY] = energy_unit(mechanism.dynamics, mechanism.length_unit)
     return columns, units

@@ -10,8 +10,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from mechsheet.description.force_names import CENTER, first_key, keys_of
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANY
 from mechsheet.description.links import place as read_place
 from mechsheet.description.quoting import quoted
 from mechsheet.description.rates import check_speed, is_rate
@@ -23,75 +23,20 @@ from mechsheet.model import (
     Cartesian,
     Dimension,
     Distances,
-    Driver,
     Dynamics,
-    Joint,
     Link,
     Load,
     Mass,
     Place,
     Quantity,
     Spring,
-    pair_symbol,
+    center_symbol,
     torque_unit,
 )
 from mechsheet.units import Unit, unit_of
 
 METRES = {"mm": 0.001, "cm": 0.01, "dm": 0.1, "m": 1.0}
 """Length unit -> metres: with these masses are in kg and forces in N."""
-
-WEIGHTS = ("mass", "center", "inertia")
-"""Keys of a link that has a mass."""
-
-
-def declare(
-    bodies: dict[str, Any], loads: list[Any], links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None,
-    scope: Scope,
-) -> None:  # fmt: skip
-    """Enter the names of all forces, which must be free, where there are masses or loads."""
-    path = _first_key(bodies, loads)
-    if path is None:
-        return
-    for name, what in force_names(links, joints, driver).items():
-        scope.forces[name] = None
-        scope.kinds[name] = ANY
-        if "." not in name:
-            scope.symbols.claim(name, what, path, "rename it: the description has masses or loads")
-            for link in scope.points.get(name, ())[:1]:
-                message = f"the point has the name of a joint force: {name}.x would be a part of either"
-                scope.report.at(("links", link, "points", name), message, "rename it")
-
-
-def _first_key(bodies: dict[str, Any], loads: list[Any]) -> Path | None:
-    """Where the first mass or load stands; None where there is none."""
-    for name, entry in bodies.items():
-        for key in WEIGHTS:
-            if isinstance(entry, dict) and key in entry:
-                return ("links", name, key)
-    return ("loads", 0) if loads else None
-
-
-def force_names(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None) -> dict[str, str]:
-    """Name -> what it is: F34, F34.x and F34.y of every pin, F14.n and F14.c of every slide, the driver's effort."""
-    numbers = {link.name: link.number for link in links}
-    holders: dict[str, list[int]] = {}
-    for link in links:
-        for point in link.points:
-            holders.setdefault(point, []).append(link.number)
-    found: dict[str, str] = {}
-    for owner, *others in holders.values():
-        for other in others:
-            name = pair_symbol("F", owner, other)
-            found |= dict.fromkeys((name, f"{name}.x", f"{name}.y"), "joint force")
-    for joint in joints:
-        name = pair_symbol("F", numbers[joint.on], numbers[joint.link])
-        found |= {f"{name}.n": "normal force"} | ({f"{name}.c": "couple"} if joint.kind == "prismatic" else {})
-        if driver is not None and driver.joint == joint.name:
-            found |= {f"{name}.t": "driving force", f"{name}.work": "driving force"}
-    if driver is not None and driver.link:
-        name = pair_symbol("T", numbers[driver.relative_to or links[0].name], numbers[driver.link])
-        found |= {name: "driving torque", f"{name}.work": "driving torque"}
-    return found
 
 
 def check_layout(layout: str, scope: Scope) -> None:
@@ -105,7 +50,7 @@ def read(
     bodies: dict[str, Any], given: dict[str, Any], loads: list[Any], links: tuple[Link, ...], scope: Scope
 ) -> tuple[Dynamics | None, tuple[Dimension, ...]]:
     """Masses and loads, and the dimensions that they bring; None where there are none."""
-    if _first_key(bodies, loads) is None or not links:
+    if first_key(bodies, loads) is None or not links:
         if given:
             message = "no link has a mass and nothing is loaded: there are no forces"
             scope.report.at(("dynamics",), message, "give links a `mass`, or [[loads]]")
@@ -211,8 +156,7 @@ class _Reader:
     # ---- masses
 
     def _has_mass(self, link: Link, bodies: dict[str, Any]) -> bool:
-        entry = bodies[link.name]
-        keys = [key for key in WEIGHTS if isinstance(entry, dict) and key in entry]
+        keys = keys_of(bodies, link.name)
         if keys and link is self.links[0]:
             message = "the ground does not move: its mass changes nothing"
             self.scope.report.at(("links", link.name, keys[0]), message, "take it away")
@@ -231,7 +175,8 @@ class _Reader:
         if "inertia" in entry:
             unit = Unit("label", f"{self.mass_unit} {length}²")
             inertia = self._cell(f"J_{n}", entry["inertia"], unit, (*path, "inertia"), "moment of inertia", 0.0)
-        names = (f"x_G{n}", f"y_G{n}")
+        own = center_symbol(n)
+        names = (f"x_{own}", f"y_{own}")
         if "center" in entry:
             center = self._spot(entry["center"], names, (*path, "center"), link)
         else:
@@ -373,7 +318,9 @@ class _Reader:
             check_speed(name, path, scope, where)
             return True
         if name in scope.forces:
-            scope.report.at(path, f"{where}{quoted(name)} is a force: loads may read positions and rates, no forces")
+            what = scope.forces[name]
+            scope.report.at(path, f"{where}{quoted(name)} is a {what}: loads may read positions and rates, no forces",
+                            "give the link a point there" * (what == CENTER))  # fmt: skip
         elif name in scope.outputs:
             scope.report.at(path, f"{where}{quoted(name)} is an output; loads read positions, rates and dimensions")
         else:

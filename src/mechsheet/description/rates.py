@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from mechsheet.description.force_names import OF_MOTION
 from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
@@ -190,6 +191,9 @@ def is_rate(name: str, scope: Scope) -> bool:
 def known(name: str, path: Path, scope: Scope) -> bool:
     """True for a rate or a force; reports one that needs a speed of the driver where it has none."""
     if name in scope.forces:
+        if not scope.moves and scope.forces[name] in OF_MOTION:
+            message = f"{quoted(name)} is a {scope.forces[name]}: it needs the driver's speed"
+            scope.report.at(path, message, "write `speed` in [driver]")
         return True
     if not is_rate(name, scope) or name in scope.units or name in scope.outputs:
         return False

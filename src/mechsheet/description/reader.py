@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, dynamics, joints, links, rates, results
+from mechsheet.description import dimensions, driver, dynamics, flywheel, force_names, joints, links, rates, results
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -123,12 +123,19 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         table = (*table, *motion.dimensions)
 
     loads = part(data, "loads", [])
-    dynamics.declare(bodies, loads, made, sliding, driven, scope)
+    force_names.declare(bodies, loads, made, sliding, driven, scope)
     masses, cells = dynamics.read(bodies, part(data, "dynamics", {}), loads, made, scope)
     table = (*table, *cells)
 
     results.declare(outputs, summary, scope)
     workbook, solution = part(data, "workbook", {}), part(data, "solution", {})
+    wheel = part(data, "flywheel", {})
+    flywheel.declare(wheel, scope)
+    if driven:
+        table = (
+            *table,
+            *flywheel.read(wheel, masses, driven, made, table, choice(workbook, "layout", "sheets"), scope),
+        )
     parts: dict[str, Any] = {
         "sketch": results.sketch(part(data, "assembly", {}), driven, scope),
         "outputs": results.outputs(outputs, scope),
@@ -140,9 +147,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "drawn": workbook.get("drawing", True) is not False,
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "dynamics": masses,
-        "solution": Solution(
-            passes=solution.get("passes"), force=solution.get("force", False) is True
-        ),
+        "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     dynamics.check_layout(layout, scope)

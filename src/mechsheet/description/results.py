@@ -119,6 +119,8 @@ def _is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool
         return False
     if point not in scope.points:
         hint = suggestion(point, scope.points, "points")
+        if point in scope.centers:
+            hint = f"the mass centre is the point {scope.centers[point]}: write {scope.centers[point]}.{axis}"
         scope.report.at(path, f"{where}no point is called {quoted(point)}", hint)
     elif axis not in ("x", "y"):
         rates = f"; {point}.v, {point}.a for its velocity and acceleration" if scope.moves else ""
@@ -140,6 +142,8 @@ def _check_column(name: Any, path: Path, scope: Scope) -> None:
     rates = scope.rates if scope.moves else ()
     hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope), *rates, *scope.forces], "allowed")
     message = f"no variable or output is called {quoted(name)}"
+    if name in scope.charted:
+        message, hint = f"{quoted(name)} follows from all rows together: only charts can show it", ""
     if name in scope.units:
         message = f"{quoted(name)} is a dimension, the same in every row; a variable or an output is needed"
     scope.report.at(path, message, hint)
@@ -170,7 +174,8 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
         if x:
             _check_column(x, (*path, "x"), scope)
         for number, name in enumerate(y):
-            _check_column(name, (*path, "y", number), scope)
+            if name not in scope.charted:
+                _check_column(name, (*path, "y", number), scope)
         for number, name in enumerate(paths):
             if name is not BAD and name not in scope.points:
                 hint = suggestion(name, scope.points, "points")
@@ -219,7 +224,7 @@ def _check_no_rate(name: Any, path: Path, scope: Scope) -> None:
     if name is BAD or not (is_rate(name, scope) or name in scope.forces or name in scope.of_rates):
         return
     what = "reads" if name in scope.of_rates else "is"
-    which = "a force" if name in scope.forces else "a velocity, an acceleration or a force"
+    which = f"a {scope.forces[name]}" if name in scope.forces else "a velocity, an acceleration or a force"
     if not scope.forces:
         which = "a velocity or an acceleration"
     message = f"{quoted(name)} {what} {which}: two-way tables have positions only"

@@ -279,6 +279,10 @@ DYNAMICS = Table(
     }
 )
 
+FLYWHEEL = Table(
+    {"fluctuation": Key(Number(), "coefficient of fluctuation of speed that is allowed, (ω max − ω min)/ω mean", True)}
+)
+
 LOAD = Table(
     {
         "name": Key(Text(longest=40), "what its cells are called; by default L1, L2 …"),
@@ -357,7 +361,8 @@ WORKBOOK = Table(
 SOLUTION = Table(
     {
         "passes": Key(
-            Integer(3, 12), "Newton steps a row, where links must be solved all at once; default 6, or more where needed"
+            Integer(3, 12),
+            "Newton steps a row, where links must be solved all at once; default 6, or more where needed",
         ),
         "force": Key(YesNo(), "true solves every group so, for comparison; default false"),
     }
@@ -380,6 +385,7 @@ DESCRIPTION = Table(
         "rates": Key(RATES, "velocities and accelerations, where the driver has a speed"),
         "dynamics": Key(DYNAMICS, "gravity and units, where links have masses or loads"),
         "loads": Key(Items(LOAD), "forces and torques on links"),
+        "flywheel": Key(FLYWHEEL, "how large one must be, for whole turns at constant speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
@@ -388,5 +394,5 @@ DESCRIPTION = Table(
         "workbook": Key(WORKBOOK, "how the workbook is written"),
         "solution": Key(SOLUTION, "how groups of links are solved that have no closed form"),
     },
-    later=("drivers", "flywheel", "friction"),
+    later=("drivers", "friction"),
 )

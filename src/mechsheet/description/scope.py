@@ -63,7 +63,9 @@ class Scope:
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
     of_rates   names of outputs that read rates
-    forces     names of joint forces and of the driver's effort, where there are masses or loads
+    forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
+    charted    columns that follow from all rows together: charts may show them
+    centers    G3 of a mass centre that is a point of its link -> that point
     """
 
     report: Report
@@ -81,7 +83,9 @@ class Scope:
     rates: dict[str, None] = field(default_factory=dict)
     moves: bool = False
     of_rates: set[str] = field(default_factory=set)
-    forces: dict[str, None] = field(default_factory=dict)
+    forces: dict[str, str] = field(default_factory=dict)
+    centers: dict[str, str] = field(default_factory=dict)
+    charted: dict[str, None] = field(default_factory=dict)
     symbols: Space = field(init=False)
     cells: Space = field(init=False)
 

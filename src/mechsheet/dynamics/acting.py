@@ -20,7 +20,7 @@ from mechsheet.kinematics.places import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, size, together
-from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words
+from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words, center_symbol
 from mechsheet.model import Place as GivenPlace
 from mechsheet.units import LENGTH, Unit
 from mechsheet.words.equations import body_words, link_words, phrase
@@ -135,7 +135,7 @@ class ActingForces:
 
     def _weigh(self, acting: Acting, mass: Mass, link: Link) -> None:
         if mass.mass is not None:
-            center = self.place(link, mass.center, f"G{link.number}", phrase("mass_centre", link=link_words(link)))
+            center = self.mass_centre(mass, link)
             vector = self.field(mass, center, link)
             if not all(map(al.is_zero, vector)):
                 acting.center = center
@@ -144,18 +144,27 @@ class ActingForces:
         if not al.is_zero(couple):
             acting.couples.append(couple)
 
+    def mass_centre(self, mass: Mass, link: Link) -> Vector:
+        """Where it is; in columns of its own where it is no point of the link."""
+        name = center_symbol(link.number)
+        known = tuple(Symbol(f"{name}.{axis}") for axis in "xy")
+        if not isinstance(mass.center, str) and all(each.name in self.poses.ledger.values for each in known):
+            return known[0], known[1]
+        return self.place(link, mass.center, name, phrase("mass_centre", link=link_words(link)))
+
     def field(self, mass: Mass, center: Vector, link: Link) -> Vector:
         """m (g - a_G), the weight and the force of inertia; a_G in columns."""
         if mass.mass is None:
             return NOWHERE
-        parts = self._acceleration(mass, center, link)
+        parts = self.acceleration(mass, center, link)
         found = []
         for gravity, part in zip(self.dynamics.gravity, parts, strict=True):
             both = al.mul(mass.mass, al.sub(gravity, al.mul(self.columns.metre, part)))
             found.append(al.neg(al.mul(al.mul(mass.mass, self.columns.metre), part)) if al.is_zero(gravity) else both)
         return found[0], found[1]
 
-    def _acceleration(self, mass: Mass, center: Vector, link: Link) -> Vector:
+    def acceleration(self, mass: Mass, center: Vector, link: Link) -> Vector:
+        """Of a mass centre, as columns."""
         motions: Motions | None = self.found.rates.by_time
         if motions is None:
             return NOWHERE
@@ -164,7 +173,7 @@ class ActingForces:
             found = motions.of_point(str(mass.center), self.columns.lengths.of).second
         else:
             found = motions.motion[link.name](center).second
-        name = str(mass.center) if named else f"G{link.number}"
+        name = str(mass.center) if named else center_symbol(link.number)
         unit = LENGTH.per_time().per_time()
         parts: list[Node] = []
         for axis, node in zip("xy", found, strict=True):

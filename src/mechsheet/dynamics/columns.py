@@ -6,7 +6,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.coefficients import asked
-from mechsheet.kinematics.equations import RATES
+from mechsheet.kinematics.equations import RATES, ForceKind
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.vectors import Vector, size
 from mechsheet.model import Dynamics, Words, torque_unit
@@ -37,7 +37,12 @@ class Columns:
             self.metre = self.ledger.define(name, al.number(dynamics.metre or 1.0), NUMBER, label, "constant")
 
     def grey(self, base: str, node: Node, unit: Unit, label: Words, own_name: bool = False) -> Node:
-        """A simple expression itself; any other as a constant or a column, `base` its very name or what it is made from."""
+        """A simple expression itself; any other as a constant or a column, `base` its very name or what it is made from.
+
+        A column of its very name is black where somebody asks for it.
+        """
+        if own_name and base in self.asked:
+            return self.written(base, node, unit, label, "center")
         if al.is_simple(node):
             return node
         part = base.replace(".", "_")
@@ -68,17 +73,19 @@ class Columns:
             self.lengths.own.add(name)
         return self.ledger.define(name, node, unit, label, "constant" if constant else "dynamic")
 
-    def black(self, name: str, node: Node, unit: Unit, label: Words) -> Node:
+    def black(self, name: str, node: Node, unit: Unit, label: Words, kind: ForceKind) -> Node:
         """A column that people read; nothing for what is always 0, unless it is asked for by name."""
         if al.is_zero(node) and name not in self.asked:
             return node
-        return self.written(self._free(name), node, unit, label)
+        return self.written(self._free(name), node, unit, label, kind)
 
-    def written(self, name: str, node: Node, unit: Unit, label: Words, longest: int = LONGEST) -> Symbol:
+    def written(
+        self, name: str, node: Node, unit: Unit, label: Words, kind: ForceKind, longest: int = LONGEST
+    ) -> Symbol:
         """A column that people read, whatever it is."""
         node = self.lengths.split(node, lambda part: self._define(self._reserve("part"), part, unit, label), longest)
         self.lengths.own.add(name)
-        return self.ledger.define(name, node, unit, label, "force")
+        return self.ledger.define(name, node, unit, label, "force", force=kind)
 
     def joint_force(self, name: str, vector: Vector, label: Words) -> Vector:
         """The parts of a pin's force, and its magnitude."""
@@ -87,10 +94,10 @@ class Columns:
             return vector
         name = self._free(name)
         x, y = (
-            self.written(f"{name}.{axis}", node, self.force, phrase("part_of", what=label, axis=axis))
+            self.written(f"{name}.{axis}", node, self.force, phrase("part_of", what=label, axis=axis), "part")
             for axis, node in zip("xy", vector, strict=True)
         )
-        self.written(name, size((x, y)), self.force, label)
+        self.written(name, size((x, y)), self.force, label, "size")
         return x, y
 
     def _free(self, name: str) -> str:

@@ -149,7 +149,7 @@ class Joints:
         n = turned(self.found.rates.by_driver.direction(slide)) if self.found.rates.by_driver else NOWHERE
         sign = al.ONE if body == slide.body else al.number(-1.0)
         value = al.mul(sign, normal)
-        value = self.columns.black(f"{name}.n", value, self.columns.force, phrase("normal_force", **words))
+        value = self.columns.black(f"{name}.n", value, self.columns.force, phrase("normal_force", **words), "normal")
         on_link = self.columns.pair(name, times(value, n), self.columns.force, "slide_force", **words)
         force = times(sign, on_link)
         place = self.poses.xy[joint.point]
@@ -157,7 +157,7 @@ class Joints:
         if joint.kind == "prismatic":
             turning = al.mul(sign, al.add(couple, al.mul(metre, cross(minus(at, place), force))))
             label = phrase("couple", point=joint.point, **words)
-            turning = self.columns.black(f"{name}.c", turning, self.columns.torque, label)
+            turning = self.columns.black(f"{name}.c", turning, self.columns.torque, label, "couple")
         own = al.mul(sign, turning)
         self._hold(body, force, own, place)
         other = slide.other(body)
@@ -183,7 +183,7 @@ class Joints:
         base = driver.relative_to or self.mechanism.ground.name
         name = pair_symbol("T", self._number(base), self._number(driver.link))
         label = phrase("driving_torque", one=self._words(base), other=self._words(driver.link))
-        self.columns.written(name, torque, self.columns.torque, label)
+        self.columns.written(name, torque, self.columns.torque, label, "effort")
         return name
 
     def driven_slide(self, slide: Slide, moving: str, force: Vector, couple: Node) -> str:
@@ -193,9 +193,9 @@ class Joints:
         if moving != slide.body:
             force, couple = negative(force), al.neg(couple)
         unit = self.columns.force
-        self.columns.written(f"{name}.t", dot(force, d), unit, phrase("driving_force", **words))
-        self.columns.black(f"{name}.n", dot(force, turned(d)), unit, phrase("normal_force", **words))
+        self.columns.written(f"{name}.t", dot(force, d), unit, phrase("driving_force", **words), "effort")
+        self.columns.black(f"{name}.n", dot(force, turned(d)), unit, phrase("normal_force", **words), "normal")
         if slide.joint.kind == "prismatic":
             label = phrase("couple", point=slide.joint.point, **words)
-            self.columns.black(f"{name}.c", couple, self.columns.torque, label)
+            self.columns.black(f"{name}.c", couple, self.columns.torque, label, "couple")
         return f"{name}.t"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from mechsheet.dynamics.reactions import Reactions
+from mechsheet.dynamics.wholes import Wholes
 from mechsheet.dynamics.work import effort_by_work
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import Found
@@ -17,9 +18,10 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equat
     return solve_motion(mechanism, modes, _add_forces)
 
 
-def _add_forces(found: Found) -> tuple[str, ...]:
+def _add_forces(found: Found) -> None:
     if found.poses.mechanism.dynamics is None:
-        return ()
+        return
     reactions = Reactions(found)
     effort = reactions.write()
-    return effort, effort_by_work(reactions.acting, found, effort)
+    effort_by_work(reactions.acting, found, effort)
+    Wholes(reactions.acting, found).write(effort)

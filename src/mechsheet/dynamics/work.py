@@ -19,8 +19,8 @@ LONGEST = 4000
 """Characters of the formula; Excel takes 8192."""
 
 
-def effort_by_work(acting: ActingForces, found: Found, effort: str) -> str:
-    """Write the effort down, beside the one from the reactions, whose symbol is `effort`; its own symbol."""
+def effort_by_work(acting: ActingForces, found: Found, effort: str) -> None:
+    """Write the effort down, beside the one from the reactions, whose symbol is `effort`."""
     motions, columns = found.rates.by_driver, acting.columns
     if motions is None:
         raise ValueError("virtual work needs influence coefficients")
@@ -40,5 +40,4 @@ def effort_by_work(acting: ActingForces, found: Found, effort: str) -> str:
     work = al.total(works) if slides else al.mul(columns.metre, al.total(works))
     unit: Unit = columns.force if slides else columns.torque
     name = f"{effort.removesuffix('.t')}.work"
-    columns.written(name, al.neg(al.total([work, *turnings])), unit, phrase("by_work"), LONGEST)
-    return name
+    columns.written(name, al.neg(al.total([work, *turnings])), unit, phrase("by_work"), "work", LONGEST)

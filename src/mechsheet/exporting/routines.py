@@ -15,8 +15,8 @@ from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, transform
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
-from mechsheet.kinematics.solve import dimension_order
 from mechsheet.kinematics.newton.refusing import need_closed_form
+from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
 

@@ -1,6 +1,7 @@
 """The order of solution: the driver first, then one Assur group after the other: dyads (class II) as long as there is one.
 
-Where there is none, the smallest group of class III or higher is next (`newton`). A dyad is two bodies joined to each other and each to something already solved. It is found from the graph alone, so any
+Where there is none, the smallest group of class III or higher is next (`newton`). A dyad is two bodies joined to each other
+and each to something already solved. It is found from the graph alone, so any
 number of four-bars, slider-cranks and the rest, in series or in parallel, come out in the order in which a person
 would solve them. Source: L. V. Assur's classification; MeKin2D and others work at the same granularity.
 """

@@ -31,6 +31,17 @@ RATES: tuple[Role, ...] = ("coefficient", "rate")
 FORCES: tuple[Role, ...] = ("dynamic", "force")
 """Roles of what only a mechanism with masses or loads has: what forces are found from, and what people read."""
 
+INNER: tuple[Role, ...] = ("intermediate", "coefficient", "dynamic")
+"""Roles of columns in quieter ink: nobody but other columns reads them."""
+
+ForceKind = Literal["", "effort", "work", "size", "part", "normal", "couple", "whole", "center"]
+"""What a column of forces is: the driver's effort from the reactions, and by virtual work; of a pin's force the size and the
+parts; of a slide the normal force and the couple; where somebody asks, what holds for the whole mechanism (power, shaking
+force) and the motion of a mass centre."""
+
+JOINT_FORCES: tuple[ForceKind, ...] = ("size", "normal")
+"""With what joints hold the links."""
+
 
 @dataclass(frozen=True, slots=True)
 class Condition:
@@ -59,6 +70,7 @@ class Equation:
     role    "constant" has one value for all rows (a cell beside the dimensions); the others are columns: "coefficient" is
             a derivative by the driver or what one is found from, "rate" a velocity or an acceleration, "force" a force or
             a torque, "dynamic" what one is found from
+    force   which one, where the role is "force"
     unit    `LENGTH`, `ANGLE`, `NUMBER`: the expression's value is in internal units; of an output the one it is shown in
     exists  all that must hold for it to have a value, besides what it reads
     group   0 for the driver's side, n for the n-th group in order of solution, -1 for outputs
@@ -71,6 +83,7 @@ class Equation:
     label: Words
     group: int = 0
     exists: tuple[Condition, ...] = ()
+    force: ForceKind = ""
 
     @property
     def fails(self) -> Node | None:
@@ -229,7 +242,6 @@ class Equations:
     fits       by number of a group what is 0 in every row: how far its velocities (two parts), its accelerations (two parts)
                are from fitting together, over points, velocities and accelerations
     turning    how fast each link turns, by the symbol of its angle: its angular velocity and acceleration
-    efforts    symbols of the driver's effort from the reactions and by virtual work; none without forces
     """
 
     constants: tuple[Equation, ...]
@@ -240,23 +252,25 @@ class Equations:
     poses: Mapping[str, LinkPose] = field(default_factory=dict)
     fits: Mapping[int, tuple[Node, Node, Node, Node]] = field(default_factory=dict)
     turning: Mapping[str, tuple[Node, Node]] = field(default_factory=dict)
-    efforts: tuple[str, ...] = ()
 
     @property
     def all(self) -> tuple[Equation, ...]:
         """Constants and columns."""
         return self.constants + self.columns
 
-    @property
-    def joint_forces(self) -> tuple[str, ...]:
-        """What people read of the forces: the effort, the magnitudes at pins, normal forces and couples of slides."""
-        found = (equation.symbol for equation in self.columns if equation.role == "force")
-        return tuple(name for name in found if name not in self.efforts[1:] and not name.endswith((".x", ".y")))
+    def forces(self, *kinds: ForceKind) -> tuple[str, ...]:
+        """Symbols of the forces of these kinds, in order of solution."""
+        return tuple(equation.symbol for equation in self.columns if equation.force in kinds)
 
     @property
-    def held_forces(self) -> tuple[str, ...]:
-        """Those of them with which joints hold the links: without the effort and the couples."""
-        return tuple(name for name in self.joint_forces if name not in self.efforts and not name.endswith(".c"))
+    def efforts(self) -> tuple[str, ...]:
+        """The driver's effort from the reactions and by virtual work; nothing without forces."""
+        return self.forces("effort", "work")
+
+    @property
+    def shown_forces(self) -> tuple[str, ...]:
+        """What people read of the forces: not the parts, nor the effort once more."""
+        return self.forces("effort", *JOINT_FORCES, "couple", "whole", "center")
 
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""

@@ -14,7 +14,7 @@ import numpy as np
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Direction, Node, Number, Root, Symbol, symbols
-from mechsheet.kinematics.equations import Condition, Equation, Role, System
+from mechsheet.kinematics.equations import Condition, Equation, ForceKind, Role, System
 from mechsheet.kinematics.naming import FreshNames
 from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
@@ -78,9 +78,10 @@ class Ledger:
         label: Words,
         role: Role,
         exists: Sequence[Condition] = (),
+        force: ForceKind = "",
     ) -> Symbol:
         """Write `symbol = expression` down and compute it. `role` "constant" is for all rows, others are columns."""
-        equation = Equation(symbol, expression, role, unit, label, self.group, tuple(exists))
+        equation = Equation(symbol, expression, role, unit, label, self.group, tuple(exists), force)
         if role == "constant":
             self.constants.append(equation)
             self.constant_symbols.add(symbol)

@@ -80,17 +80,19 @@ def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Arra
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What is known when all positions and rates are written down: what forces are found from."""
+    """What is known when all positions and rates are written down: what forces are found from.
+
+    dyads  all groups, where there are forces: those that Newton's method solves are refused before
+    """
 
     poses: Poses
     drive: Drive
-    dyads: tuple[Dyad | Chain, ...]
+    dyads: tuple[Dyad, ...]
     rates: Written
 
 
-Further: TypeAlias = Callable[[Found], tuple[str, ...]]
-"""Writes the forces' equations into the ledger, behind those of positions and rates and before the outputs; the `efforts`
-of `Equations`."""
+Further: TypeAlias = Callable[[Found], None]
+"""Writes the forces' equations into the ledger, behind those of positions and rates and before the outputs."""
 
 
 def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further: Further | None = None) -> Equations:
@@ -161,7 +163,9 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
         rates = add_rates(
             poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)]
         )
-    efforts = () if further is None else further(Found(poses, order.drive, order.dyads, rates))
+    if further is not None:
+        dyads = tuple(dyad for dyad in order.dyads if isinstance(dyad, Dyad))
+        further(Found(poses, order.drive, dyads, rates))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     result = Equations(
@@ -173,7 +177,6 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
         rates.fits,
         rates.turning,
-        efforts,
     )
     validate(result, (*dimensions, mechanism.driver.symbol))
     return result

@@ -65,10 +65,7 @@ def _roots(
     nearest = np.where(np.abs(driver - own[left]) <= np.abs(driver - own[right]), left, right)
     found, residual, determinant = refined(system, known, [base[name][nearest] for name in system.unknowns])
     same = (residual <= CLOSED) & (determinant * base[system.determinant][nearest] > 0)
-    return {
-        name: np.where(same, column, np.nan)
-        for name, column in zip(system.unknowns, found, strict=True)
-    }
+    return {name: np.where(same, column, np.nan) for name, column in zip(system.unknowns, found, strict=True)}
 
 
 def rough_poses(mechanism: Mechanism, modes: Mapping[str, int]) -> dict[str, tuple[float, float, float]]:

@@ -18,7 +18,7 @@ from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.library.verdicts import verdict
-from mechsheet.model import Mechanism
+from mechsheet.model import Mechanism, energy_unit, inertia_unit
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
 
@@ -45,9 +45,16 @@ def overview_text(mechanism: Mechanism) -> str:
     rates = [equation.symbol for equation in equations.columns if equation.role == "rate"]
     if rates:
         lines.append(f"velocities and accelerations: {', '.join(rates)}")
-    if equations.joint_forces:
-        lines.append(f"forces: {', '.join(equations.joint_forces)}")
+    if equations.shown_forces:
+        lines.append(f"forces: {', '.join(equations.shown_forces)}")
         lines += ["speed 0: static forces"] * _stands(mechanism)
+    if (wheel := compiled.flywheel) is not None and mechanism.dynamics is not None:
+        torque = equations.of(equations.efforts[0]).unit.text
+        energy, inertia = (unit(mechanism.dynamics, mechanism.length_unit) for unit in (energy_unit, inertia_unit))
+        lines.append(
+            f"flywheel: mean torque {wheel.mean:.6g} {torque}, change of energy {wheel.change:.6g} {energy}, "
+            f"moment of inertia {wheel.inertia:.6g} {inertia}"
+        )
     if mechanism.outputs:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
     lines.append(verdict(compiled))

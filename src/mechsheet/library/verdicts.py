@@ -8,6 +8,7 @@ from dataclasses import replace
 from mechsheet.compiled import Compiled
 from mechsheet.formula.nodes import Scalar
 from mechsheet.kinematics.places import number
+from mechsheet.kinematics.search import Search
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
@@ -56,10 +57,13 @@ def _shown(value: object, unit: str) -> str:
 
 
 def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]]:
-    """What the first sheet says, by the names of its cells: the value, where it occurs, and the words beside it.
+    """What is to be said, by the names of the first sheet's cells: the value, where it occurs, and the words beside it.
 
-    The first is `verdict`, the line under the title. None stands for a value that there is none of.
+    The first is `verdict`, the line under the title. None stands for a value that there is none of. Values are searched in
+    Python wherever a search can be sure (`kinematics.search`), the others and the words are the sheet's.
     """
+    from mechsheet.checking.searched_verdicts import SearchedVerdicts
+
     compiled = told(mechanism)
     plan = compiled.plan
 
@@ -77,6 +81,11 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
     for key, spot in plan.at.spots.items():
         if key.startswith("#limit_") and isinstance(limit := compiled.value(spot), float):
             found[spot.name] = line(limit, None, None)
+    search = Search(mechanism, compiled.equations, compiled.driver, stepped=not mechanism.driver.values)
+    for key, numbers in SearchedVerdicts(plan, search).numbers().items():
+        name = plan.at.spots[f"#{key}"].name if f"#{key}" in plan.at.spots else key
+        said = found.setdefault(name, line(None, None, None))
+        said["value"] = numbers[0] if numbers else None
     return found
 
 

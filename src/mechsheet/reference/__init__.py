@@ -9,6 +9,7 @@ from .geometry import dimension_values, driver_values
 from .poses import Solution, assemblies, outputs, reached, solve, variables
 from .rates import by_time, rates
 from .residual import residuals, worst
+from .wholes import further
 
 __all__ = [
     "Solution",
@@ -17,6 +18,7 @@ __all__ = [
     "dimension_values",
     "driver_values",
     "forces",
+    "further",
     "leaps",
     "outputs",
     "rates",

@@ -37,7 +37,7 @@ def forces(solution: Solution) -> dict[str, Array]:
     built, state = solution.system, solution.state[rows]
     equations = [equation for block in built.blocks for equation in block.equations]
     unknown = [column for block in built.blocks for column in block.columns]
-    applied = _Applied(solution, dynamics, rows)
+    applied = Applied(solution, dynamics, rows)
     jacobian, _ = gradients(equations, state, np.zeros_like(state))
     jacobian = jacobian[:, :, unknown]
     multipliers = solved(np.swapaxes(jacobian, 1, 2), -applied.along_poses()[:, unknown, None])
@@ -49,8 +49,8 @@ def forces(solution: Solution) -> dict[str, Array]:
     return found
 
 
-class _Applied:
-    """What is known to act.
+class Applied:
+    """What is known to act, in some rows.
 
     unit  the torque that a unit of force does over a unit of the system's lengths
     """
@@ -75,59 +75,60 @@ class _Applied:
     def along_poses(self) -> Array:
         """Q (m, columns), as torques."""
         total: Array = np.zeros_like(self.state)
-        gravity = [self._values(part) for part in self.dynamics.gravity]
+        gravity = [self.values(part) for part in self.dynamics.gravity]
         for mass in self.dynamics.masses:
             if mass.mass is not None:
-                weight = self._values(mass.mass)
-                for axis, field in zip(self._place(mass.link, mass.center), gravity, strict=True):
-                    along, acceleration = self._moved(axis)
+                weight = self.values(mass.mass)
+                for axis, field in zip(self.place(mass.link, mass.center), gravity, strict=True):
+                    along, acceleration = self.moved(axis)
                     total += ((field - self.unit * acceleration) * weight * self.unit)[:, None] * along
             if mass.inertia is not None:
-                along, acceleration = self._moved(self._turn(mass.link))
-                total += (-self._values(mass.inertia) * acceleration)[:, None] * along
+                along, acceleration = self.moved(self.turn(mass.link))
+                total += (-self.values(mass.inertia) * acceleration)[:, None] * along
         for load in self.dynamics.loads:
             if load.torque is not None:
-                total += self._values(load.torque)[:, None] * self._moved(self._turn(load.link))[0]
+                total += self.values(load.torque)[:, None] * self.moved(self.turn(load.link))[0]
             if load.force is not None:
-                x, y = (self._values(part) for part in load.force)
+                x, y = (self.values(part) for part in load.force)
                 if load.in_link:
                     turned = self.state[:, self.built.column(load.link) + 2]
                     c, s = np.cos(turned), np.sin(turned)
                     x, y = x * c - y * s, x * s + y * c
-                for axis, part in zip(self._place(load.link, load.point), (x, y), strict=True):
-                    total += (part * self.unit)[:, None] * self._moved(axis)[0]
+                for axis, part in zip(self.place(load.link, load.point), (x, y), strict=True):
+                    total += (part * self.unit)[:, None] * self.moved(axis)[0]
         for spring in self.dynamics.springs:
             for end, pull in zip(spring.ends, self._pulls(spring), strict=True):
-                for axis, part in zip(self._place(*end), pull, strict=True):
-                    total += (part * self.unit)[:, None] * self._moved(axis)[0]
+                for axis, part in zip(self.place(*end), pull, strict=True):
+                    total += (part * self.unit)[:, None] * self.moved(axis)[0]
         return total
 
     def _pulls(self, spring: Spring) -> tuple[Array, Array]:
         """The forces (2, m) of a spring on its two ends."""
         places, velocities = [], []
         for end in spring.ends:
-            axes = self._place(*end)
-            places.append(np.array([self._coordinate(axis) for axis in axes]))
-            moved = [self._moved(axis)[0] for axis in axes]
+            axes = self.place(*end)
+            places.append(np.array([self.coordinate(axis) for axis in axes]))
+            moved = [self.moved(axis)[0] for axis in axes]
             velocities.append(np.array([np.einsum("mc,mc->m", each, self.first) * self.speed for each in moved]))
         scale = self.built.scale
         way, opens = (places[1] - places[0]) * scale, (velocities[1] - velocities[0]) * scale
         length = np.hypot(*way)
         length = np.where(length > ROUNDING * self.solution.size, length, np.nan)  # ends that coincide: no direction
         with np.errstate(invalid="ignore", divide="ignore"):
-            stretched = self._values(spring.stiffness) * (length - self._values(spring.free_length))
-            pull = (stretched + self._values(spring.damping) * (way * opens).sum(axis=0) / length) * way / length
+            stretched = self.values(spring.stiffness) * (length - self.values(spring.free_length))
+            pull = (stretched + self.values(spring.damping) * (way * opens).sum(axis=0) / length) * way / length
         return pull, -pull
 
-    def _coordinate(self, axis: Equation) -> Array:
+    def coordinate(self, axis: Equation) -> Array:
         """The value of a place's coordinate, in the system's own lengths, counted from its origin."""
         value, _ = residual(axis, self.state, np.zeros(len(self.state)))
         return value
 
-    def _values(self, node: Node) -> Array:
+    def values(self, node: Node) -> Array:
+        """Of an expression, row by row."""
         return over_rows(node, self.known, len(self.rows))
 
-    def _place(self, link: str, given: str | Place) -> tuple[Equation, Equation]:
+    def place(self, link: str, given: str | Place) -> tuple[Equation, Equation]:
         """The coordinates of a place of a link, as conditions whose residuals they are."""
         own = self.links[link]
         if isinstance(given, str):
@@ -137,10 +138,11 @@ class _Applied:
         body, place = self.built.bodies[link], self.built.local(link, spot)
         return Equation("meet x", body, 0, place), Equation("meet y", body, 0, place)
 
-    def _turn(self, link: str) -> Equation:
+    def turn(self, link: str) -> Equation:
+        """The angle of a link, likewise."""
         return Equation("angle", self.built.bodies[link], 0)
 
-    def _moved(self, quantity: Equation) -> tuple[Array, Array]:
+    def moved(self, quantity: Equation) -> tuple[Array, Array]:
         """The gradient (m, columns) of a quantity, and its second derivative by time (m,)."""
         gradient, turning = gradients([quantity], self.state, self.first)
         once = np.einsum("mkc,mc->m", gradient, self.first)
@@ -149,7 +151,7 @@ class _Applied:
 
 
 def _named(
-    mechanism: Mechanism, built: System, equations: list[Equation], multipliers: Array, applied: _Applied
+    mechanism: Mechanism, built: System, equations: list[Equation], multipliers: Array, applied: Applied
 ) -> dict[str, Array]:
     """The multipliers under the names that people read.
 

@@ -92,18 +92,18 @@ def outputs(solution: Solution, found: Mapping[str, Array]) -> dict[str, Array]:
     values: dict[str, Array] = {name: np.array(value) for name, value in solution.dimensions.items()} | dict(found)
     own = {output.symbol for output in solution.mechanism.outputs}
     if not {name for output in solution.mechanism.outputs for name in symbols(output.formula)} <= values.keys() | own:
-        values = _rates(solution) | values
+        values = _further(solution) | values
     results: dict[str, Array] = {}
     for output in solution.mechanism.outputs:
         results[output.symbol] = values[output.symbol] = column(output.formula, values, len(solution.driver))
     return results
 
 
-def _rates(solution: Solution) -> dict[str, Array]:
-    """What outputs may read besides: velocities, accelerations, derivatives by the driver."""
-    from .rates import by_time  # which needs this module
+def _further(solution: Solution) -> dict[str, Array]:
+    """What outputs may read besides: velocities, accelerations, derivatives by the driver, forces."""
+    from .wholes import further  # which needs this module
 
-    return by_time(solution)
+    return further(solution)
 
 
 def solve(

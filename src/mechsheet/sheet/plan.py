@@ -5,7 +5,7 @@ Everything that is read by a formula gets its address here; the writers of the s
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
@@ -14,14 +14,15 @@ import numpy as np
 
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.equations import FORCES, RATES, Equations
+from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, Role
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Dimension, Mechanism
+from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
+from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
 from mechsheet.sheet.workbook import Name
 from mechsheet.words.workbook import Language, words
@@ -152,9 +153,9 @@ class Plan:
         return self.equations.equations.efforts
 
     @property
-    def joint_forces(self) -> tuple[str, ...]:
+    def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces; see `Equations`."""
-        return self.equations.equations.joint_forces
+        return self.equations.equations.shown_forces
 
     @property
     def footer(self) -> str:
@@ -196,12 +197,14 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     """The plan of a mechanism's workbook."""
     language = mechanism.language
     roles = {equation.role for equation in equations.columns}
-    further = [key for key, own in (("rates", RATES), ("forces", FORCES), ("iterations", ("iteration",))) if roles & {*own}]
+    further = [
+        key for key, own in (("rates", RATES), ("forces", FORCES), ("iterations", ("iteration",))) if roles & {*own}
+    ]
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = driver_values(mechanism, dimension_values(mechanism))
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
-    assignments = lowered(mechanism, equations)
+    assignments = with_energy(mechanism, lowered(mechanism, equations))
     found = classification(mechanism, assignments)
     plan = Plan(mechanism, assignments, language, at, rows, [float(value) for value in values], found)
     _plan_columns(plan)
@@ -230,7 +233,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     if modes:
         _block(plan, "assembly", modes)
     variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
-    variables += [column.symbol for column in plan.forces if column.symbol in plan.joint_forces]
+    variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
@@ -275,7 +278,7 @@ INPUT_BLOCKS = ("motion", "masses", "loads")
 
 def block_of(dim: Dimension) -> str:
     """The block of the first sheet in which such a dimension stands; "" for one of the description's own."""
-    places = {"driver": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
+    places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
     return places[str(dim.place[0])] if dim.place else ""
 
 
@@ -312,31 +315,26 @@ def _plan_columns(plan: Plan) -> None:
         degrees = equation.role != "intermediate" and plan.mechanism.shown(equation.unit).in_degrees
         group = -1 if equation.role == "output" else equation.group
         _add_column(plan, equation.symbol, "equation", group, degrees, equation)
-    _plan_rates(plan)
-    _plan_forces(plan)
     _plan_iterations(plan)
-
-
-def _plan_rates(plan: Plan) -> None:
-    """The columns of velocities and accelerations, on a sheet of their own in the rows of the positions."""
-    found = [equation for equation in plan.equations.columns if equation.role in RATES]
-    for col, equation in enumerate(found, RATES_STATUS + 1):
-        inner = equation.role == "coefficient"
-        plan.rates.append(TableColumn(col, equation.symbol, "equation", equation.group, inner, equation))
-        plan.at.spots[equation.symbol] = Spot(plan.at.titles["rates"], plan.at.first, col, column=True)
-    if found:
+    plan.rates += _columns_beside(plan, "rates", RATES)
+    if plan.rates:
         plan.at.spots["#rates"] = Spot(plan.at.titles["rates"], plan.at.first, RATES_STATUS, column=True)
+    plan.forces += _columns_beside(plan, "forces", FORCES)
 
 
-def _plan_forces(plan: Plan) -> None:
-    """The columns of forces: the driver's effort both ways first, then group by group as they are solved."""
-    found = [equation for equation in plan.equations.columns if equation.role in FORCES]
-    found.sort(key=lambda equation: equation.symbol not in plan.efforts)
+def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[TableColumn]:
+    """The columns of a sheet of its own in the rows of the positions: the driver's effort both ways and what holds for the
+    whole mechanism first, then group by group as they are solved."""
+    first = (*plan.equations.equations.forces("effort", "work", "whole"), ENERGY)
+    found = [equation for equation in plan.equations.columns if equation.role in roles]
+    found.sort(key=lambda equation: equation.symbol not in first)
+    columns = []
     for col, equation in enumerate(found, RATES_STATUS + 1):
-        group = 0 if equation.symbol in plan.efforts else equation.group
-        inner = equation.role == "dynamic"
-        plan.forces.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
-        plan.at.spots[equation.symbol] = Spot(plan.at.titles["forces"], plan.at.first, col, column=True)
+        group = 0 if equation.symbol in first else equation.group
+        inner = equation.role in INNER
+        columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
+        plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, column=True)
+    return columns
 
 
 def _plan_iterations(plan: Plan) -> None:
@@ -379,7 +377,7 @@ def _add_column(
     degrees: bool,
     equation: Assignment | None = None,
 ) -> None:
-    inner = equation is not None and equation.role == "intermediate"
+    inner = equation is not None and equation.role in INNER
     col = len(plan.columns)
     plan.columns.append(TableColumn(col, symbol, kind, group, inner, equation))
     plan.at.spots[symbol] = Spot(plan.table, plan.at.first, col, column=True, degrees=degrees)

@@ -96,6 +96,15 @@ PHRASES = {
     "point_a_part": ("acceleration of {point}, {axis} part", "{point} noktasının ivmesi, {axis} bileşeni"),
     # forces
     "metre": ("metres in one {unit}", "bir {unit} kaç metre"),
+    "velocity_part": ("velocity of the {what}, {axis} part", "{what} hızı, {axis} bileşeni"),
+    "velocity_of": ("velocity of the {what}", "{what} hızı"),
+    "acceleration_of": ("acceleration of the {what}", "{what} ivmesi"),
+    "flywheel_energy": (
+        "energy that a flywheel has given since the first row", "volanın ilk satırdan beri verdiği enerji"
+    ),
+    "power": ("power that the driver gives", "tahrik gücü"),
+    "shaking_force": ("shaking force on the ground, {axis} part", "gövdeye sarsma kuvveti, {axis} bileşeni"),
+    "shaking_moment": ("shaking moment about the origin", "orijine göre sarsma momenti"),
     "mass_centre": ("mass centre of {link}", "kütle merkezi ({link})"),
     "loaded_place": ("where {name} acts", "{name} yükünün yeri"),
     "load": ("load {name}", "{name} yükü"),
@@ -125,7 +134,9 @@ PHRASES = {
     "newton_distance": (
         "F: {start}–{end} against the length of {link}", "F: {start}–{end}, {link} boyu ile karşılaştırılır"
     ),
-    "newton_offset": ("F: distance of {point} from the line of {symbol}", "F: {point} noktasının {symbol} doğrusuna uzaklığı"),
+    "newton_offset": (
+        "F: distance of {point} from the line of {symbol}", "F: {point} noktasının {symbol} doğrusuna uzaklığı",
+    ),
     "newton_pin": ("F: gap at the pin {point}, {axis} part", "F: {point} mafsalındaki açıklık, {axis} bileşeni"),
     "newton_slope": ("J: derivative of F{row} by {symbol}", "J: F{row} türevi, {symbol} ile"),
     "newton_minor": ("a minor, for Cramer's rule", "bir minör, Cramer kuralı için"),

@@ -49,6 +49,23 @@ FORCES: dict[str, tuple[str, str]] = {
     "verdict.largest_force.words": (
         "the largest joint force among the rows:", "satırlar içinde en büyük mafsal kuvveti:"
     ),
+    "name.fluctuation": ("fluctuation", "dalgalanma"),
+    "motion.fluctuation": (
+        "of speed, allowed: (ω max − ω min)/ω mean", "hızda izin verilen: (ω_max − ω_min)/ω_ort"
+    ),
+    "verdict.mean_torque": ("mean torque", "ort. moment"),
+    "verdict.mean_torque.words": (
+        "mean over the turn: what a motor with a flywheel gives", "bir turda ortalama: volanlı motorun verdiği"
+    ),
+    "verdict.energy_change.slow": ("slowest at", "en yavaş:"),
+    "verdict.energy_change.fast": (", fastest at", ", en hızlı:"),
+    "verdict.flywheel": ("flywheel", "volan"),
+    "verdict.flywheel.words": (
+        "J = ΔE/(fluctuation·ω²): what the driven shaft needs besides", "J = ΔE/(dalgalanma·ω²): tahrik miline eklenecek"
+    ),
+    "verdict.flywheel.missing": (
+        "needs a whole turn at constant speed", "sabit hızda tam bir tur gerekir"
+    ),
     "notes.use.forces": (
         "The sheet {forces} has the joint forces and the driver's effort in the rows of the positions; masses and loads are "
         "yellow cells on the first sheet. Speed 0 gives static forces.",

@@ -7,7 +7,9 @@ NEWTON: dict[str, tuple[str, str]] = {
     "iterations.head": ("Solved", "Çözüldü mü"),
     "iterations.pass": ("group {group}: pass {number}", "{group}. grup: {number}. yineleme"),
     "iterations.arrived": ("group {group}: arrived, after {number} passes", "{group}. grup: varılan yer, {number} yineleme"),
-    "iterations.start": ("group {group}: start, {number} passes downwards", "{group}. grup: başlangıç, aşağıya {number} yineleme"),
+    "iterations.start": (
+       "group {group}: start, {number} passes downwards", "{group}. grup: başlangıç, aşağıya {number} yineleme",
+    ),
     "iterations.starts": ("start values of assembly", "montajın başlangıç değerleri"),
     "iterations.needed": ("passes needed", "gereken yineleme"),
     "iterations.about": (
@@ -24,7 +26,9 @@ NEWTON: dict[str, tuple[str, str]] = {
     "verdict.residual.fine": ("largest residual: the links meet", "en büyük kalan: uzuvlar birleşiyor"),
     "verdict.passes_needed": ("passes", "yineleme"),
     "verdict.passes_needed.fine": ("passes needed, of {passes}", "gereken yineleme, {passes} içinden"),
-    "verdict.passes_needed.many": ("all {passes} passes are needed: smaller step", "{passes} yineleme yetmiyor: adımı küçültün"),
+    "verdict.passes_needed.many": (
+        "all {passes} passes are needed: smaller step", "{passes} yineleme yetmiyor: adımı küçültün",
+    ),
     "verdict.same_assembly": ("assembly", "montaj"),
     "verdict.same_assembly.kept": ("the same assembly in every row", "her satırda aynı montaj"),
     "verdict.same_assembly.lost": ("rows that leap to another assembly", "başka montaja sıçrayan satır"),

@@ -78,9 +78,7 @@ class ChainWriter:
         for base, symbol in (("residual", system.residual), ("det", system.determinant)):
             ledger.column(base, Symbol(symbol), NUMBER, phrase(f"newton_{base}"))
         links = several(self.poses.name(each) for each in self.chain.assemblies)
-        pins = tuple(
-            dict.fromkeys(point for body in self.chain.bodies for point in self._joints(body))
-        )
+        pins = tuple(dict.fromkeys(point for body in self.chain.bodies for point in self._joints(body)))
         label = phrase("group_pins", links=links, pins=", ".join(pins)) if pins else links
         return Solution(self.chain, system, label, pins)
 
@@ -173,7 +171,8 @@ class ChainWriter:
         offset = (poses.place(assembly, first) - guide.moving).turned(guide.angle - guide.delta)[1]
         value = al.sub(cross(direction, minus(p, (guide.x, guide.y))), offset)
         slopes = tuple(
-            cross(direction, minus(self._moves(body_p, p, each), self._moves(carrier, p, each))) for each in self.unknowns
+            cross(direction, minus(self._moves(body_p, p, each), self._moves(carrier, p, each)))
+            for each in self.unknowns
         )
         return Demand(value, slopes, 1, phrase("newton_offset", point=first, symbol=second.joint.symbol))
 
@@ -193,7 +192,9 @@ class ChainWriter:
             minus(self._moves(bodies[0], here, each), self._moves(bodies[1], there, each)) for each in self.unknowns
         ]
         return [
-            Demand(gap[axis], tuple(each[axis] for each in moved), 1, phrase("newton_pin", point=point, axis="xy"[axis]))
+            Demand(
+                gap[axis], tuple(each[axis] for each in moved), 1, phrase("newton_pin", point=point, axis="xy"[axis])
+            )
             for axis in (0, 1)
         ]
 
@@ -267,7 +268,9 @@ class ChainWriter:
             for root, each in zip(system.roots(), (_of(written, name) for name in variables), strict=True)
         ]
         after = [
-            replace(each, expression=Symbol(iterated[each.symbol]), exists=(fits,)) if each.symbol in variables else each
+            replace(each, expression=Symbol(iterated[each.symbol]), exists=(fits,))
+            if each.symbol in variables
+            else each
             for each in written
             if each.symbol in moving
         ]

@@ -1,4 +1,4 @@
-"""Assur groups of class III and higher: the smallest set of links that can be solved together, and how its places are reached.
+"""Assur groups of class III and higher: the smallest set of links that can be solved together, and how they are reached.
 
 A set of L links is held by what is known when 3 L = 2 J, J being its joints among themselves and with what is known. Some of
 its links are *carriers*, reached one from another over a joint each, with one unknown: the angle about a pin, or the
@@ -126,7 +126,9 @@ class _Work:
         ends = [self.of.get(body) for body in (slide.body, slide.on)]
         if ends[0] == ends[1]:
             return False
-        return all(end is not None or body in self.solved for end, body in zip(ends, (slide.body, slide.on), strict=True))
+        return all(
+            end is not None or body in self.solved for end, body in zip(ends, (slide.body, slide.on), strict=True)
+        )
 
     @property
     def joints(self) -> int:
@@ -136,7 +138,9 @@ class _Work:
 
     def meetings(self, assembly: Assembly) -> list[Meeting]:
         """The joints of a member, pins first, a point once."""
-        pins = [Meeting(point) for point in self.points[assembly] if point in self.fixed or len(self.holders[point]) > 1]
+        pins = [
+            Meeting(point) for point in self.points[assembly] if point in self.fixed or len(self.holders[point]) > 1
+        ]
         return pins + [Meeting(slide) for slide in self.slides if {slide.body, slide.on} & {*assembly}]
 
     def chain(self) -> Chain | None:
@@ -195,7 +199,7 @@ class _Work:
 
     def _shut(self, placed: list[Carrier]) -> tuple[tuple[str, Assembly, Assembly], ...]:
         """Pins at which carriers meet that were reached over other joints."""
-        found = []
+        found: list[tuple[str, Assembly, Assembly]] = []
         holder: dict[str, Assembly] = {}
         for carrier in placed:
             for point in self.points[carrier.assembly]:

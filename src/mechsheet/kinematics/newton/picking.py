@@ -48,8 +48,8 @@ def pick_assembly(
 ) -> tuple[System, int, bool]:
     """(the system with its start values, the number of the assembly from 0, whether it was left open).
 
-    start  the group's first column;  given: the assembly's number from 1;  near: the unknowns' values that are meant at a value
-    of the driver
+    start  the group's first column;  given: the assembly's number from 1;  near: the unknowns' values that are meant, at
+    a value of the driver
     """
     system = solution.system
     turning = tuple(_turns(ledger, name) for name in system.variables)
@@ -58,7 +58,9 @@ def pick_assembly(
     if row is None:
         raise NeverClosesError(solution.label.en)
     unit = mechanism.angle_unit
-    starts = tuple(tuple(_rounded(x, turns, size, unit) for x, turns in zip(state, turning, strict=True)) for state in found)
+    starts = tuple(
+        tuple(_rounded(x, turns, size, unit) for x, turns in zip(state, turning, strict=True)) for state in found
+    )
     system = replace(system, starts=starts, home=float(ledger.values[system.driver][row]))
     for name in system.unknowns:
         ledger.systems[name] = system
@@ -105,7 +107,9 @@ def _turns(ledger: Ledger, symbol: str) -> bool:
 def _rounded(number: float, turns: bool, size: float, unit: Unit) -> float:
     """As a start cell shows it."""
     if turns:
-        return float(unit.to_internal(round(float(unit.to_shown(number)), DEGREES_SHOWN if unit.in_degrees else DIGITS)))
+        return float(
+            unit.to_internal(round(float(unit.to_shown(number)), DEGREES_SHOWN if unit.in_degrees else DIGITS))
+        )
     return round(number, DIGITS - 1 - math.floor(math.log10(size)))
 
 
@@ -143,9 +147,13 @@ def _take(ledger: Ledger, system: System, start: int, number: int) -> None:
 def _refuse_dead(system: System, ledger: Ledger, row: int, found: list[Array], solution: Solution) -> None:
     """Start values lead to their own assembly, or two assemblies lie so near that they cannot be told apart."""
     known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
-    reached, _, _ = refined(system, known, [np.array([start[at] for start in system.starts]) for at in range(len(found[0]))])
+    reached, _, _ = refined(
+        system, known, [np.array([start[at] for start in system.starts]) for at in range(len(found[0]))]
+    )
     for index, state in enumerate(found):
-        if np.max(np.abs(np.array([column[index] for column in reached]) - state)) > 1e-6 * max(1.0, np.abs(state).max()):
+        if np.max(np.abs(np.array([column[index] for column in reached]) - state)) > 1e-6 * max(
+            1.0, np.abs(state).max()
+        ):
             raise DeadStartError(
                 Fault(
                     f"two assemblies of {solution.label.en} meet in the first position",
@@ -172,10 +180,7 @@ def _nearest(entries: list[tuple[str, float, float]], places: list[list[float]],
     order = sorted(range(len(places)), key=missed.__getitem__)
     best, following = order[:2]
     between = math.hypot(
-        *(
-            difference(x, y, scale)
-            for x, y, (_, _, scale) in zip(places[best], places[following], entries, strict=True)
-        )
+        *(difference(x, y, scale) for x, y, (_, _, scale) in zip(places[best], places[following], entries, strict=True))
     )
     if missed[following] - missed[best] < NEARLY * between or between == 0:
         shown = "; ".join(
@@ -194,4 +199,3 @@ def _nearest(entries: list[tuple[str, float, float]], places: list[list[float]],
             )
         )
     return best
-

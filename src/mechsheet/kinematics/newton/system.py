@@ -1,4 +1,4 @@
-"""A system of equations F(x) = 0 as data, and its solution in numbers by Newton's method: x := x - J^-1 F, so many passes a row.
+"""A system of equations F(x) = 0 solved in numbers by Newton's method: x := x - J^-1 F, so many passes a row.
 
 A row starts from the row before it, or from the last one that has a position; the row at which it all begins starts from
 start values, through `FIRST_PASSES` passes. The determinant of J keeps its sign as long as a motion is smooth: a row at

@@ -13,8 +13,8 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.efforts import effort_columns
 from mechsheet.sheet.checks.assemblies import assembly_columns
+from mechsheet.sheet.checks.efforts import effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
@@ -36,7 +36,9 @@ DRIVER_COL, COUNT_COL, DATA = range(3)
 LEAP = 90.0
 """A link that turns by more [deg] from one row to the next: the rows do not show what happens between."""
 
-Kind = Literal["gap", "margin", "leap", "assembly", "residual", "needed", "det", "velocity", "acceleration", "torque", "effort", "force"]
+Kind = Literal[
+    "gap", "margin", "leap", "assembly", "residual", "needed", "det", "velocity", "acceleration", "torque", "effort", "force"
+]  # fmt: skip
 
 MEASURED: tuple[Kind, ...] = ("gap", "velocity", "acceleration", "torque")
 """What is nothing but rounding where all is well."""

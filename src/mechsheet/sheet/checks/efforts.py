@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Literal
 
 from mechsheet.formula.nodes import Call, Node, Symbol
-from mechsheet.sheet.checks.fits import DIGITS
+from mechsheet.kinematics.equations import JOINT_FORCES
+from mechsheet.sheet.checks.geometry import largest_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 
@@ -24,16 +25,16 @@ def effort_columns(plan: Plan, sheet: str, row: int) -> list[Effort]:
     if not plan.efforts:
         return []
     effort, work = (Symbol(name) for name in plan.efforts)
+    normal = plan.equations.equations.forces("normal")
     forces = tuple(
-        Call("ABS", (Symbol(name),)) if name.endswith(".n") else Symbol(name)
-        for name in plan.equations.equations.held_forces
+        Call("ABS", (Symbol(name),)) if name in normal else Symbol(name)
+        for name in plan.equations.equations.forces(*JOINT_FORCES)
     )
     largest: Node = Call("MAX", forces) if forces else formula("0*effort", effort=effort)
     scale = largest
     if plan.equations.of(plan.efforts[0]).unit.kind == "moment":
-        lever = formula("digits*tolerance", digits=DIGITS, tolerance=Symbol(plan.equations.tolerance))
         metre = plan.mechanism.dynamics.metre if plan.mechanism.dynamics else None
-        scale = formula("metre*lever*force", metre=metre or 1.0, lever=lever, force=largest)
+        scale = formula("metre*lever*force", metre=metre or 1.0, lever=largest_length(plan.equations), force=largest)
     differ = formula("ABS(effort-work)/MAX(ABS(effort)+scale,1E-300)", effort=effort, work=work, scale=scale)
     found: list[tuple[Literal["torque", "effort", "force"], Node]] = [
         ("torque", differ), ("effort", Call("ABS", (effort,))),

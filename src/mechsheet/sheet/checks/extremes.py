@@ -2,8 +2,9 @@
 
 From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row
 beside it, and one at the vertex of the parabola through the row and these two. Where the best row is the last before a
-limit, the second probe is made at the limit. What is given has been attained: the best of the row and the probes. Over
-a whole turn the rows at its ends are neighbours, which is decided by formulas: start and step may change.
+limit, the second probe is made at the limit. What is given has been attained: the best of the row, the probes and both ends
+of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows at its ends are
+neighbours, which is decided by formulas: start and step may change.
 """
 
 from __future__ import annotations
@@ -56,11 +57,15 @@ class Extremes:
             row += 4
         self.loops = {loop.group: row + number for number, loop in enumerate(plan.found.four_bars)}
         row += len(self.loops) + 1 if self.loops else 0
+        self.ends: dict[int, Block] = {}
+        if self.limits.count and self.quantities and plan.rows >= 4:
+            self.ends = {FROM: Block(row, 1), TO: Block(row + 3, 1)}
+            row += 6
         self.blocks: dict[tuple[str, Way], Block] = {}
         for symbol in self.quantities:
             for way in ("min", "max"):
                 self.blocks[symbol, way] = Block(row, PROBES)
-                row += PROBES + 2
+                row += PROBES + len(self.ends) + 2
         self._places()
 
     def _places(self) -> None:
@@ -101,6 +106,8 @@ class Extremes:
             self._gap(number, block)
         for loop in plan.found.four_bars:
             self._loop(loop)
+        for end, block in self.ends.items():
+            self._end(end, block)
         for (symbol, way), block in self.blocks.items():
             self._extreme(symbol, way, block)
         return Sheet(
@@ -159,6 +166,15 @@ class Extremes:
         )
         return formula("AND(_inputs=0,_there,ISNUMBER(SUM(derived)))", derived=derived)
 
+    def _end(self, end: int, block: Block) -> None:
+        """All quantities where the stretch begins or ends; of several stretches nobody asks, their rows are all."""
+        probes, row = self.probes, block.row
+        probes.put(row, STATUS, self.plan.text(f"extremes.{'from' if end == FROM else 'to'}"), styles.LABEL)
+        edge = self.limits.of_stretch(1, FIRST_ROW if end == FROM else LAST_ROW)
+        probes.work(row, AT, "edge", edge=edge)
+        probes.work(row + 1, AT, "place", place=self.limits.of_stretch(1, end))
+        probes.lay(block, self.quantities)
+
     # --- one extreme ------------------------------------------------------------------------------------------
 
     def _extreme(self, symbol: str, way: Way, block: Block) -> None:
@@ -180,11 +196,15 @@ class Extremes:
         for index in range(1, PROBES + 1):
             cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
+        for index, end in enumerate(self.ends.values(), PROBES + 1):
+            probes.work(row + index, AT, "place", place=probes.cell(end.row + 1, AT))
+            cell = CellRef(end.row + 1, probes.at.spots[symbol].col, True, True)
+            probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
         probes.work(row, VALUE, "best", best=of_rows)
         self._result(symbol, way, block)
 
     def _best_row(self, column: Node, way: Way, block: Block) -> CellRef:
-        """The best value of all rows that exist; its row goes to the anchor, the stretch's ends beside it."""
+        """The best value of all rows that exist; its row goes to the anchor."""
         probes, row, limits = self.probes, block.row, self.limits
         for number in range(1, STRETCHES + 1):
             first, last = limits.of_stretch(number, FIRST_ROW), limits.of_stretch(number, LAST_ROW)
@@ -195,14 +215,13 @@ class Extremes:
             )  # fmt: skip
         bests = probes.cells_across(row, SIDE, STRETCHES)
         most = probes.work(row, SIDE + 3, f"IF(COUNT(bests)=0,NA(),{way.upper()}(bests))", bests=bests)
-        stretch = probes.work(row, SIDE + 4, "MATCH(most,bests,0)", most=most, bests=bests)
-        ends = []
-        for work, key in ((5, FIRST_ROW), (6, LAST_ROW)):
-            cells = probes.cells_down(limits.stretch_rows[0], key, STRETCHES)
-            ends.append(probes.work(row, SIDE + work, "INDEX(cells,stretch)", cells=cells, stretch=stretch))
+        first = probes.work(
+            row, SIDE + 4, "INDEX(firsts,MATCH(most,bests,0))",
+            most=most, bests=bests, firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
+        )  # fmt: skip
         probes.work(
-            row, AT, "first-1+MATCH(most,INDEX(column,first):INDEX(column,last),0)",
-            first=ends[0], last=ends[1], most=most, column=column,
+            row, AT, "first-1+MATCH(most,INDEX(column,first):INDEX(column,rows),0)",
+            first=first, rows=self.plan.rows, most=most, column=column,
         )  # fmt: skip
         return most
 
@@ -210,13 +229,9 @@ class Extremes:
         """At the vertex of the parabola through three rows of the stretch; then beside it, or at the limit."""
         plan, probes, row = self.plan, self.probes, block.row
         here = probes.cell(row, AT)
-        stretch, first, last = (probes.cell(row, SIDE + work) for work in (4, 5, 6))
-        ends = [
-            formula("INDEX(cells,stretch)", stretch=stretch,
-                    cells=probes.cells_down(self.limits.stretch_rows[0], key, STRETCHES))
-            for key in (FROM, TO)
-        ]  # fmt: skip
-        low, high = (probes.work(row + 1, SIDE + index, "end", end=end) for index, end in enumerate(ends))
+        # of several stretches the rows are all, so the probes know the first one only
+        first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
+        low, high = self._ends_of_stretch()
         turns = self._half_turn(symbol)
         near = "ABS(start-end)<half" if turns else "TRUE"
         start, end = (
@@ -255,6 +270,10 @@ class Extremes:
             here=here, first=first, last=last, low=low, high=high, wraps=wraps, beside=beside,
         )  # fmt: skip
 
+    def _ends_of_stretch(self) -> tuple[CellRef, CellRef]:
+        """Where the first stretch begins and ends, between rows."""
+        return self.limits.of_stretch(1, FROM), self.limits.of_stretch(1, TO)
+
     def _half_turn(self, symbol: str) -> float:
         """Half a turn in the unit of a quantity that is an angle, else 0."""
         equation = self.plan.equations.of(symbol)
@@ -265,7 +284,7 @@ class Extremes:
     def _further_probes(self, block: Block) -> None:
         """At the vertex of the parabola through the row and the two probes; then through the three probes."""
         probes, row = self.probes, block.row
-        low, high, wraps = (probes.cell(row + 1, SIDE + work) for work in (0, 1, 2))
+        low, high, wraps = *self._ends_of_stretch(), probes.cell(row + 1, SIDE + 2)
         middle = probes.cell(row + 1, AT)
         for probe in range(3, PROBES + 1):
             points = [
@@ -280,7 +299,7 @@ class Extremes:
     def _result(self, symbol: str, way: Way, block: Block) -> None:
         """The best of the row and the probes, where it is, and whether the probes have settled."""
         plan, probes, row = self.plan, self.probes, block.row
-        count = 1 if plan.rows_only else PROBES + 1
+        count = 1 if plan.rows_only else PROBES + len(self.ends) + 1
         values = probes.cells_down(row, VALUE, count)
         # each stretch would need probes of its own
         known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
@@ -300,7 +319,7 @@ class Extremes:
         )
         probes.work(row + 2, SIDE + 1, "_start+(within-1)*_step", styles.RESULT, within=within)
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
-        low, high = probes.cell(row + 1, SIDE), probes.cell(row + 1, SIDE + 1)
+        low, high = self._ends_of_stretch()
         # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
             row + 2, SIDE + 2, "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,ABS(value-last)>settled*ABS(value-other))",

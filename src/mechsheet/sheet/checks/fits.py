@@ -12,13 +12,12 @@ from typing import Literal
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.sheet.checks.gaps import chunks_of
+from mechsheet.sheet.checks.geometry import largest_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
+from mechsheet.units import ANGLE, LENGTH, Unit
 
 Fit = tuple[Literal["velocity", "acceleration"], int, Node]
-
-DIGITS = 1e12
-"""The tolerance times this is the largest length."""
 
 
 def fit_columns(plan: Plan, sheet: str, row: int) -> list[Fit]:
@@ -41,10 +40,14 @@ def _columns(
     """Each part over what it is measured by, in as few columns as their length allows."""
     group = plan.equations.groups[number - 1]
     own = {*plan.mechanism.driver_rates, *(eq.symbol for eq in plan.equations.columns if eq.group == group.number)}
-    rates = dict.fromkeys(name for part in parts for name in symbols(part) if name in own and _is_rate(plan, name))
-    speeds = [name for name in rates if name.startswith("omega") or name.endswith(".v")]
-    scale = al.total(formula(size, rate=_turning(plan, name)) for name in speeds)
-    scale = al.total([scale, *(Call("ABS", (_turning(plan, name),)) for name in rates if name not in speeds)])
+    known = _rates(plan)
+    rates = [
+        name for name in dict.fromkeys(name for part in parts for name in symbols(part)) if name in own & known.keys()
+    ]
+    speeds = [name for name in rates if known[name].per == 1]
+    turning = {name: _turning(plan, name, known[name]) for name in rates}
+    scale = al.total(formula(size, rate=turning[name]) for name in speeds)
+    scale = al.total([scale, *(Call("ABS", (turning[name],)) for name in rates if name not in speeds)])
     whole = [plan.at.bind(formula("ABS(part)/(scale)", part=part, scale=scale), sheet, row) for part in parts]
     return [
         (what, number, formula('IFERROR(most,"")', most=Call("MAX", tuple(chunk)) if len(chunk) > 1 else chunk[0]))
@@ -52,18 +55,16 @@ def _columns(
     ]
 
 
-def _is_rate(plan: Plan, name: str) -> bool:
+def _rates(plan: Plan) -> dict[str, Unit]:
     """Velocities and accelerations, the driver's too; not coefficients of points, which stand for their velocities."""
-    if name in plan.mechanism.driver_rates:
-        return True
-    equation = next((each for each in plan.equations.columns if each.symbol == name), None)
-    return equation is not None and equation.role == "rate"
+    driver = LENGTH if plan.mechanism.driver.joint else ANGLE
+    speed, acceleration = plan.mechanism.driver_rates
+    found = {equation.symbol: equation.unit for equation in plan.equations.columns if equation.role == "rate"}
+    return {speed: driver.per_time(), acceleration: driver.per_time().per_time()} | found
 
 
-def _turning(plan: Plan, name: str) -> Node:
+def _turning(plan: Plan, name: str, unit: Unit) -> Node:
     """A sliding velocity over the largest length, which is what an angular one would be."""
-    if not name.endswith((".v", ".a")):
+    if unit.kind == "angle":
         return Symbol(name)
-    return formula(
-        "rate/(digits*tolerance)", rate=Symbol(name), digits=DIGITS, tolerance=Symbol(plan.equations.tolerance)
-    )
+    return formula("rate/(longest)", rate=Symbol(name), longest=largest_length(plan.equations))

@@ -10,10 +10,12 @@ from collections.abc import Mapping
 from typing import TypeAlias
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node
+from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.equations import LinkPose
+from mechsheet.kinematics.ledger import CLOSING
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Cartesian, Distances, Link, Polar
+from mechsheet.sheet.table.lowering import Assignments
 
 UV: TypeAlias = tuple[Node, Node]
 Known: TypeAlias = Mapping[str, UV]
@@ -93,6 +95,11 @@ def length_in_cells(link: Link, start: str, end: str, poses: Mapping[str, LinkPo
     laid_off = {point: given for point, given in link.points.items() if isinstance(given, Distances)}
     deep = [point for point, given in laid_off.items() if given.first in laid_off or given.second in laid_off]
     return distance(link, start, end, {point: poses[link.name].places[point] for point in deep})
+
+
+def largest_length(equations: Assignments) -> Node:
+    """The largest length given, over cells: that of which the tolerance is a part (`CLOSING`)."""
+    return al.mul(al.number(round(1 / CLOSING)), Symbol(equations.tolerance))
 
 
 def measured_pairs(link: Link) -> tuple[tuple[str, str], ...]:

@@ -13,9 +13,10 @@ from typing import Literal
 
 import numpy as np
 
+from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import ChartRequest, Mechanism, rate_symbols
+from mechsheet.model import ENERGY, ChartRequest, Mechanism, rate_symbols
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.first.blocks import shown_unit
@@ -90,9 +91,10 @@ def _of_forces(plan: Plan, sizes: Mapping[str, float]) -> list[ChartRequest]:
     if not plan.efforts:
         return []
     driver = plan.mechanism.driver.symbol
-    forces = [name for name in plan.equations.equations.held_forces if sizes[name] > 0]
+    forces = [name for name in plan.equations.equations.forces(*JOINT_FORCES) if sizes[name] > 0]
     groups = [forces[start : start + MOST_CURVES] for start in range(0, len(forces), MOST_CURVES)]
-    return [ChartRequest(x=driver, y=names) for names in (plan.efforts, *map(tuple, groups))]
+    stored = ((ENERGY,),) if plan.mechanism.flywheel else ()
+    return [ChartRequest(x=driver, y=names) for names in (plan.efforts, *stored, *map(tuple, groups))]
 
 
 def _probe(plan: Plan) -> dict[str, Array]:

@@ -55,6 +55,7 @@ class Classification:
     limits        True where some group can come apart
     rates         True where there are velocities
     forces        True where there are masses or loads
+    flywheel      True where the description asks for one
     newton        True where a group is solved by Newton's method
     """
 
@@ -66,6 +67,7 @@ class Classification:
     limits: bool
     rates: bool = False
     forces: bool = False
+    flywheel: bool = False
     newton: bool = False
 
     @property
@@ -80,7 +82,8 @@ class Classification:
         lines += [f"time_ratio_{symbol}" for symbol in self.returning]
         lines += [f"transmission_{group.number}" for group in self.transmission]
         lines += ["dead_centres", "velocities_fit", "accelerations_fit"] if self.rates else []
-        return lines + (["largest_effort", "largest_force", "effort_fits"] if self.forces else [])
+        lines += ["largest_effort", "largest_force", "effort_fits"] if self.forces else []
+        return lines + (["mean_torque", "energy_change", "flywheel"] if self.flywheel else [])
 
     @property
     def placed(self) -> frozenset[str]:
@@ -117,6 +120,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         bool(equations.margins),
         mechanism.driver.speed is not None and bool(equations.groups),
         bool(equations.equations.efforts),
+        mechanism.flywheel is not None,
         any(group.system is not None for group in equations.groups),
     )
 

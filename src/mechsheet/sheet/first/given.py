@@ -14,6 +14,8 @@ def given_words(plan: Plan, dim: Dimension) -> str:
             return ""
         case ("driver", str(key)):
             return plan.text(f"motion.{key}{'.own' if dim.symbol == key else ''}")  # in a unit of its own
+        case ("flywheel", _):
+            return plan.text("motion.fluctuation")
         case ("dynamics", "gravity"):
             return plan.text("masses.gravity")
         case ("dynamics", "gravity", int(axis)):

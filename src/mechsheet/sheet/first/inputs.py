@@ -36,7 +36,10 @@ CHOICES = 29
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """A yellow cell: the key of its place, what people call it, its row on the first sheet; `most`: choices are 1 to that."""
+    """A yellow cell: the key of its place, what people call it, its row on the first sheet.
+
+    most  choices are 1 to that
+    """
 
     key: str
     name: str

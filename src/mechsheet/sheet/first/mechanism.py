@@ -209,7 +209,8 @@ def _given_elsewhere(writer: Writer) -> None:
         writer.heading(key)
         for symbol, row in plan.blocks[key].rows.items():
             dim = next(dim for dim in plan.mechanism.dimensions if dim.symbol == symbol)
-            name = plan.text(f"name.{symbol}") if symbol == dim.driver_key else rich(symbol)
+            named = symbol == dim.driver_key or dim is plan.mechanism.flywheel
+            name = plan.text(f"name.{symbol}") if named else rich(symbol)
             writer.line(row, name, dim.unit.text, given_words(plan, dim))
             if isinstance(dim.value, float):
                 writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
@@ -262,7 +263,10 @@ def start_words(plan: Plan, system: System) -> Node:
         unit = plan.mechanism.shown(plan.equations.of(variable).unit)
         shown = formula("DEGREES(value)", value=value) if unit.in_degrees else value
         digits = 1 if unit.in_degrees else 3
-        parts += [f"{', ' if index else ''}{plain(variable)} = ", formula("ROUND(shown,digits)", shown=shown, digits=digits)]
+        parts += [
+            f"{', ' if index else ''}{plain(variable)} = ",
+            formula("ROUND(shown,digits)", shown=shown, digits=digits),
+        ]
         parts.append(unit.text if unit.in_degrees else "")
     arrived = formula("residual<=closed", residual=Symbol(in_pass(system.residual, 0)), closed=CLOSED)
     return formula("IFERROR(IF(arrived,words,nowhere),nowhere)", arrived=arrived, words=joined(*parts),

@@ -12,7 +12,7 @@ from typing import Literal
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import Link
+from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.efforts import AGREES
@@ -63,6 +63,8 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         block.fits("acceleration", "accelerations_fit")
     if found.forces:
         block.efforts()
+    if found.flywheel:
+        block.flywheel()
     block.line_under_the_title()
     return [Merge(Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING))]
 
@@ -446,8 +448,7 @@ class _Block:
             self.bound(
                 'IF(COUNTIF(column,most)>0,name,"")', column=Symbol(ALL + name), most=cell, name=f" {plain(name)}"
             )
-            for name in plan.joint_forces
-            if not name.endswith((".n", ".c")) and name != effort
+            for name in plan.equations.equations.forces("size")
         ]
         force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
         style = styles.decimals(styles.RESULT, places(plan, "force"))
@@ -462,6 +463,40 @@ class _Block:
         self.line(key, self.text(key), "", self.checks.worst("torque"), style, words)
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
         self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
+
+    def flywheel(self) -> None:
+        """Mean torque, change of energy over the turn, and the moment of inertia that keeps the speed within its bounds."""
+        plan, torque = self.plan, self.plan.efforts[0]
+        speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
+        even = formula("AND(_whole=1,count=rows,speed<>0,acceleration=0)", count=self.value("rows_closed"), rows=plan.rows,
+                       speed=speed, acceleration=acceleration)  # fmt: skip
+        column = plan.at.column(torque, plan.main)
+        mean = self.bound("IF(even,(SUM(column)-(first+last)/2)/steps,NA())", even=even, column=column, first=column.start,
+                          last=column.end, steps=max(1, plan.rows - 1))  # fmt: skip
+        style = styles.decimals(styles.RESULT, places(plan, "moment"))
+        missing = self.text("flywheel.missing")
+
+        def said(key: str, words: Node | str) -> Node:
+            return formula("IF(ISNUMBER(value),words,missing)", value=self.value(key), words=words, missing=missing)
+
+        unit = plan.equations.of(torque).unit.text
+        self.line("mean_torque", self.text("mean_torque"), unit, mean, style,
+                  said("mean_torque", self.text("mean_torque.words")))  # fmt: skip
+        energy, drivers = plan.at.column(ENERGY, plan.main), self._drivers()
+        ends = [
+            self.driver_text(formula(f"INDEX(drivers,MATCH({way}(energy),energy,0))", drivers=drivers, energy=energy))
+            for way in ("MAX", "MIN")
+        ]
+        words = joined(self.text("energy_change.slow"), " ", ends[0], self.text("energy_change.fast"), " ", ends[1])
+        change = formula("MAX(energy)-MIN(energy)", energy=energy)
+        self.line("energy_change", "ΔE", plan.equations.of(ENERGY).unit.text, change, style,
+                  said("energy_change", words))  # fmt: skip
+        inertia = self.bound("change/(fluctuation*speed^2)", change=self.value("energy_change"),
+                             fluctuation=Symbol("fluctuation"), speed=speed)  # fmt: skip
+        style, dynamics = styles.numbered(styles.RESULT, "0.000E+00"), plan.mechanism.dynamics
+        unit = inertia_unit(dynamics, plan.mechanism.length_unit) if dynamics else ""
+        self.line("flywheel", self.text("flywheel"), unit, inertia, style,
+                  said("flywheel", self.text("flywheel.words")))  # fmt: skip
 
     # --- the line under the title -----------------------------------------------------------------------------
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.equations import RATES, Equations
+from mechsheet.kinematics.equations import INNER, RATES, Equations
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
 from mechsheet.model import Mechanism
@@ -213,7 +213,7 @@ def _plan_table(plan: PagePlan) -> None:
     columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
     degrees = {driver.symbol: driver.unit.in_degrees}
     for col, equation in enumerate(plan.equations.columns, 1):
-        inner = equation.role in ("intermediate", "coefficient")
+        inner = equation.role in INNER
         group = -1 if equation.symbol in outputs else equation.group
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
         degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees

@@ -1,4 +1,4 @@
-"""The sheet of Newton's method: a block of columns for each pass, in the rows of the positions; where it begins, to the right.
+"""The sheet of Newton's method: a block of columns for each pass, in the rows of the positions; its start to the right.
 
 All blocks but the last are folded. The start is a small table of its own: passes downwards from start values.
 """
@@ -40,7 +40,7 @@ def iterations_sheet(plan: Plan) -> Sheet:
         replace(column, level=1, hidden=True) if folded.get(column.first) else replace(column, level=0)
         for column in sheet.columns
     ]
-    beside = max(writer.cols) if writer.cols else 0
+    beside = max(max(cell.col for cell in writer.cells), max(fill.col for fill in writer.fills))
     first = plan.iterations[-1].col + 1
     for index, column in enumerate(columns[1:], 1):
         if columns[index - 1].hidden and not column.hidden:
@@ -78,11 +78,6 @@ class _Writer:
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
         self.merges: list[Merge] = []
-
-    @property
-    def cols(self) -> list[int]:
-        """Columns that hold something."""
-        return [each.col for each in (*self.cells, *self.fills)]
 
     def put(self, row: int, col: int, content: Content, style: Style) -> None:
         """A constant."""
@@ -165,6 +160,7 @@ def home_row(plan: Plan, system: System) -> int:
 
 def _above(node: Node, symbols: tuple[str, ...]) -> Node:
     """The expression over what stands in the row above."""
+
     def change(part: Node) -> Node:
         return Previous(part.name) if isinstance(part, Symbol) and part.name in symbols else part
 

@@ -152,9 +152,7 @@ class _Lowering:
             case expression:
                 self._add(equation, self._where_it_exists(equation, expression))
 
-    def _add(
-        self, equation: Equation, expression: Node, first: Node | None = None, says: Node | None = None
-    ) -> Symbol:
+    def _add(self, equation: Equation, expression: Node, first: Node | None = None, says: Node | None = None) -> Symbol:
         target = self.constants if equation.role == "constant" else self.columns
         target.append(
             Assignment(

@@ -295,7 +295,7 @@ def places(plan: Plan, kind: str) -> int:
     tolerances = [dim.tolerance for dim in plan.mechanism.dimensions if dim.tolerance and dim.unit.kind == "length"]
     if kind == "angle":
         return 2 if plan.mechanism.angle_unit.in_degrees else 4
-    if kind in ("number", "moment"):
+    if kind in ("number", "moment", "power"):
         return 4
     if kind == "force":
         return 3

@@ -92,7 +92,9 @@ def _first_columns(plan: Plan, key: str, said: Node) -> tuple[list[Cell], list[F
     value = CellRef(first, DRIVER, sheet=plan.table)
     cells = [
         Cell(SYMBOL_ROW, RATES_DRIVER, rich(driver.symbol, f" [{unit}]" if unit else ""), styles.HEAD),
-        Cell(SYMBOL_ROW, RATES_STATUS, plan.text("iterations.head" if key == "iterations" else "rates.head"), styles.HEAD),
+        Cell(
+            SYMBOL_ROW, RATES_STATUS, plan.text("iterations.head" if key == "iterations" else "rates.head"), styles.HEAD
+        ),
         Cell(FORMULA_ROW, RATES_DRIVER, None, styles.FORMULA_TEXT),
         Cell(FORMULA_ROW, RATES_STATUS, None, styles.FORMULA_TEXT),
     ]

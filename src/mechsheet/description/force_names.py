@@ -1,0 +1,109 @@
+"""What forces, mass centres and what is found from all of them are called, where a description has masses or loads."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.kinds import ANY, LENGTH
+from mechsheet.description.quoting import quoted
+from mechsheet.description.scope import Scope
+from mechsheet.model import POINT_RATES, SHAKING, Driver, Joint, Link, center_symbol, pair_symbol
+
+WEIGHTS = ("mass", "center", "inertia")
+"""Keys of a link that has a mass."""
+
+POWER, SHAKES = "driver's power", "shaking force"
+CENTER, CENTER_MOVES = "mass centre", "velocity or acceleration of a mass centre"
+OF_MOTION = (POWER, SHAKES, CENTER_MOVES)
+"""What there is only where the driver has a speed."""
+
+
+def first_key(bodies: dict[str, Any], loads: list[Any]) -> Path | None:
+    """Where the first mass or load stands; None where there is none."""
+    for name in bodies:
+        for key in keys_of(bodies, name):
+            return ("links", name, key)
+    return ("loads", 0) if loads else None
+
+
+def keys_of(bodies: dict[str, Any], name: str) -> list[str]:
+    """The keys of a link that give it a mass."""
+    entry = bodies.get(name)
+    return [key for key in WEIGHTS if isinstance(entry, dict) and key in entry]
+
+
+def declare(
+    bodies: dict[str, Any], loads: list[Any], links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None,
+    scope: Scope,
+) -> None:  # fmt: skip
+    """Enter all these names, which must be free, where there are masses or loads."""
+    path = first_key(bodies, loads)
+    if path is None:
+        return
+    for name, what in _of_joints(links, joints, driver).items():
+        scope.forces[name] = what
+        scope.kinds[name] = ANY
+        if "." not in name:
+            scope.symbols.claim(name, what, path, "rename it: the description has masses or loads")
+            _no_point(name, f"the point has the name of a joint force: {name}.x would be a part of either", scope)
+    if driver is not None and "power" not in (
+        *scope.units,
+        *scope.outputs,
+    ):  # a name of the description's own comes first
+        scope.forces["power"] = POWER
+        scope.kinds["power"] = ANY
+    _declare_masses(bodies, links, scope)
+
+
+def _declare_masses(bodies: dict[str, Any], links: Collection[Link], scope: Scope) -> None:
+    """The shaking force; mass centres that are no points of their links."""
+    weighed = [link for link in list(links)[1:] if keys_of(bodies, link.name)]
+    if any({"mass", "inertia"} & {*keys_of(bodies, link.name)} for link in weighed):
+        scope.forces |= dict.fromkeys(SHAKING, SHAKES)
+        scope.kinds |= dict.fromkeys(SHAKING, ANY)
+        _no_point("shaking", "the point has the name of the shaking force: shaking.x would be a part of either", scope)
+    for link in weighed:
+        center = bodies[link.name].get("center")
+        name = center_symbol(link.number)
+        if center is None and len(link.points) == 1:
+            center = next(iter(link.points))
+        if "mass" not in bodies[link.name] or center is None:
+            continue
+        if isinstance(center, str):
+            scope.centers[name] = center
+            continue
+        for part in ("x", "y", *POINT_RATES):
+            scope.forces[f"{name}.{part}"] = CENTER if part in ("x", "y") else CENTER_MOVES
+            scope.kinds[f"{name}.{part}"] = LENGTH if part in ("x", "y") else ANY
+        other = f"the point has the name of the mass centre of {quoted(link.name)}: {name}.x would be a part of either"
+        _no_point(name, other, scope, f'rename it, or write center = "{name}" where it is the mass centre')
+
+
+def _no_point(name: str, message: str, scope: Scope, hint: str = "rename it") -> None:
+    for link in scope.points.get(name, ())[:1]:
+        scope.report.at(("links", link, "points", name), message, hint)
+
+
+def _of_joints(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None) -> dict[str, str]:
+    """Name -> what it is: F34, F34.x and F34.y of every pin, F14.n and F14.c of every slide, the driver's effort."""
+    numbers = {link.name: link.number for link in links}
+    holders: dict[str, list[int]] = {}
+    for link in links:
+        for point in link.points:
+            holders.setdefault(point, []).append(link.number)
+    found: dict[str, str] = {}
+    for owner, *others in holders.values():
+        for other in others:
+            name = pair_symbol("F", owner, other)
+            found |= dict.fromkeys((name, f"{name}.x", f"{name}.y"), "joint force")
+    for joint in joints:
+        name = pair_symbol("F", numbers[joint.on], numbers[joint.link])
+        found |= {f"{name}.n": "normal force"} | ({f"{name}.c": "couple"} if joint.kind == "prismatic" else {})
+        if driver is not None and driver.joint == joint.name:
+            found |= {f"{name}.t": "driving force", f"{name}.work": "driving force"}
+    if driver is not None and driver.link:
+        name = pair_symbol("T", numbers[driver.relative_to or links[0].name], numbers[driver.link])
+        found |= {name: "driving torque", f"{name}.work": "driving torque"}
+    return found

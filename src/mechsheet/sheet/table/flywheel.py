@@ -1,0 +1,42 @@
+"""The flywheel's column: the energy that it has given since the first row, by trapezia.
+
+    E = E above + ((T12 above + T12) / 2 - mean) (theta12 - theta12 above)
+
+The mean is over whole turns, in a cell of the first sheet: #N/A where the rows are none, or the speed is not constant.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from mechsheet.formula.nodes import Node, Previous, Symbol
+from mechsheet.model import ENERGY, Mechanism, energy_unit
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.table.lowering import Assignment, Assignments
+from mechsheet.units import Unit
+from mechsheet.words.equations import phrase
+
+MEAN = "mean_torque"
+"""Key of the line of the first sheet that holds the mean."""
+
+
+def with_energy(mechanism: Mechanism, equations: Assignments) -> Assignments:
+    """The equations, with the flywheel's column where the description has one."""
+    if mechanism.flywheel is None or mechanism.dynamics is None:
+        return equations
+    torque = equations.equations.efforts[0]
+
+    def step(mean: Node) -> Node:
+        return formula(
+            "energy+((before+torque)/2-mean)*(driver-driver_before)", energy=Previous(ENERGY), before=Previous(torque),
+            torque=Symbol(torque), mean=mean, driver=Symbol(mechanism.driver.symbol),
+            driver_before=Previous(mechanism.driver.symbol),
+        )  # fmt: skip
+
+    unit = Unit("moment", energy_unit(mechanism.dynamics, mechanism.length_unit))
+    # nothing is stored in the first row; 0 times what follows says where there is no mean
+    first = formula("0*mean", mean=Symbol(f"#{MEAN}"))
+    column = Assignment(
+        ENERGY, step(Symbol(f"#{MEAN}")), step(Symbol("T_m")), "force", unit, phrase("flywheel_energy"), 0, first
+    )
+    return replace(equations, columns=(*equations.columns, column))
