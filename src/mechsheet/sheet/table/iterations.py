@@ -40,7 +40,7 @@ def iterations_sheet(plan: Plan) -> Sheet:
         replace(column, level=1, hidden=True) if folded.get(column.first) else replace(column, level=0)
         for column in sheet.columns
     ]
-    beside = max(max(cell.col for cell in writer.cells), max(fill.col for fill in writer.fills))
+    cols = [cell.col for cell in writer.cells] + [fill.col for fill in writer.fills]
     first = plan.iterations[-1].col + 1
     for index, column in enumerate(columns[1:], 1):
         if columns[index - 1].hidden and not column.hidden:
@@ -49,7 +49,7 @@ def iterations_sheet(plan: Plan) -> Sheet:
         sheet,
         cells=(*sheet.cells, *writer.cells),
         fills=(*sheet.fills, *writer.fills),
-        columns=(*columns, Column(first, beside, NUMBER_WIDTH)),
+        columns=(*columns, Column(first, max(cols), NUMBER_WIDTH)),
         merges=(*sheet.merges, *writer.merges),
         comments=(),
     )
