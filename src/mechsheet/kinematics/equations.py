@@ -129,7 +129,7 @@ class System:
     corrections  J^-1 F, over symbols of the body
     mode         symbol of the number (from 1) of the assembly;  starts: the start values of each
     given        what it reads besides its unknowns
-    driver, home the driver's symbol, and its value in the row at which the start values fit
+    driver, home the driver's symbol, and its value in the row at which the start values fit;  row: that row, from 0
     passes       Newton steps a row
     """
 
@@ -146,6 +146,7 @@ class System:
     driver: str
     starts: tuple[tuple[float, ...], ...] = ()
     home: float = 0.0
+    row: int = 0
     passes: int = PASSES
 
     def roots(self) -> tuple[Root, ...]:

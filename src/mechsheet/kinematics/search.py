@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -48,6 +49,9 @@ class Search:
     """
 
     def __init__(self, mechanism: Mechanism, equations: Equations, driver: Array, stepped: bool = True) -> None:
+        if not stepped:  # these are the rows, and nothing else
+            rows = replace(mechanism.driver, values=tuple(float(value) for value in np.asarray(driver, float)))
+            mechanism = replace(mechanism, driver=rows)
         self.mechanism = mechanism
         self.equations = equations
         self.listed = np.asarray(driver, float)

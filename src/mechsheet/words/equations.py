@@ -142,6 +142,7 @@ PHRASES = {
     "newton_minor": ("a minor, for Cramer's rule", "bir minör, Cramer kuralı için"),
     "newton_det": ("determinant of J: 0 where two assemblies meet", "J determinantı: iki montaj birleşince 0"),
     "newton_residual": ("residual: largest |F|, in parts of the size", "kalan: en büyük |F|, büyüklüğe oranla"),
+    "newton_fits": ("whether it has arrived, in the same assembly", "aynı montajda varıldı mı"),
     # what cells and programs need besides
     "area": ("area of triangle {name}", "{name} üçgeninin alanı"),
     "area_for": ("area of the triangle of {symbol}", "{symbol} üçgeninin alanı"),

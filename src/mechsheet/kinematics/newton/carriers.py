@@ -26,7 +26,7 @@ from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.kinematics.poses import Guide, Poses
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, turned
 from mechsheet.model import Words
-from mechsheet.units import ANGLE, NUMBER, Unit
+from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import link_words, phrase, several
 
 ITERATED = "{symbol} n"
@@ -305,9 +305,15 @@ class ChainWriter:
         if isinstance(second, str):
             q = poses.xy[second]
             _, line = poses.arm(assembly, first, second)
-            way = minus(q, p)
             words = phrase("direction_of", what=f"{first}→{second}")
-            phi = self.ledger.direction(f"phi_{first}{second}", way[0], way[1], words)
+            name = f"{first}{second}"
+            s_x, s_y = (
+                self.ledger.hoist(
+                    f"s_{axis}_{name}", part, LENGTH, phrase("part_of_way", start=first, end=second, axis=axis)
+                )
+                for axis, part in zip("xy", minus(q, p), strict=True)
+            )
+            phi = self.ledger.direction(f"phi_{name}", s_x, s_y, words)
             poses.fix(assembly, Angle(phi) - line, place, *p)
             return
         guide = self.guides[assembly]

@@ -61,7 +61,7 @@ def pick_assembly(
     starts = tuple(
         tuple(_rounded(x, turns, size, unit) for x, turns in zip(state, turning, strict=True)) for state in found
     )
-    system = replace(system, starts=starts, home=float(ledger.values[system.driver][row]))
+    system = replace(system, starts=starts, home=float(ledger.values[system.driver][row]), row=row)
     for name in system.unknowns:
         ledger.systems[name] = system
     _refuse_dead(system, ledger, row, found, solution)

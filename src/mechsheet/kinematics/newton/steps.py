@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.kinematics.equations import PASSES, Equations
+from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Mechanism
@@ -50,7 +50,7 @@ class Steps:
         """The unknowns at these values of the driver, followed in steps divided into so many parts."""
         path = np.interp(np.arange((len(driver) - 1) * parts + 1) / parts, np.arange(len(driver)), driver)
         rows = replace(self.mechanism.driver, values=tuple(float(value) for value in path))
-        values = self.sweep(replace(self.mechanism, driver=rows), equations, path)
+        values = self.sweep(replace(self.mechanism, driver=rows), _finer(equations, parts), path)
         return [values[name][::parts] for name in self.unknowns]
 
     def trial(self, equations: Equations, parts: int = 1) -> Trial:
@@ -69,13 +69,19 @@ class Steps:
 
 def with_passes(equations: Equations, passes: int) -> Equations:
     """The equations with so many Newton steps a row."""
-    return replace(
-        equations,
-        groups=tuple(
-            group if group.system is None else replace(group, system=replace(group.system, passes=passes))
-            for group in equations.groups
-        ),
+    return _with_systems(equations, lambda system: replace(system, passes=passes))
+
+
+def _finer(equations: Equations, parts: int) -> Equations:
+    """The equations over rows of which each step is divided into so many parts."""
+    return _with_systems(equations, lambda system: replace(system, row=system.row * parts))
+
+
+def _with_systems(equations: Equations, change: Callable[[System], System]) -> Equations:
+    groups = (
+        group if group.system is None else replace(group, system=change(group.system)) for group in equations.groups
     )
+    return replace(equations, groups=tuple(groups))
 
 
 def settled(mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sweep) -> Equations:

@@ -73,8 +73,7 @@ def start_of(system: System, known: Mapping[str, Any], rows: int) -> Pass | None
         return None
     number = int(np.broadcast_to(known[system.mode], (rows,))[0])
     start = system.starts[min(max(number, 1), len(system.starts)) - 1]
-    driver = np.broadcast_to(known[system.driver], (rows,))
-    row = int(np.argmin(np.abs(driver - system.home)))
+    row = min(system.row, rows - 1)
     given = [float(np.broadcast_to(known[name], (rows,))[row]) for name in system.given]
     return _arrived(_scalar(system), start, given, FIRST_PASSES)
 

@@ -128,7 +128,8 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
 def _returning(
     mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
-    if not mechanism.driver.link or mechanism.driver.values:
+    newton = any(group.system is not None for group in equations.groups)  # no ratio of two times from rows alone
+    if not mechanism.driver.link or mechanism.driver.values or newton:
         return ()
     final = _final_links(mechanism, equations)
     ground = mechanism.ground.name

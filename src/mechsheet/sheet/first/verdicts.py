@@ -10,7 +10,7 @@ import math
 from typing import Literal
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
@@ -322,6 +322,8 @@ class _Block:
         symbol = link.angle_symbol
         turn = whole_turn(self.plan.at.spots[symbol].degrees)
         closed = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.plan.rows)
+        if self.plan.newton:  # of what is between the rows nothing is said
+            closed = Boolean(False)
         back = Symbol(f"#wraps_{symbol}")  # the ends of the whole turn are neighbours
         words = formula(
             "IF(closed,IF(back>0,rocker,crank),part)", closed=closed, back=back,
@@ -516,11 +518,16 @@ class _Block:
             said = formula('IF(ISNUMBER(value),what&words,"")', value=self.value(key), what=what, words=self.words(key))
             parts.append(said)
         gap = self.words("largest_gap")
+        good = joined(*parts)
+        lost: Node | None = None
+        if plan.found.newton:
+            lost = self.words("same_assembly")
+            good = formula("IF(lost=kept,good,lost)", lost=lost, kept=self.text("same_assembly.kept"), good=good)
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
             fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
             closed=self.text("gap.closed"),
-            good=joined(*parts), inputs=self.words("inputs"),
+            good=good, inputs=self.words("inputs"),
         )  # fmt: skip
         self.writer.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
@@ -528,6 +535,8 @@ class _Block:
         # rules read this sheet only: other programs refuse another's cells
         bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
                       inputs=self.words("inputs"))  # fmt: skip
+        if lost is not None:
+            bad = formula("OR(bad,AND(count>0,leapt>0))", bad=bad, count=count, leapt=self.value("same_assembly"))
         doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))

@@ -103,7 +103,7 @@ class _Writer:
         left = plan.at.spots[f"#start_{group.number}"].col
         symbols = (*system.unknowns, *(each.symbol for each in system.body))
         own = {symbol: Spot(self.title, first, left + index, column=True) for index, symbol in enumerate(symbols)}
-        row = first + home_row(plan, system)
+        row = first + system.row
         given = {
             name: replace(plan.at.spots[name], row=row, column=False)
             for name in system.given
@@ -151,11 +151,6 @@ class _Writer:
             for index, (variable, value) in enumerate(zip(system.variables, start, strict=True), 1):
                 unit = plan.mechanism.shown(plan.equations.of(variable).unit)
                 self.put(first + number, left + index, unit.written(value), styles.INPUT)
-
-
-def home_row(plan: Plan, system: System) -> int:
-    """The row, from 0, at which the start values were found."""
-    return min(range(plan.rows), key=lambda row: abs(plan.driver[row] - system.home))
 
 
 def _above(node: Node, symbols: tuple[str, ...]) -> Node:

@@ -31,13 +31,17 @@ from mechsheet.formula.nodes import (
 )
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, LinkPose, Role, System
 from mechsheet.kinematics.naming import FreshNames, given_names
+from mechsheet.kinematics.newton.carriers import ITERATED
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.quoted import formula
-from mechsheet.units import LENGTH, Unit
+from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
 TURN = al.mul(al.TWO, al.PI)
+
+FITS = "fits"
+"""Of a group solved by Newton's method: whether the passes have arrived in the same assembly."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,11 +203,15 @@ class _Lowering:
     def _iterated(self, equation: Equation, expression: Node) -> None:
         """What the passes have arrived at, where it fits and the determinant has kept its sign."""
         system = next(each for each in self.systems if equation.symbol in each.variables)
-        fits = formula(
-            "AND(residual<=closed,det*first>0)", residual=Symbol(system.residual), closed=CLOSED,
-            det=Symbol(system.determinant), first=Symbol(in_pass(system.determinant, 0)),
-        )  # fmt: skip
-        self._add(equation, formula("IF(fits,value,NA())", fits=fits, value=expression))
+        fits = ITERATED.format(symbol=FITS if equation.group == 1 else f"{FITS}_{equation.group}")
+        if equation.symbol == system.variables[0]:
+            test = formula(
+                "AND(residual<=closed,det*first>0)", residual=Symbol(system.residual), closed=CLOSED,
+                det=Symbol(system.determinant), first=Symbol(in_pass(system.determinant, 0)),
+            )  # fmt: skip
+            own = replace(equation, symbol=fits, role="iteration", unit=NUMBER, label=phrase("newton_fits"))
+            self._add(own, test, says=formula("residual<=closed", residual=Symbol(system.residual), closed=CLOSED))
+        self._add(equation, formula("IF(fits,value,NA())", fits=Symbol(fits), value=expression))
 
     def _triangle_angle(self, equation: Equation, opposite: Node, beside: Node, other: Node) -> None:
         """By ATAN2. All angles of a group have the same sine side, so that they fit together to the last digit; a link's

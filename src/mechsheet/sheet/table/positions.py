@@ -182,7 +182,7 @@ def status(plan: Plan) -> Node:
     closing = [formula("ISNUMBER(value)", value=Symbol(group.closes)) for group in plan.equations.groups]
     if not closing:
         return formula("IF(_inputs=0,ok,inputs)", ok=plan.text("status.ok"), inputs=plan.text("status.inputs"))
-    if len(closing) == 1:
+    if len(closing) == 1 and not plan.newton:  # whose words are long
         return formula(
             "IF(closes,ok,reason)", closes=closing[0], ok=plan.text("status.ok"), reason=status_words(plan)[0]
         )
