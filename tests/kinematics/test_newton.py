@@ -1,4 +1,4 @@
-"""Groups of class III and IV: found, all their assemblies listed, followed by Newton's method as the reference finds them."""
+"""Groups of class III and IV: found, all their assemblies listed, followed as the reference finds them."""
 
 import math
 from dataclasses import replace
