@@ -12,6 +12,8 @@ from mechsheet.engine import evaluate
 sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 
 import bench_engine
+import bench_forces
+import bench_rows
 import bench_sweep
 import tables
 
@@ -40,8 +42,19 @@ def test_the_four_bar_and_the_two_way_table():
         assert np.allclose(pump.arrays("Table", col + 1, 7, ROWS + 6)[0], expected[:, col], rtol=1e-12, atol=1e-12)
 
 
+@pytest.mark.parametrize("name", sorted(bench_rows.CASES))
+def test_columns_that_read_each_other_row_by_row(name):
+    build, by_hand, _, _ = bench_rows.CASES[name]
+    assert bench_rows.worst(build(ROWS), by_hand(ROWS)) < 1e-12
+
+
 def test_the_sweep_of_the_four_bar():
     theta12 = bench_sweep.driver(ROWS)
     found, expected = bench_sweep.ours(theta12), bench_sweep.by_hand(theta12)
     for name, column in expected.items():
         assert np.allclose(found[name], column, rtol=1e-12, atol=1e-12), name
+
+
+def test_the_four_bar_with_forces():
+    book, plan = bench_forces.tables_of(ROWS)
+    assert bench_forces.worst_of(ROWS, evaluate(book), plan) < 1e-12

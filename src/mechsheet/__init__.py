@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from mechsheet.checking import Comparison, Report, check
     from mechsheet.diagnostics import MechsheetError
     from mechsheet.exporting import export
+    from mechsheet.homework.audit import Audit, audit
     from mechsheet.library.building import build, compile_workbook
     from mechsheet.library.linkage import Linkage, Motion, load, loads, template
     from mechsheet.library.recalculation import Result, recalc
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     from mechsheet.plotting import plot
 
 _HOMES = {
+    "audit": "homework.audit",
+    "Audit": "homework.audit",
     "build": "library.building",
     "compile_workbook": "library.building",
     "check": "checking",
@@ -47,6 +50,7 @@ _HOMES = {
 """Name -> module: imported when first used, so that `mechsheet --help` need not load numpy."""
 
 __all__ = [
+    "Audit",
     "Comparison",
     "Linkage",
     "Mechanism",
@@ -56,6 +60,7 @@ __all__ = [
     "Result",
     "Session",
     "__version__",
+    "audit",
     "build",
     "check",
     "compile_workbook",

@@ -12,12 +12,15 @@ from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
 from mechsheet.formula.nodes import Node
-from mechsheet.units import Unit
+from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
 Quantity: TypeAlias = float | Node
 
 GROUND = 1
 """The number of the fixed link."""
+
+TIME = "t"
+"""The time of a motion law [s]."""
 
 
 POINT_RATES = ("vx", "vy", "v", "ax", "ay", "a")
@@ -76,7 +79,7 @@ class Dimension:
     shown      a plain number as the description wrote it, in its unit (30 for 30 degrees), else None
     written    the expression of a derived dimension as the description wrote it, else ""
     place      where the description gives one that is not among its dimensions: ("driver", "speed"),
-               ("links", "crank", "mass"), ("loads", 0, "force", 1); () for its own
+               ("driver", "motion", "duration"), ("links", "crank", "mass"), ("loads", 0, "force", 1); () for its own
     """
 
     symbol: str
@@ -91,8 +94,8 @@ class Dimension:
 
     @property
     def driver_key(self) -> str:
-        """The key of the driver that gives it, "speed" or "acceleration"; "" for any other."""
-        return str(self.place[1]) if self.place[:1] == ("driver",) else ""
+        """The key of the driver that gives it: "speed", "acceleration", "duration" …; "" for any other."""
+        return str(self.place[-1]) if self.place[:1] == ("driver",) else ""
 
     @property
     def derived(self) -> bool:
@@ -256,6 +259,28 @@ def inertia_unit(dynamics: Dynamics, length_unit: str) -> str:
     return f"{dynamics.mass_unit} {length_unit}²" if dynamics.mass_unit else f"{dynamics.force_unit} {length_unit} s²"
 
 
+LAWS = ("constant", "accelerated", "parabolic", "harmonic", "cycloidal", "polynomial")
+"""Names of the motion laws: by which part of its way a driver has moved after a part of the time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """A motion in time: from start to stop in so many seconds, in rows that are equally spaced in time.
+
+    name      one of `LAWS`
+    rows      how many
+    start, stop, duration  symbols of the dimensions that say from where to where, and in what time
+    value     the driver's value over these three and the time, `TIME`
+    """
+
+    name: str
+    rows: int
+    start: str
+    stop: str
+    duration: str
+    value: Node
+
+
 @dataclass(frozen=True, slots=True)
 class Driver:
     """What is driven, and its values.
@@ -264,11 +289,15 @@ class Driver:
     joint              or the sliding joint whose displacement is given (then link and relative_to are "")
     symbol             theta12, or the joint's symbol
     start, stop, step  the sweep in internal units (stop is included when the steps land on it); or
-    values             the driver's values one by one
+    values             the driver's values one by one; or
+    law                how it moves in time
     unit               unit in which a person reads and writes the values: degrees, radians or the length unit
-    speed              its derivative by time [rad/s or length unit/s], over dimensions and the driver's symbol; the symbol
-                       of a dimension of its own where it is the same in every row; None where no rates are asked for
+    speed              its derivative by time [rad/s or length unit/s], over dimensions, the driver's symbol and the time of
+                       a law; the symbol of a dimension of its own where it is the same in every row; None where no rates
+                       are asked for
     acceleration       the second derivative, likewise
+    speeds, accelerations  one for each of `values`, where they are listed: then `speed` is their symbol
+    times              the times of `values`, where positions of a law are listed one by one
     """
 
     symbol: str
@@ -280,8 +309,17 @@ class Driver:
     stop: Quantity = 0.0
     step: Quantity = 0.0
     values: tuple[Quantity, ...] = ()
+    law: Law | None = None
     speed: Node | None = None
     acceleration: Node | None = None
+    speeds: tuple[Quantity, ...] = ()
+    accelerations: tuple[Quantity, ...] = ()
+    times: tuple[Quantity, ...] = ()
+
+    @property
+    def stepped(self) -> bool:
+        """Whether its rows follow each other by one step."""
+        return not self.values and self.law is None
 
 
 @dataclass(frozen=True, slots=True)
@@ -322,23 +360,34 @@ class Summary:
 
 @dataclass(frozen=True, slots=True)
 class ChartRequest:
-    """Curves of `y` against `x`, or (when `paths` is not empty) the paths of points at true scale."""
+    """Curves of `y` against `x`, or the paths of points at true scale, or those of the ends of their velocity vectors."""
 
     title: Words | None = None
     x: str = ""
     y: tuple[str, ...] = ()
     paths: tuple[str, ...] = ()
+    hodographs: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class TableRequest:
-    """A two-way table: the driver down (`rows`), a dimension across (`column` takes `columns`), `value` in the cells."""
+    """A two-way table: a dimension across (`column` takes `columns`), `value` in the cells.
+
+    rows        the driver's symbol: down go its values; or another dimension, which takes `row_values`: then `value` is
+                a summary of the sweep with these two dimensions
+    """
 
     rows: str
     column: str
     columns: tuple[Quantity, ...]
     value: str
     title: Words | None = None
+    row_values: tuple[Quantity, ...] = ()
+
+    @property
+    def of_summary(self) -> bool:
+        """Whether it shows a summary over two dimensions."""
+        return bool(self.row_values)
 
 
 @dataclass(frozen=True, slots=True)
@@ -411,6 +460,31 @@ class Mechanism:
         link = next((link for link in self.links if link.name == driver.link), None)
         own = link.angle_symbol if link and driver.relative_to == self.ground.name else driver.symbol
         return rate_symbols(own, not driver.joint)
+
+    @property
+    def given_by_row(self) -> tuple[str, ...]:
+        """Symbols that have a value in each row beside the driver's: the time of a law, listed speeds and accelerations."""
+        return (TIME,) if self.driver.law is not None else tuple(self.listed)[1:]
+
+    @property
+    def listed(self) -> dict[str, tuple[Quantity, ...]]:
+        """What is listed row by row: the driver's values, and what belongs to each of them; nothing where it steps."""
+        driver = self.driver
+        names = (driver.symbol, TIME, *self.driver_rates)
+        lists = (driver.values, driver.times, driver.speeds, driver.accelerations)
+        return {name: listed for name, listed in zip(names, lists, strict=True) if listed}
+
+    def given_unit(self, symbol: str) -> Unit | None:
+        """Of the driver, and of what has a value in each row beside it; None for all that equations say."""
+        driver = self.driver
+        if symbol == driver.symbol:
+            return driver.unit
+        if symbol not in self.given_by_row:
+            return None
+        if symbol == TIME:
+            return SECONDS
+        speed = (LENGTH if driver.joint else RAD).per_time()
+        return speed if symbol == self.driver_rates[0] else speed.per_time()
 
     @property
     def ground(self) -> Link:

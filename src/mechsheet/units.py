@@ -76,6 +76,7 @@ class Unit:
 DEG = Unit("angle", "deg", math.degrees(1.0))
 RAD = Unit("angle", "rad")
 NUMBER = Unit("number", "1")
+SECONDS = Unit("number", "s")
 ANGLE = Unit("angle")
 """An angle, shown as the mechanism shows angles."""
 LENGTH = Unit("length")

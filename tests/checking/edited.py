@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
-from mechsheet.checking.audit import Audit, audit
+from mechsheet.checking.edits import Edits, edits_of
 from mechsheet.checking.expected import expected_for
 from mechsheet.checking.inputs import description_in
 from mechsheet.compiled.evaluation import book_of, computed
@@ -82,12 +82,12 @@ def saved(workbook: Workbook, path: Path) -> Path:
     return path
 
 
-def audited(workbook: Workbook) -> Audit:
-    """What an audit finds, without a file and without values."""
+def audited(workbook: Workbook) -> Edits:
+    """What somebody edited, without a file and without values."""
     book = book_of(workbook)
     text = description_in(book)
     assert text is not None
-    return audit(book, expected_once(text))
+    return edits_of(book, expected_once(text))
 
 
 expected_once = lru_cache(maxsize=8)(lambda text: expected_for(text, "inside"))

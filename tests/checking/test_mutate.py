@@ -7,14 +7,14 @@ from edited import laid_out, saved
 
 from chosen import ALL, IN_CI
 from mechsheet.checking import mutate
-from mechsheet.checking.audit import audit
-from mechsheet.checking.damage import damages
+from mechsheet.checking.edits import edits_of
 from mechsheet.checking.expected import expected_for
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.formats import read
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import column_letters
+from mechsheet.formula.slips import damages
 
 
 def texts(formula, kind, names=()):
@@ -93,11 +93,11 @@ def test_survivors_are_told(yoke):
     assert data["damages"] == 3
 
 
-def test_an_audit_sees_every_kind_of_damage(yoke):
+def test_edits_show_every_kind_of_damage(yoke):
     """Not only those that change a value."""
     book = read(yoke)
     expected = expected_for(laid_out("scotch-yoke")[1].mechanism.text, "inside")
-    assert audit(book, expected).edits == ()
+    assert edits_of(book, expected).edits == ()
     for sheet in book.sheets:
         for block in sheet.blocks[:: 7 if IN_CI else 21]:
             for damage in damages(block.formula)[::12]:
@@ -105,7 +105,7 @@ def test_an_audit_sees_every_kind_of_damage(yoke):
                 damaged = replace(
                     book, sheets=[replace(one, blocks=others) if one is sheet else one for one in book.sheets]
                 )
-                assert audit(damaged, expected).edits, (sheet.title, block, damage)
+                assert edits_of(damaged, expected).edits, (sheet.title, block, damage)
 
 
 def test_a_workbook_without_description(tmp_path):

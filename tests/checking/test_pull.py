@@ -7,8 +7,8 @@ import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 
 from chosen import first
-from mechsheet.checking.audit import same
 from mechsheet.checking.changes import input_places
+from mechsheet.checking.edits import same
 from mechsheet.checking.expected import expected_for
 from mechsheet.checking.perturb import drawn
 from mechsheet.checking.pull import pull

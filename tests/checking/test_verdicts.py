@@ -99,7 +99,7 @@ def test_the_search_knows_a_crank_slider():
     compiled, _ = built("slider-crank")
     mechanism = compiled.mechanism
     dimensions = tuple(replace(dim, value=0.0) if dim.symbol == "a1" else dim for dim in mechanism.dimensions)
-    search = Search(replace(mechanism, dimensions=dimensions), compiled.equations, compiled.driver)
+    search = Search(replace(mechanism, dimensions=dimensions), compiled.equations, compiled.given)
     low, _, high, _ = search.extremes("s14")
     crank = next(dim.value for dim in mechanism.dimensions if dim.symbol == "a2")
     assert high - low == pytest.approx(2 * crank, rel=1e-9)

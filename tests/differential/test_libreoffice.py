@@ -96,3 +96,21 @@ def test_velocities_and_their_dead_centre(tmp_path):
         "libreoffice",
     ]
     assert report.agrees, report
+
+
+def test_a_motion_law_with_arrows_and_a_hodograph(tmp_path):
+    """LibreOffice computes time, driver, velocities, the arrows of the drawing and the hodograph as the engine does."""
+    text = (
+        'format = 1\n[mechanism]\nname = "law"\n[dimensions]\na1 = 80\na2 = 35\na3 = 70\na4 = 60\n'
+        '[links.ground]\npoints = { A0 = [0, 0], B0 = ["a1", 0] }\n[links.crank]\npoints = { A0 = [0, 0], A = ["a2", 0] }\n'
+        '[links.coupler]\npoints = { A = [0, 0], B = ["a3", 0], C = [35, 20] }\nmass = 2\ncenter = "C"\n'
+        '[links.rocker]\npoints = { B0 = [0, 0], B = ["a4", 0] }\n[driver]\nlink = "crank"\nstart = 30\nstop = 150\n'
+        'motion = { law = "polynomial", duration = 0.7, rows = 9 }\n[[charts]]\nhodographs = ["C"]\n'
+        "[assembly]\nB = [80, 60]\n"
+    )
+    path = tmp_path / "law.toml"
+    path.write_text(text, encoding="utf-8")
+    report = check(path, "libreoffice")
+    assert [each.judge for each in report.comparisons] == ["stored values", "reference", "search", "libreoffice"]
+    assert report.agrees, report
+    assert report.comparisons[-1].worst < 1e-12

@@ -12,9 +12,10 @@ from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.dynamics.solve import solve
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, driver_values
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
 

@@ -9,7 +9,7 @@ from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book, evaluate
 from mechsheet.engine.fast.recurrence import Held, RunningSum, Unwrapped, recognise
 from mechsheet.engine.kernels.table import KERNELS
-from mechsheet.engine.ordering.cell_by_cell import Together
+from mechsheet.engine.ordering.row_by_row import RowByRow
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue, Symbol, shifted
 from mechsheet.formula.parser import parse_formula
@@ -91,7 +91,7 @@ def test_a_long_recurrence_is_an_array_operation():
 def test_columns_that_read_each_other():
     """Fibonacci's and Lucas's numbers, each from the other's previous row."""
     plan = compile_book(book({"A": [1.0], "B": [0.0]}, {"A2:A9": "A1+B1", "B2:B9": "A1"}))
-    assert any(isinstance(step, Together) for step in plan.steps)
+    assert any(isinstance(step, RowByRow) for step in plan.steps)
     for _ in range(2):
         assert column(plan.evaluate(), "A", 1, 9) == [1, 1, 2, 3, 5, 8, 13, 21, 34]
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from mechsheet.description import load
-from mechsheet.kinematics.solve import solve
+from mechsheet.dynamics.solve import solve
 from mechsheet.library.show import cells_of_workbook, equations_text
 from mechsheet.sheet.layout import lay_out
 

@@ -11,9 +11,10 @@ from in_line import IN_LINE
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import dimension_values, solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import rate_symbols
 from random_mechanisms import Grower

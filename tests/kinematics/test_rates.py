@@ -14,8 +14,9 @@ from chosen import ALL, some
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import dimension_values, solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
 

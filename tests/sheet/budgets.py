@@ -27,7 +27,7 @@ FOUR_BAR = {("sheets", "names"): 1_595, ("sheets", "anchors"): 1_620, ("page", "
 """Formulas of a four-bar of 25 rows. Its template has anchors: there a constant is a cell, a named one is typed in."""
 
 FOUR_BAR_COLUMNS = {"sheets": 19, "page": 15}
-ALL = 105_500
+ALL = 136_000
 """Formulas of all templates together, as they are described."""
 
 BESIDE, SHARE = 500, 2.5
@@ -35,6 +35,8 @@ BESIDE, SHARE = 500, 2.5
 
 A_PASS = 10
 """Columns of a pass of Newton's method for each unknown."""
+MOVED, LOADED = 2, 1.5
+"""And so many times those of Rates and of Forces: velocities have their own checks, forces a column for both efforts."""
 
 LARGE_BESIDE_FEW_ROWS = {"fivelink": 760, "adjustable-pump": 650, "cylinder-boom": 780, "peaucellier": 810}
 """Of 19 to 37 rows: what does not grow with the rows (drawing, extremes) is about half."""
@@ -56,9 +58,11 @@ class Size:
     table       those of the table of positions
     iterations  those of the sheet of Newton's method, which the other numbers leave out
     rates       those of the sheet of velocities and accelerations
+    forces      those of the sheet of forces
     columns     columns of that table
     longest     characters of its longest formula; outputs, which are as long as the description has them, left out
-    elsewhere   characters of the longest formula of the other sheets, and on a page beside the table; no two-way tables
+    elsewhere   characters of the longest formula of the other sheets, and on a page beside the table; no two-way tables, and
+                no virtual work, which has a term for every load
     ifs         how deep IF stands in IF in the table
     """
 
@@ -67,6 +71,7 @@ class Size:
     table: int
     rates: int
     iterations: int
+    forces: int
     columns: int
     longest: int
     elsewhere: int
@@ -99,13 +104,15 @@ def size_of(found: Compiled) -> Size:
     two_way = [sheet for sheet in sheets if sheet.title.startswith(plan.text("sheet.table"))]
     fills = [(sheet, fill) for sheet in sheets if sheet not in two_way for fill in sheet.fills]
     table = [fill for sheet, fill in fills if _in_table(plan, sheet, fill)]
-    others = [fill for sheet, fill in fills if not _in_table(plan, sheet, fill)]
+    work = {(plan.at.spots[symbol].sheet, plan.at.spots[symbol].col) for symbol in found.equations.efforts[1:]}
+    others = [fill for sheet, fill in fills if not _in_table(plan, sheet, fill) and (sheet.title, fill.col) not in work]
     return Size(
         cells=sum(map(cells, sheets)),
         two_way=sum(map(cells, two_way)),
         table=sum(fill.rows * fill.cols for fill in table),
         rates=sum(cells(sheet) for sheet in sheets if sheet.title == plan.at.titles.get("rates")),
         iterations=sum(map(cells, iterations)),
+        forces=sum(cells(sheet) for sheet in sheets if sheet.title == plan.at.titles.get("forces")),
         columns=len(plan.columns),
         longest=max(length(fill) for fill in table if fill.col not in outputs),
         elsewhere=max(map(length, others)),

@@ -11,6 +11,8 @@ from budgets import (
     IN_TABLE,
     KILOBYTES,
     LARGE_BESIDE_FEW_ROWS,
+    LOADED,
+    MOVED,
     ROOT,
     SHARE,
     TEMPLATES,
@@ -38,8 +40,9 @@ def test_all_templates():
 def test_cells_beside_the_table(name):
     size = size_of(compiled(name))
     assert size.rates <= 1.5 * size.table
-    # velocities and accelerations have their own checks: not more cells than they themselves
-    most = SHARE * size.table + 2 * size.rates + LARGE_BESIDE_FEW_ROWS.get(name, BESIDE)
+    assert size.forces <= 2.5 * size.table
+    beside = LARGE_BESIDE_FEW_ROWS.get(name, BESIDE)
+    most = SHARE * size.table + MOVED * size.rates + LOADED * size.forces + beside
     assert size.cells - size.two_way <= most
 
 

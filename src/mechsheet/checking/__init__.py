@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.checking.audit import audit
 from mechsheet.checking.baseline import Baseline, read_baseline
 from mechsheet.checking.cells import compare_cells
+from mechsheet.checking.edits import edits_of
 from mechsheet.checking.expected import expected_for, functions_in, inside
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.inserted_rows import MovedValues
@@ -133,7 +133,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
     else:
         work.say("looking for edits")
         expected = expected_for(text, inside(shown), functions_in(book))
-        found = audit(book, expected)
+        found = edits_of(book, expected)
         edits = found.edits
         work.say("solving")
         placed = MovedValues(values, found.moves) if found.moves else values

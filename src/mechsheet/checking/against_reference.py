@@ -58,10 +58,14 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
             if symbol in plan.at.spots and plan.equations.of(symbol).role in RESULTS:
                 _expect_nothing(plan, tally, symbol, _column(plan, values, symbol), mask)
         return tally.result(), [*inputs.remarks, NOWHERE]
-    solution = reference.solve(mechanism, inputs.dimensions, start=start, values=inputs.driver)
+    by_law = mechanism.driver.law is not None  # the reference has laws of its own
+    solution = reference.solve(
+        _with_listed_rates(mechanism, inputs), inputs.dimensions, start=start,
+        values=None if by_law else inputs.given[mechanism.driver.symbol],
+    )  # fmt: skip
     beyond = np.zeros(plan.rows, dtype=bool)
     if equations is not None:
-        solution, beyond = _reached(solution, changed, equations, inputs.driver)
+        solution, beyond = _reached(solution, changed, equations, inputs.given[mechanism.driver.symbol])
     tally = Tally("reference")
     known = _Known(plan, values)
     steep = Steepness(plan, known)
@@ -78,6 +82,13 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
         else:
             _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol), beyond)
     return tally.result(), list(inputs.remarks)
+
+
+def _with_listed_rates(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
+    """The mechanism with the speeds and accelerations that stand in the cells."""
+    speeds, accelerations = (tuple(inputs.given[name].tolist()) if name in inputs.given else ()
+                             for name in mechanism.driver_rates)  # fmt: skip
+    return replace(mechanism, driver=replace(mechanism.driver, speeds=speeds, accelerations=accelerations))
 
 
 RESULTS = ("variable", "point", "rate", "force", "output")
@@ -167,7 +178,8 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array], efforts: tu
 def _judged(plan: Plan) -> list[str]:
     fixed = [f"{point}.{axis}" for point in plan.mechanism.ground.points for axis in "xy"]
     columns = [equation.symbol for equation in plan.equations.columns if equation.role in RESULTS]
-    judged = list(dict.fromkeys([plan.mechanism.driver.symbol, *fixed, *columns]))
+    given = (plan.mechanism.driver.symbol, *plan.mechanism.given_by_row)
+    judged = list(dict.fromkeys([*given, *fixed, *columns]))
     return [symbol for symbol in judged if symbol in plan.at.spots]
 
 
@@ -204,15 +216,16 @@ def _compare_column(
 ) -> None:
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
-    unit = plan.equations.of(symbol).unit.kind if symbol != plan.mechanism.driver.symbol else ""
-    is_angle = unit == "angle" or (unit == "" and plan.mechanism.driver.unit.kind == "angle")
-    scale = solution.size if output is None or unit == "length" else 1.0
+    own = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
+    unit, is_angle = own.kind, own.kind == "angle" and not own.per
+    of_length = unit == "length" or (output is None and symbol not in plan.mechanism.given_by_row)
+    scale = solution.size if of_length else 1.0
     with np.errstate(invalid="ignore"):
         gap = ours - theirs
         if is_angle:
             gap = np.remainder(gap + math.pi, math.tau) - math.pi
         else:
-            gap = gap / (scale if output is None or unit == "length" else np.maximum(1.0, np.abs(theirs)))
+            gap = gap / (scale if of_length else np.maximum(1.0, np.abs(theirs)))
     apart = np.abs(gap)
     fine = np.isnan(ours) & np.isnan(theirs)
     # in a row that does not exist, the sheet goes on with what does not depend on the group that comes apart
@@ -268,12 +281,14 @@ def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array
 
 def _changed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
     """The mechanism with what has been typed into the cells."""
+    values = tuple(inputs.given[mechanism.driver.symbol].tolist())
+    listed = replace(mechanism, driver=replace(mechanism.driver, values=values))
     return replace(
         mechanism,
         dimensions=tuple(
             dim if dim.derived else replace(dim, value=inputs.dimensions[dim.symbol]) for dim in mechanism.dimensions
         ),
-        driver=replace(mechanism.driver, values=tuple(float(value) for value in inputs.driver)),
+        driver=mechanism.driver if mechanism.driver.law is not None else _with_listed_rates(listed, inputs).driver,
     )
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from mechsheet.checking.audit import same
+from mechsheet.checking.edits import same
 from mechsheet.checking.expected import Expected
 from mechsheet.checking.report import text_of
 from mechsheet.diagnostics import Fault, WorkbookError
@@ -14,11 +14,12 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.sheet.plan import TOLERANCE, VALUE
-from mechsheet.sheet.table.two_way import table_sheets
+from mechsheet.sheet.table.requested import tables_of
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),
-("driver", "speed"), ("driver", "values", 3), ("tables", 0, 2), ("links", "crank", "mass"), ("loads", 0, "force", 1)."""
+("driver", "speed"), ("driver", "speed", 3), ("driver", "motion", "duration"), ("driver", "values", 3),
+("tables", 0, "columns", 2), ("tables", 0, "rows", 1), ("links", "crank", "mass"), ("loads", 0, "force", 1)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,13 +38,15 @@ class Change:
                 return f"tolerance of {symbol}"
             case ("driver", "values", int(index)):
                 return f"driver value {index + 1}"
-            case ("tables", int(table), int(column)):
-                return f"column {column + 1} of table {table + 1}"
+            case ("driver", str(key), int(index)):
+                return f"{key} {index + 1} of the driver"
+            case ("tables", int(table), str(heads), int(index)):
+                return f"{heads.removesuffix('s')} {index + 1} of table {table + 1}"
             case ("links", str(link), str(key), *part):
                 return f"{key} of {link}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
             case ("loads", int(number), str(key), *part):
                 return f"{key} of load {number + 1}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
-        return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[1]} of the driver"
+        return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[-1]} of the driver"
 
 
 def changes_in(book: Book, expected: Expected, shown: str) -> list[Change]:
@@ -97,30 +100,23 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
         for key in ("start", "step"):
             if isinstance(getattr(mechanism.driver, key), float):
                 yield ("driver", key), (plan.main, plan.blocks["sweep"].rows[key], VALUE)
-    for index, value in enumerate(mechanism.driver.values):
-        if isinstance(value, float):
-            yield (
-                ("driver", "values", index),
-                (plan.table, plan.at.first + index, plan.at.spots[mechanism.driver.symbol].col),
-            )
+    kept = dict(zip(mechanism.driver_rates, ("speed", "acceleration"), strict=True))
+    for symbol, listed in mechanism.listed.items():
+        for index, value in enumerate(listed):
+            if isinstance(value, float):
+                yield (
+                    ("driver", kept.get(symbol, "values"), index),
+                    (plan.table, plan.at.first + index, plan.at.spots[symbol].col),
+                )
     yield from _table_places(expected)
 
 
 def _table_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]]]:
-    """The heads of the two-way tables: the input cells of their sheets, from left to right."""
-    requests = expected.plan.mechanism.tables
+    """The heads of the two-way tables: the input cells of their sheets, from left to right, then downwards."""
     if expected.plan.mechanism.layout == "page":  # which has no tables
         return
-    for table, (sheet, request) in enumerate(zip(table_sheets(expected.plan), requests, strict=True)):
-        cells = sorted(
-            (cell.row, cell.col) for cell in sheet.cells if cell.content is not None and not cell.style.locked
-        )
-        heads = [cell for cell in cells if isinstance(_content(expected, sheet.title, cell), float | int)]
-        given = [index for index, quantity in enumerate(request.columns) if isinstance(quantity, float)]
-        for index, (row, col) in zip(given, heads, strict=True):
-            yield ("tables", table, index), (sheet.title, row, col)
-
-
-def _content(expected: Expected, title: str, cell: tuple[int, int]) -> Scalar:
-    sheet = expected.book.sheet(title)
-    return None if sheet is None else sheet.constants.get(*cell)
+    for index, table in enumerate(tables_of(expected.plan)):
+        for heads, quantities, cells in table.heads():
+            for number, (quantity, cell) in enumerate(zip(quantities, cells, strict=True)):
+                if isinstance(quantity, float):
+                    yield ("tables", index, heads, number), (table.title, *cell)

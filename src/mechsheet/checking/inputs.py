@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,8 @@ from mechsheet.description import loads
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
+from mechsheet.kinematics.driving import given_values
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.plan import VALUE, Plan
 
@@ -43,11 +45,12 @@ def plan_inside(text: str, shown: str) -> Plan:
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """What a person has typed into a workbook: dimensions and modes by symbol, the driver's values (internal units)."""
+    """What a person has typed into a workbook: dimensions and modes by symbol, and what is given row by row, as of
+    `given_values` (internal units)."""
 
     dimensions: Mapping[str, float]
     modes: Mapping[str, int]
-    driver: Array
+    given: Mapping[str, Array]
     remarks: tuple[str, ...] = field(default=())
 
 
@@ -80,9 +83,11 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
         faults.append(Fault(f"{symbol} {message}, not {value}", shown, key=cell))
 
     dimensions = {dim.symbol: number(dim.symbol) for dim in plan.mechanism.dimensions if not dim.derived}
+    law = plan.mechanism.driver.law
     for symbol in plan.equations.positive:
         if dimensions.get(symbol, 1.0) <= 0:
-            wrong(symbol, "is the distance of two joints and must be greater than 0")
+            what = "is the time of the motion" if law and symbol == law.duration else "is the distance of two joints"
+            wrong(symbol, f"{what} and must be greater than 0")
     modes: dict[str, int] = {}
     for group in plan.equations.groups:
         if group.mode:
@@ -96,23 +101,35 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
                 remarks.append(
                     f"{group.mode} is {modes[group.mode]:+d}; the description's sketch means {group.mode_value:+d}"
                 )
-    driver = _driver_column(plan, values, faults, shown)
+    given = {} if faults else _given(plan, values, dimensions, faults, shown)
     if faults:
         raise WorkbookError(faults)
-    return Inputs(dimensions, modes, driver, tuple(remarks))
+    return Inputs(dimensions, modes, given, tuple(remarks))
 
 
-def _driver_column(plan: Plan, values: Any, faults: list[Fault], shown: str) -> Array:
-    """The driver's values from start and step, as cells have them (or from the listed cells)."""
-    driver = plan.mechanism.driver
+def _given(
+    plan: Plan, values: Any, dimensions: Mapping[str, float], faults: list[Fault], shown: str
+) -> dict[str, Array]:
+    """What is given row by row: from start and step as cells have them, from the listed cells, or by the motion law."""
+    mechanism, driver = plan.mechanism, plan.mechanism.driver
+    if driver.law is not None:
+        known = tuple(
+            dim if dim.derived else replace(dim, value=dimensions[dim.symbol]) for dim in mechanism.dimensions
+        )
+        return given_values(mechanism, dimension_values(replace(mechanism, dimensions=known)))
     if driver.values:
-        cells = values.column(plan.table, plan.at.spots[driver.symbol].col, plan.at.first, plan.at.last)
+        found = {}
+        for symbol in (driver.symbol, *mechanism.given_by_row):
+            spot = plan.at.spots[symbol]
+            cells = values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)
+            found[symbol] = np.array([cell if isinstance(cell, float) else math.nan for cell in cells])
     else:
         start, step = (values.get(plan.main, plan.at.spots[key].row, VALUE) for key in ("#start", "#step"))
         numbers = isinstance(start, float) and isinstance(step, float)
-        cells = [start + n * step for n in range(plan.rows)] if numbers else [None]
-    if not all(isinstance(cell, float) for cell in cells):
-        faults.append(Fault("the driver's values are not all numbers", shown, key=plan.table))
-        return np.zeros(0)
-    found = np.array(cells, dtype=float)
-    return driver.unit.to_internal(found)
+        found = {driver.symbol: start + np.arange(plan.rows) * step if numbers else np.array([math.nan])}
+    for symbol, column in found.items():
+        if not np.isfinite(column).all():
+            what = "the driver's values" if symbol == driver.symbol else f"the values of {symbol}"
+            faults.append(Fault(f"{what} are not all numbers", shown, key=plan.table))
+    found[driver.symbol] = driver.unit.to_internal(found[driver.symbol])
+    return found

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.checking.audit import audit
 from mechsheet.checking.cells import Angles, angles_in
-from mechsheet.checking.damage import Damage, damages
+from mechsheet.checking.edits import edits_of
 from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.perturb import description_or_fault, workbook_of
 from mechsheet.checking.report import TOLERANCE
@@ -24,6 +23,7 @@ from mechsheet.formula.book import Block, Book, BookSheet
 from mechsheet.formula.nodes import shifted
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
+from mechsheet.formula.slips import Damage, damages
 
 TRIES = 60
 """Damages that change no value are drawn again so often for each one wanted."""
@@ -212,7 +212,7 @@ class _Run:
             "=" + print_formula(damaged.formula),
             not self._is_clear(values),
             reference,
-            reference or bool(audit(book, self.expected).edits),
+            reference or bool(edits_of(book, self.expected).edits),
         )
 
     def _is_clear(self, values: Any) -> bool:

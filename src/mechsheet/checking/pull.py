@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from mechsheet.checking.audit import same
 from mechsheet.checking.changes import Change, changes_in, input_places
+from mechsheet.checking.edits import same
 from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.inserted_rows import moves_between, undone
 from mechsheet.checking.perturb import description_or_fault
@@ -140,10 +140,11 @@ def _what(expected: Expected, change: Change) -> object:
         case ("driver", *_):
             driver = mechanism.driver
             return (driver.symbol, driver.unit, driver.link, driver.joint, plan.rows)
-        case ("tables", int(table), int()):
+        case ("tables", int(table), str(heads), int()):
             request = mechanism.tables[table]
-            unit = [dim.unit for dim in mechanism.dimensions if dim.symbol == request.column]
-            return (request.column, unit, len(request.columns))
+            down = heads == "rows"
+            symbol, values = (request.rows, request.row_values) if down else (request.column, request.columns)
+            return (symbol, [dim.unit for dim in mechanism.dimensions if dim.symbol == symbol], len(values))
     return None
 
 
@@ -179,9 +180,9 @@ def _with_change(source: Source, change: Change) -> Source:
         case ("tolerance", str(symbol)):
             path = ("dimensions", symbol, "tolerance")
             return without_key(source, path) if change.now is None else with_number(source, path, change.now)
-        case ("tables", int(table), int(index)):
-            columns = source.data["tables"][table]["columns"]
-            return with_number(source, ("tables", table, "columns", next(iter(columns)), index), _given(change))
+        case ("tables", int(table), str(heads), int(index)):
+            symbol = next(iter(source.data["tables"][table][heads]))
+            return with_number(source, ("tables", table, heads, symbol, index), _given(change))
     return with_number(source, change.key, _given(change))
 
 
@@ -193,7 +194,8 @@ def _given(change: Change) -> float:
 
 def _with_stop(source: Source, changes: Sequence[Change], target: Expected) -> Source:
     """With the stop of the sweep where the workbook's last row is now: a workbook keeps its number of rows."""
-    if not any(change.key[0] == "driver" and len(change.key) == 2 for change in changes):
+    stepped = target.plan.mechanism.driver.stepped
+    if not stepped or not any(change.key[0] == "driver" and len(change.key) == 2 for change in changes):
         return source
     rows = target.plan.rows
     start, stop, step = _sweep(target.plan.mechanism, ())

@@ -18,6 +18,9 @@ from mechsheet.checking.verdicts import against_search
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.table.requested import tables_of
+from mechsheet.sheet.table.summary_table import SummaryTable
+from mechsheet.sheet.table.two_way import FIRST
 
 Find = Callable[[str, int, int], Scalar]
 """The value of a cell by sheet, row and column."""
@@ -27,7 +30,8 @@ UNMOVED = Moves(())
 
 
 class Searched:
-    """Cells that a search in the sheet decides: the probes on the sheet of extremes, verdicts and summaries on the first."""
+    """Cells that a search in the sheet decides: the probes on the sheet of extremes and below the rows of tables
+    of summaries, what these show, verdicts and summaries on the first sheet."""
 
     def __init__(self, plan: Plan, moves: Moves) -> None:
         self.main, extremes = moves.now(plan.main), plan.at.titles["extremes"]
@@ -36,15 +40,30 @@ class Searched:
         rows.append(plan.at.spots["#verdict"].row)
         moved = moves.of(self.main).rows
         self.rows = {moved.now(row) for row in rows}
+        self.tables: dict[str, tuple[int, int, int]] = {}
+        for table in tables_of(plan) if extremes != plan.main else ():
+            if isinstance(table, SummaryTable):
+                title = moves.now(table.title)
+                rows_now = moves.of(title).rows
+                first, last, end = (rows_now.now(row) for row in (FIRST, table.last, table.rows_end))
+                if first is not None and last is not None and end is not None:
+                    self.tables[title] = (first, last, end)
 
     def has(self, sheet: str, row: int) -> bool:
         """Whether the cells of a row are verdicts or summaries."""
+        if sheet in self.tables:
+            return row >= self.tables[sheet][0]
         return sheet == self.main and row in self.rows
 
     def compared(self, sheet: str, row: int) -> Compared:
         """What may be compared cell by cell: of a verdict only whether there is one, of a probe nothing."""
         if sheet == self.sheet:
             return "nothing"
+        if sheet in self.tables:
+            first, last, rows_end = self.tables[sheet]
+            if row > rows_end:
+                return "nothing"
+            return "error" if first <= row <= last else "value"
         return "error" if self.has(sheet, row) else "value"
 
 

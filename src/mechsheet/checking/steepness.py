@@ -72,6 +72,8 @@ class Steepness:
             return np.ones(self.plan.rows)
         size = solution.size or 1.0
         speed, acceleration = (np.abs(found[name]) for name in mechanism.driver_rates)
+        if mechanism.given_by_row:  # the driver may come to rest: measured by what it does elsewhere
+            speed, acceleration = (np.full(self.plan.rows, np.nanmax(each)) for each in (speed, acceleration))
         if mechanism.driver.joint:
             speed, acceleration = speed / size, acceleration / size
         rate = (np.ones(self.plan.rows), speed, speed**2 + acceleration)[equation.unit.per]

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.report import Comparison, Tally
 from mechsheet.checking.searched_verdicts import SearchedVerdicts
+from mechsheet.checking.summary_tables import judge_tables
 from mechsheet.checking.undefined_dimensions import missing_dimensions
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
@@ -47,21 +48,31 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
     """
     mechanism = plan.mechanism
     inputs = inputs_in(book, values, plan, shown)
-    if missing_dimensions(mechanism, inputs.dimensions):
-        return None
-    dimensions = tuple(
-        dim if dim.derived else replace(dim, value=inputs.dimensions[dim.symbol]) for dim in mechanism.dimensions
-    )
     equations = plan.equations.equations
     groups = tuple(
         replace(group, assembly=group.assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
         for group in equations.groups
     )
-    search = Search(
-        replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.driver,
-        stepped=not (mechanism.driver.values or plan.newton),
-    )  # fmt: skip
-    return _Judge(values, plan, search).result()
+
+    def search(other: Mapping[str, float]) -> Search | None:
+        given = {**inputs.dimensions, **other}
+        if missing_dimensions(mechanism, given):
+            return None
+        dimensions = tuple(
+            dim if dim.derived else replace(dim, value=given[dim.symbol]) for dim in mechanism.dimensions
+        )
+        return Search(
+            replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.given,
+            stepped=not (mechanism.driver.values or plan.newton),
+        )  # fmt: skip
+
+    found = search({})
+    if found is None:
+        return None
+    judge = _Judge(values, plan, found)
+    if mechanism.layout == "sheets":
+        judge_tables(values, plan, judge.tally, search)
+    return judge.result()
 
 
 class _Judge:
@@ -80,7 +91,9 @@ class _Judge:
         self._number("inputs", [0.0])
         self._number("rows_closed", [float(self.search.count)])
         for loop in self.plan.found.four_bars:
-            self._number(f"grashof_{loop.group}", [self.searched.grashof(loop)], 1e-8 * self.search.size)
+            # of inputs that cannot be nothing is said
+            excess = [] if self._inputs_wrong() else [self.searched.grashof(loop)]
+            self._number(f"grashof_{loop.group}", excess, 1e-8 * self.search.size)
         for group in self.plan.found.transmission:
             self._transmission(group)
         if not self.page:
@@ -144,6 +157,10 @@ class _Judge:
             nearest = float(min(expected, key=lambda one: abs(one - found)))
             apart = float(EXACT * abs(found - nearest) / allowed)
         self._note(key, apart, nearest)
+
+    def _inputs_wrong(self) -> bool:
+        wrong = self._found("inputs")
+        return isinstance(wrong, float) and wrong > 0
 
     def _warns(self, key: str, expected: bool) -> None:
         found = self._found(key)

@@ -12,6 +12,7 @@ import click
 from mechsheet import __version__
 from mechsheet.diagnostics import MechsheetError, near_miss
 
+from .audit import audit
 from .build import build
 from .check import check
 from .common import in_options
@@ -73,5 +74,5 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show, export, schema, pull):
+for command in (new, build, check, recalc, plot, show, export, schema, pull, audit):
     main.add_command(command)

@@ -17,8 +17,11 @@ from .common import Changes, at_lines_of, change_options, described, output_file
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @output_option("File to write: .svg, .png, .gif or .html.")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the picture.")
+@click.option("--vectors", is_flag=True, help="Velocities, accelerations and joint forces as arrows.")
 @change_options
-def plot(description: Path, at: float | None, output: str | None, language: str | None, **changes: Any) -> None:
+def plot(
+    description: Path, at: float | None, output: str | None, language: str | None, vectors: bool, **changes: Any
+) -> None:
     """Draw the mechanism: a picture, an animation, or a web page with a slider.
 
     \b
@@ -26,6 +29,7 @@ def plot(description: Path, at: float | None, output: str | None, language: str 
     mechsheet plot four-bar.toml --at 60 -o fb.png     a picture
     mechsheet plot four-bar.toml -o fb.gif             an animation of the sweep
     mechsheet plot four-bar.toml -o fb.html            one page: slider, play button, curves
+    mechsheet plot engine.toml --at 60 --vectors       velocities and forces as arrows
 
     Pictures and animations need matplotlib: pip install 'mechsheet[plot]'
     """
@@ -35,5 +39,5 @@ def plot(description: Path, at: float | None, output: str | None, language: str 
     path = output_file(output, f"{mechanism.stem}.svg", (description,))
     with progress(description.name) as say, at_lines_of(mechanism, description), folder_ready(output):
         say("drawing")
-        draw(mechanism, path, at)
+        draw(mechanism, path, at, vectors=vectors)
     say_written([path])

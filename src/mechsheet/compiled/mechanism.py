@@ -12,9 +12,10 @@ from mechsheet.compiled.evaluation import computed
 from mechsheet.dynamics.flywheel import Flywheel, flywheel
 from mechsheet.dynamics.solve import solve
 from mechsheet.formula.nodes import Scalar
+from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_values, driver_values
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
@@ -47,14 +48,19 @@ class Compiled:
         return {group.mode: group.mode_value for group in self.equations.groups if group.mode}
 
     @cached_property
+    def given(self) -> Mapping[str, Array]:
+        """Of every row the driver's value, and what is given beside it: the time of a motion law, listed speeds."""
+        return given_values(self.mechanism, dimension_values(self.mechanism))
+
+    @property
     def driver(self) -> Array:
         """The driver's values [rad or length unit]."""
-        return driver_values(self.mechanism, dimension_values(self.mechanism))
+        return self.given[self.mechanism.driver.symbol]
 
     @cached_property
     def values(self) -> Mapping[str, Array]:
         """Every symbol's values over the sweep, in internal units; NaN where a position does not exist."""
-        return sweep(self.mechanism, self.equations, self.driver)
+        return sweep(self.mechanism, self.equations, self.given)
 
     @cached_property
     def flywheel(self) -> Flywheel | None:

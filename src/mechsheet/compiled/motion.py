@@ -12,7 +12,8 @@ SHOWN_ROLES = ("variable", "point", "rate", "force", "output")
 
 
 def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
-    """Driver, variables, points, rates, forces and outputs, row by row; the unit of each: "°", "mm", "" for a plain number.
+    """Driver (with the time of a motion law, with listed speeds), variables, points, rates, forces and outputs, row by row;
+    the unit of each: "°", "mm", "" for a plain number.
 
     Angles are continuous; NaN in rows in which some group cannot be joined; no rates at dead centres. Raises MechanismError.
     """
@@ -22,6 +23,9 @@ def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
         mechanism.driver.symbol: np.array([unit.written(float(value)) for value in compiled.driver])
     }
     units = {mechanism.driver.symbol: unit.text}
+    for symbol in mechanism.given_by_row:
+        columns[symbol] = compiled.given[symbol]
+        units[symbol] = mechanism.shown(mechanism.given_unit(symbol) or unit).text
     for equation in compiled.equations.columns:
         symbol = equation.symbol
         if equation.role not in SHOWN_ROLES or symbol in columns:

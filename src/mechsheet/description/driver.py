@@ -102,6 +102,8 @@ def _values(data: dict[str, Any], kind: str, scope: Scope) -> tuple[Quantity, Qu
         values = tuple(scope.quantity(value, kind, (*path, place)) for place, value in enumerate(given))
         return 0.0, 0.0, 0.0, values
     start, stop, step = (scope.quantity(data.get(key, BAD), kind, ("driver", key)) for key in ("start", "stop", "step"))
+    if "motion" in data:
+        return start, stop, 0.0, ()
     check_sweep(scope.number(start), scope.number(stop), scope.number(step), data, scope)
     return start, stop, step, ()
 

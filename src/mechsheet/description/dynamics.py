@@ -39,13 +39,6 @@ METRES = {"mm": 0.001, "cm": 0.01, "dm": 0.1, "m": 1.0}
 """Length unit -> metres: with these masses are in kg and forces in N."""
 
 
-def check_layout(layout: str, scope: Scope) -> None:
-    """The layout page has no forces."""
-    if layout == "page" and scope.forces:
-        message = "masses and loads need sheets of their own, which the layout page does not have"
-        scope.report.at(("workbook", "layout"), message, 'write layout = "sheets"')
-
-
 def read(
     bodies: dict[str, Any], given: dict[str, Any], loads: list[Any], links: tuple[Link, ...], scope: Scope
 ) -> tuple[Dynamics | None, tuple[Dimension, ...]]:

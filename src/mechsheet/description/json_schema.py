@@ -102,7 +102,7 @@ def _table(table: Table) -> Json:
 
 def _whole(way: tuple[str, ...], ways: tuple[tuple[str, ...], ...]) -> Json:
     """All keys of one way, none of the others."""
-    others = [name for other in ways if other != way for name in other]
+    others = [name for other in ways if other != way for name in other if name not in way]
     return {"required": list(way), "not": {"anyOf": [{"required": [name]} for name in others]}}
 
 

@@ -5,15 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from mechsheet.description import motion_laws
 from mechsheet.description.force_names import OF_MOTION
 from mechsheet.description.index import Path
+from mechsheet.description.kinds import ANY
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk
-from mechsheet.model import POINT_RATES, Dimension, Driver, Joint, Link, Quantity, rate_symbols
+from mechsheet.model import POINT_RATES, Dimension, Driver, Joint, Law, Link, Quantity, rate_symbols
 from mechsheet.units import RAD, Unit
 
 _SIXTIETH = al.div(al.PI, al.number(30.0))
@@ -33,6 +35,9 @@ class Motion:
     speed: Node
     acceleration: Node
     dimensions: tuple[Dimension, ...]
+    law: Law | None = None
+    speeds: tuple[Quantity, ...] = ()
+    accelerations: tuple[Quantity, ...] = ()
 
 
 def declare(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None, data: Any, scope: Scope) -> None:
@@ -42,9 +47,11 @@ def declare(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver |
     if driver is not None:
         names |= dict.fromkeys(_names(links, driver), driver.symbol)
     scope.rates = dict.fromkeys(names)
-    scope.moves = isinstance(data, dict) and "speed" in data
+    scope.moves = isinstance(data, dict) and ("speed" in data or "motion" in data)
     if not scope.moves:
         return
+    if "motion" in data:
+        motion_laws.declare(data, scope)
     for name, of in names.items():
         scope.symbols.claim(name, f"rate of {of}", ("driver", "speed"), "rename it: the driver has a speed")
     for joint in joints:
@@ -66,6 +73,10 @@ def motion(data: dict[str, Any], links: tuple[Link, ...], driver: Driver, scope:
             scope.report.at(("driver", "acceleration"), "goes with `speed`", "a driver at rest has speed = 0")
         return None
     names = _names(links, driver)
+    if "motion" in data:
+        units = (_unit("speed", driver, scope), _unit("acceleration", driver, scope))
+        timed = motion_laws.read(data, driver, names, units, scope)
+        return None if timed is None else Motion(timed.speed, timed.acceleration, timed.dimensions, timed.law)
     speed, cells = _rate("speed", data["speed"], names[0], driver, scope)
     acceleration: Node | None
     if "acceleration" in data:
@@ -78,7 +89,22 @@ def motion(data: dict[str, Any], links: tuple[Link, ...], driver: Driver, scope:
         cells += (_cell("acceleration", names[1], 0.0, driver, scope),)
     if speed is None or acceleration is None:
         return None
-    return Motion(speed, acceleration, cells)
+    lists = (_listed(key, data.get(key), data, scope) for key in ("speed", "acceleration"))
+    return Motion(speed, acceleration, cells, None, *lists)
+
+
+def _listed(key: str, given: Any, data: dict[str, Any], scope: Scope) -> tuple[Quantity, ...]:
+    """The speeds or accelerations that are listed; none where they are not."""
+    if not isinstance(given, list):
+        return ()
+    path: Path = ("driver", key)
+    values = data.get("values", BAD)
+    if "values" not in data:
+        scope.report.at(path, f"a list of them goes with `values`: one {key} for each", "or give one for all rows")
+    elif values is not BAD and len(values) != len(given):
+        message = f"has {len(given)} numbers for {len(values)} values of the driver"
+        scope.report.at(path, message, f"give one {key} for each of `values`")
+    return tuple(scope.quantity(each, ANY, (*path, place)) for place, each in enumerate(given))
 
 
 def _unit(key: Key, driver: Driver, scope: Scope) -> Unit:
@@ -97,6 +123,8 @@ def _rate(key: Key, given: Any, name: str, driver: Driver, scope: Scope) -> tupl
     path: Path = ("driver", key)
     if given is BAD:
         return None, ()
+    if isinstance(given, list):
+        return Symbol(name), ()
     if isinstance(given, dict):
         return _in_unit(key, given, name, driver, scope)
     if not isinstance(given, str):

@@ -119,7 +119,14 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     rates.declare(made, sliding, driven, data["driver"], scope)
     motion = rates.motion(data["driver"], made, driven, scope) if driven else None
     if driven and motion:
-        driven = replace(driven, speed=motion.speed, acceleration=motion.acceleration)
+        driven = replace(
+            driven,
+            speed=motion.speed,
+            acceleration=motion.acceleration,
+            law=motion.law,
+            speeds=motion.speeds,
+            accelerations=motion.accelerations,
+        )
         table = (*table, *motion.dimensions)
 
     loads = part(data, "loads", [])
@@ -141,7 +148,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(part(data, "charts", []), scope),
-        "tables": results.tables(part(data, "tables", []), driven.symbol if driven else None, scope),
+        "tables": results.tables(part(data, "tables", []), driven, scope),
         "language": choice(workbook, "language", "en"),
         "layout": (layout := choice(workbook, "layout", "sheets")),
         "drawn": workbook.get("drawing", True) is not False,
@@ -150,7 +157,6 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
-    dynamics.check_layout(layout, scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
+from mechsheet.description.driver import LANDS
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
 from mechsheet.description.links import pair
@@ -11,6 +13,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.rates import is_rate
 from mechsheet.description.rates import known as known_rate
 from mechsheet.description.report import BAD, listed, suggestion
+from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import ChartRequest, Driver, Output, Quantity, Sketch, Summary, TableRequest
@@ -52,6 +55,7 @@ def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) ->
             path: Path = (table, name)
             if scope.symbol_is_good(name, path):
                 scope.symbols.claim(name, what, path)
+    scope.summaries |= {name: entry["of"] for name, entry in summaries.items() if entry is not BAD}
 
 
 def outputs(data: dict[str, Any], scope: Scope) -> tuple[Output, ...]:
@@ -169,21 +173,25 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
         if entry is BAD:
             continue
         path: Path = ("charts", place)
-        x, y, paths = (entry.get(key, default) for key, default in (("x", ""), ("y", []), ("paths", [])))
-        y, paths = ([] if y is BAD else y), ([] if paths is BAD else paths)
+        x = entry.get("x", "")
+        given = (entry.get(key, []) for key in ("y", "paths", "hodographs"))
+        y, paths, hodographs = ([] if names is BAD else names for names in given)
         if x:
             _check_column(x, (*path, "x"), scope)
         for number, name in enumerate(y):
             if name not in scope.charted:
                 _check_column(name, (*path, "y", number), scope)
-        for number, name in enumerate(paths):
-            if name is not BAD and name not in scope.points:
-                hint = suggestion(name, scope.points, "points")
-                scope.report.at((*path, "paths", number), f"no point is called {quoted(name)}", hint)
-        for key, names in (("y", y), ("paths", paths)):
+        for key, names in (("paths", paths), ("hodographs", hodographs)):
+            for number, name in enumerate(names):
+                if name is not BAD and name not in scope.points:
+                    hint = suggestion(name, scope.points, "points")
+                    scope.report.at((*path, key, number), f"no point is called {quoted(name)}", hint)
+        for key, names in (("y", y), ("paths", paths), ("hodographs", hodographs)):
             _check_twice(names, (*path, key), scope)
         _check_moves(paths, (*path, "paths"), scope)
-        result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths)))
+        if hodographs:
+            _check_velocities(hodographs, (*path, "hodographs"), scope)
+        result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths), tuple(hodographs)))
     return tuple(result)
 
 
@@ -191,6 +199,17 @@ def _check_twice(names: list[Any], path: Path, scope: Scope) -> None:
     for number, name in enumerate(names):
         if name is not BAD and name in names[:number]:
             scope.report.at((*path, number), f"{quoted(name)} is listed twice")
+
+
+def _check_velocities(names: list[Any], path: Path, scope: Scope) -> None:
+    """A hodograph needs points that move, and the driver's speed."""
+    for number, name in enumerate(names):
+        if name in scope.fixed:
+            message = f"{quoted(name)} is a point of the ground: it has no velocity"
+            moving = [point for point in scope.points if point not in scope.fixed]
+            scope.report.at((*path, number), message, suggestion("", moving, "moving points"))
+    if not scope.moves:
+        scope.report.at(path, "a hodograph shows velocities: it needs the driver's speed", "write `speed` in [driver]")
 
 
 def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:
@@ -201,25 +220,93 @@ def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:
         scope.report.at(path, f"{fixed}: what does not move has no path", suggestion("", moving, "moving points"))
 
 
-def tables(data: list[Any], driver: str | None, scope: Scope) -> tuple[TableRequest, ...]:
-    """The two-way tables asked for; `driver` is the driver's symbol, None when a fault hides it."""
+def tables(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[TableRequest, ...]:
+    """The two-way tables asked for; `driver` is None when a fault hides it."""
     result = []
     for place, entry in enumerate(data):
         if entry is BAD:
             continue
         path: Path = ("tables", place)
-        rows = entry["rows"]
-        if driver is not None and rows not in (BAD, driver):
-            message = f"expected the driver's symbol {quoted(driver)}, found {quoted(rows)}"
-            scope.report.at((*path, "rows"), message)
-        _check_column(entry["value"], (*path, "value"), scope)
-        _check_no_rate(entry["value"], (*path, "value"), scope)
-        column, values = _columns(entry["columns"], (*path, "columns"), scope)
-        result.append(TableRequest(rows, column, values, entry["value"], words(entry.get("title"))))
+        rows, value, title = entry["rows"], entry["value"], words(entry.get("title"))
+        column, values = _values_of_input(entry["columns"], (*path, "columns"), scope)
+        if isinstance(rows, dict):
+            row, row_values = _values_of_input(rows, (*path, "rows"), scope)
+            _check_summary(value, (*path, "value"), driver, scope)
+            _check_pairs(row, row_values, column, values, driver, path, scope)
+            result.append(TableRequest(row, column, values, value, title, row_values))
+            continue
+        if driver is not None and rows not in (BAD, driver.symbol):
+            message = f"expected the driver's symbol {quoted(driver.symbol)}, found {quoted(rows)}"
+            hint = ""
+            if rows in scope.inputs:
+                hint = f"over two dimensions a table shows a summary: rows = {{ {rows} = […] }}"
+            scope.report.at((*path, "rows"), message, hint)
+        if value is not BAD and value in scope.summaries:
+            message = (
+                f"{quoted(value)} is a summary, one number of the whole sweep: over the driver it has one value only"
+            )
+            scope.report.at((*path, "value"), message, "give a second input: rows = { a2 = [40, 45, 50] }")
+        else:
+            _check_column(value, (*path, "value"), scope)
+            _check_position(value, (*path, "value"), scope)
+        result.append(TableRequest(rows, column, values, value, title))
     return tuple(result)
 
 
-def _check_no_rate(name: Any, path: Path, scope: Scope) -> None:
+def _check_summary(name: Any, path: Path, driver: Driver | None, scope: Scope) -> None:
+    """Over two dimensions the cells hold a summary, of what differs with them and can be written in one cell."""
+    if name is BAD:
+        return
+    if name not in scope.summaries:
+        message = f"no summary is called {quoted(name)}"
+        if name in scope.variables or name in scope.outputs or "." in name:
+            message = f"{quoted(name)} differs from row to row: over two dimensions the cells hold a summary"
+        of_it = [summary for summary, of in scope.summaries.items() if of == name]
+        scope.report.at(path, message, suggestion(name, of_it or scope.summaries, "summaries"))
+        return
+    of = scope.summaries[name]
+    if driver is not None and of == driver.symbol:
+        message = f"{quoted(name)} is of the driver, whose values are the same in every cell of the table"
+        scope.report.at(path, message)
+    else:
+        _check_position(of, path, scope, "a line of the first sheet shows it")
+
+
+def _check_pairs(
+    row: str,
+    row_values: tuple[Quantity, ...],
+    column: str,
+    values: tuple[Quantity, ...],
+    driver: Driver | None,
+    path: Path,
+    scope: Scope,
+) -> None:
+    """Two different inputs, and no more cells than a sheet is good for."""
+    if row and row == column:
+        scope.report.at((*path, "columns", column), f"{quoted(row)} goes down already: give another input")
+    pairs = len(row_values) * len(values)
+    rows = _rows_of(driver, scope) if driver is not None else 0
+    if pairs > MOST_PAIRS:
+        message = (
+            f"the table has {len(row_values)} x {len(values)} = {pairs:,} cells; at most {MOST_PAIRS} have a summary"
+        )
+        scope.report.at((*path, "rows"), message, "give fewer values")
+    elif pairs * rows > MOST_CELLS:
+        size = f"{len(row_values)} x {len(values)} cells over {rows:,} values of the driver"
+        message = f"{size} are {pairs * rows:,} helper cells; at most {MOST_CELLS:,} are made"
+        scope.report.at((*path, "rows"), message, "give fewer values, or a larger step")
+
+
+def _rows_of(driver: Driver, scope: Scope) -> int:
+    """Rows of the sweep; 0 where a fault hides them."""
+    if driver.values:
+        return len(driver.values)
+    start, stop, step = (scope.number(part) for part in (driver.start, driver.stop, driver.step))
+    steps = (stop - start) / step if step else math.nan
+    return math.floor(steps + LANDS) + 1 if math.isfinite(steps) else 0
+
+
+def _check_position(name: Any, path: Path, scope: Scope, hint: str = "a summary or a chart can show it") -> None:
     """A two-way table holds positions, one formula a cell: a rate would need its whole group there."""
     if name is BAD or not (is_rate(name, scope) or name in scope.forces or name in scope.of_rates):
         return
@@ -228,11 +315,11 @@ def _check_no_rate(name: Any, path: Path, scope: Scope) -> None:
     if not scope.forces:
         which = "a velocity or an acceleration"
     message = f"{quoted(name)} {what} {which}: two-way tables have positions only"
-    scope.report.at(path, message, "a summary or a chart can show it")
+    scope.report.at(path, message, hint)
 
 
-def _columns(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Quantity, ...]]:
-    """The input that differs from column to column, and its values in internal units."""
+def _values_of_input(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Quantity, ...]]:
+    """The input that differs from column to column (or from row to row), and its values in internal units."""
     if data is BAD:
         return "", ()
     name, values = next(iter(data.items()))
@@ -240,7 +327,8 @@ def _columns(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Quantity, 
         message = f"no dimension is called {quoted(name)}"
         scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
     elif name not in scope.inputs:
-        message = f"the dimension {quoted(name)} is derived; only an input can differ from column to column"
+        part = str(path[-1]).removesuffix("s")
+        message = f"the dimension {quoted(name)} is derived; only an input can differ from {part} to {part}"
         scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
     elif values is not BAD:
         unit, kind = scope.units[name], scope.kinds[name]

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
+from mechsheet.model import LAWS
 
 FORMAT = 1
 HEADING_ROWS = 20
@@ -186,6 +187,14 @@ LINK = Table(
     later=("friction",),
 )
 
+REASONS = {
+    "friction": (
+        "joints are taken to be free of it",
+        'a load against the motion may stand for it: [[loads]] with torque = "-0.2*omega14"',
+    )
+}
+"""Reserved keys of which more can be said: why they are refused, and what to do instead."""
+
 _TYPE = Key(Text(), "kind of the joint", True)
 _NAME = Key(Text(), "what the driver calls it; the symbol by default")
 _ON = Key(Text(names="link"), "the link that carries the line", True)
@@ -207,7 +216,8 @@ JOINT = Kinds(
                 "angle": _ANGLE,
                 "orientation": Key(Quantity(), "angle of `link`'s x axis from the line; default 0"),
                 "symbol": _SYMBOL,
-            }
+            },
+            later=("friction",),
         ),
         "pin-slot": Table(
             {
@@ -219,7 +229,8 @@ JOINT = Kinds(
                 "through": _THROUGH,
                 "angle": _ANGLE,
                 "symbol": _SYMBOL,
-            }
+            },
+            later=("friction",),
         ),
     },
     later=("gear",),
@@ -230,10 +241,19 @@ _ACCELERATION_UNITS = ("rad/s^2", "deg/s^2", "rpm/s")
 
 
 def _rate(units: tuple[str, ...], per: str) -> Either:
-    """A number (of the first unit), an expression, or a number with its unit."""
+    """A number (of the first unit), an expression, a number with its unit, or one for each of the driver's values."""
     note = " or ".join(f'"{unit}"' for unit in units) + f'; of a displacement "LENGTH UNIT/{per}"'
-    return Either((Quantity(), Table({"value": Key(Number(), "a number", True), "unit": Key(Text(), note, True)})))
+    with_unit = Table({"value": Key(Number(), "a number", True), "unit": Key(Text(), note, True)})
+    return Either((Quantity(), with_unit, Items(Quantity(), 1, note="a list with one for each of `values`")))
 
+
+MOTION = Table(
+    {
+        "law": Key(Text(LAWS), "how the way grows with the time", True),
+        "duration": Key(Quantity(), "time from start to stop, in s", True),
+        "rows": Key(Integer(2, MOST_ROWS), "positions, equally spaced in time; default 41"),
+    }
+)
 
 DRIVER = Table(
     {
@@ -245,17 +265,18 @@ DRIVER = Table(
         "stop": Key(Quantity(), "last value, when the steps land on it"),
         "step": Key(Quantity(), "from row to row"),
         "values": Key(Items(Quantity(), 1), "or all values one by one"),
+        "motion": Key(MOTION, "or from start to stop in a given time, by a motion law"),
         "speed": Key(
             _rate(_SPEED_UNITS, "s"),
-            "in rad/s (of a displacement in length units/s); an expression may read the driver, too",
+            "in rad/s (of a displacement in length units/s); an expression may read the driver, too; "
+            "or a list, one for each of `values`",
         ),
         "acceleration": Key(
             _rate(_ACCELERATION_UNITS, "s^2"),
-            "in rad/s^2; default 0, or as the speed changes with the driver",
+            "in rad/s^2; default 0, or as the speed changes with the driver; or a list, likewise",
         ),
     },
-    ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",))),
-    later=("motion",),
+    ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",), ("start", "stop", "motion"))),
 )
 
 RATES = Table(
@@ -276,7 +297,8 @@ DYNAMICS = Table(
         ),
         "force_unit": Key(Text(longest=20), "label of forces, where the length unit is not mm, cm, dm or m"),
         "mass_unit": Key(Text(longest=20), "label of masses, likewise"),
-    }
+    },
+    later=("friction",),
 )
 
 FLYWHEEL = Table(
@@ -333,17 +355,29 @@ CHART = Table(
         "x": Key(Text(names="variable or output"), "the horizontal axis"),
         "y": Key(Items(Text(names="variable or output"), 1, MOST_SERIES), "the curves"),
         "paths": Key(Items(Text(names="point"), 1, MOST_SERIES), "curves of points, x and y at the same scale"),
+        "hodographs": Key(
+            Items(Text(names="point"), 1, MOST_SERIES), "curves of the ends of points' velocity vectors, at true scale"
+        ),
     },
-    ways=((("x", "y"), ("paths",)),),
-    later=("hodographs",),
+    ways=((("x", "y"), ("paths",), ("hodographs",)),),
 )
+
+MOST_PAIRS = 400
+"""Cells of a table whose value is a summary: each has a column of helpers, and more where its formula is long."""
+
+MOST_CELLS = 100_000
+"""Helper cells of such a table: its cells times the driver's values."""
+
+_VALUES = Named(Items(Quantity(), 1, MOST_COLUMNS), "dimension", 1, 1)
 
 TABLE = Table(
     {
         "title": Key(Words(), "title of the table"),
-        "rows": Key(Text(names="driver"), "the driver's symbol", True),
-        "columns": Key(Named(Items(Quantity(), 1, MOST_COLUMNS), "dimension", 1, 1), "one input and its values", True),
-        "value": Key(Text(names="variable or output"), "what stands in the cells", True),
+        "rows": Key(
+            Either((Text(names="driver"), _VALUES)), "the driver's symbol; for a summary one input and its values", True
+        ),
+        "columns": Key(_VALUES, "one input and its values", True),
+        "value": Key(Text(names="variable, output or summary"), "what stands in the cells", True),
     }
 )
 

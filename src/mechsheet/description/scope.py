@@ -61,6 +61,7 @@ class Scope:
     variables  symbols of angles, displacements and the driver
     points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
+    summaries  name of a summary -> the quantity that it is of
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
     of_rates   names of outputs that read rates
     forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
@@ -79,6 +80,7 @@ class Scope:
     points: dict[str, list[str]] = field(default_factory=dict)
     fixed: set[str] = field(default_factory=set)
     outputs: list[str] = field(default_factory=list)
+    summaries: dict[str, Any] = field(default_factory=dict)
     complete: bool = True
     rates: dict[str, None] = field(default_factory=dict)
     moves: bool = False

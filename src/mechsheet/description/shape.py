@@ -16,6 +16,7 @@ from mechsheet.description.numbers import typed_number, with_points
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, found, listed, suggestion
 from mechsheet.description.schema import (
+    REASONS,
     Either,
     Integer,
     Items,
@@ -225,7 +226,8 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
         if key in shape.keys:
             result[key] = fit(item, shape.keys[key].shape, (*path, key), report)
         elif key in shape.later:
-            report.at((*path, key), f'"{key}" is not supported yet: it is reserved for a later version')
+            why, hint = REASONS.get(key, ("it is reserved for a later version", ""))
+            report.at((*path, key), f'"{key}" is not supported yet: {why}', hint)
         else:
             report.at((*path, key), "unknown key", suggestion(key, shape.keys, "keys"))
     for key, rule in shape.keys.items():
@@ -238,13 +240,16 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
 
 
 def _one_way(value: dict[str, Any], groups: tuple[tuple[str, ...], ...], path: Path, report: Report) -> None:
-    begun = [group for group in groups if any(key in value for key in group)]
+    of_one = [[key for key in group if sum(key in other for other in groups) == 1] for group in groups]
+    given = [[key for key in own if key in value] for own in of_one]
+    begun = [group for group, keys in zip(groups, given, strict=True) if keys]
+    begun = begun or [group for group in groups if any(key in value for key in group)][:1]
     single = all(len(group) == 1 for group in groups)
     choice = (" or " if single else ", or ").join(listed(group) for group in groups)
     if not begun:
         report.at(path, f"is not complete: give {choice}")
     elif len(begun) > 1:
-        both = listed(key for group in begun for key in group if key in value)
+        both = listed(key for keys in given for key in keys)
         report.at(path, f"{both} exclude each other: give {choice}")
     elif absent := [key for key in begun[0] if key not in value]:
         report.at(path, f"{listed(absent)} {'are' if len(absent) > 1 else 'is'} missing: give {choice}")

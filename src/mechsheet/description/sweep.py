@@ -39,6 +39,8 @@ def with_sweep(source: Source, rows: str | None, step: str | None) -> tuple[Sour
         hint = "give [driver] start, stop and step in place of `values`"
         options = [option for option, given in (("step", step), ("rows", rows)) if given is not None]
         return source, [Fault(message, source.file, key=option, hint=hint) for option in options]
+    if "motion" in driver:
+        return _with_rows_of_motion(source, rows, step)
     sweep = _sweep(source)
     faults = sweep.scope.report.faults
     taken = None if step is None else typed_value(step, sweep.unit, "the driver's", sweep.scope)
@@ -51,6 +53,17 @@ def with_sweep(source: Source, rows: str | None, step: str | None) -> tuple[Sour
     for key, value in _changed(sweep, count, taken).items():
         source = with_value(source, ("driver", key), value)
     return source, faults
+
+
+def _with_rows_of_motion(source: Source, rows: str | None, step: str | None) -> tuple[Source, list[Fault]]:
+    """The source with another number of rows of its motion law."""
+    count, faults = (None, []) if rows is None else _count(rows, source.file)
+    if step is not None:
+        message = "the driver moves by a motion law: its rows are equally spaced in time, there is no step"
+        faults.append(Fault(message, source.file, key="step", hint="--rows says how many there are"))
+    if faults or count is None:
+        return source, faults
+    return with_value(source, ("driver", "motion", "rows"), str(count)), faults
 
 
 @dataclass(frozen=True, slots=True)

@@ -102,29 +102,33 @@ class ActingForces:
             )
         return acting.sum
 
-    def moment(self, body: str, about: Vector) -> Node:
-        """The moment of all that acts on a body, about a place."""
+    def moment(self, body: str, about: Vector, whole: bool = False) -> Node:
+        """The moment of all that acts on a body, about a place.
+
+        whole  as an expression for a column that says nothing else, not as a column of its own
+        """
         acting = self.of(body)
         forces = acting.forces
         if acting.center is not None and len(forces) > 1:
-            whole = Force(self.total(body), acting.center)
-            arms = cross(minus(whole.at, about), whole.vector)
-            arms = al.total([arms, *(cross(minus(force.at, whole.at), force.vector) for force in forces)])
+            gathered = Force(self.total(body), acting.center)
+            arms = cross(minus(gathered.at, about), gathered.vector)
+            arms = al.total([arms, *(cross(minus(force.at, gathered.at), force.vector) for force in forces)])
         elif forces:
             vector = self.total(body) if len(forces) == 1 else None
             arms = al.total(cross(minus(force.at, about), vector or force.vector) for force in forces)
         else:
             arms = al.ZERO
-        return self.torque(f"M{self.number(body)}", arms, acting.couples, body_words(self.poses.mechanism, body))
+        return self.torque(f"M{self.number(body)}", arms, acting.couples, body_words(self.poses.mechanism, body), whole)
 
-    def torque(self, base: str, arms: Node, couples: list[Node], what: Words) -> Node:
+    def torque(self, base: str, arms: Node, couples: list[Node], what: Words, whole: bool = False) -> Node:
         """metre (force times length) + couples, as a column; the first arms in columns of their own where it is long."""
         columns = self.columns
         label = phrase("sum_of_moments", link=what)
         rest = columns.lengths.of(al.total([columns.metre, *couples]))
         unit = Unit("moment", f"{self.dynamics.force_unit} {self.poses.mechanism.length_unit}")
         arms = columns.lengths.split(arms, lambda part: columns.grey(base, part, unit, label), LONGEST - rest)
-        return columns.grey(base, al.total([al.mul(columns.metre, arms), *couples]), columns.torque, label)
+        torque = al.total([al.mul(columns.metre, arms), *couples])
+        return torque if whole else columns.grey(base, torque, columns.torque, label)
 
     def number(self, body: str) -> str:
         """The number of a link, the symbol of a block's slide."""

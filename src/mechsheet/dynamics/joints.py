@@ -80,8 +80,11 @@ class Joints:
     def _settle(self, point: str, body: str, force: Vector) -> None:
         self.pins.setdefault(point, {})[body] = force
 
-    def outer(self, point: str, body: str, force: Vector) -> None:
-        """The force of a pin on a body, whose place was known before the body's: it is handed on to who bears the pin."""
+    def outer(self, point: str, body: str, force: Vector) -> Vector:
+        """The force of a pin on a body, whose place was known before the body's: it is handed on to who bears the pin.
+
+        The same over its columns.
+        """
         known = self._known(point)
         done = self.pins.get(point, {})
         rest = [other for other in self.poses.graph.bodies_at(point) if other != body and other not in done]
@@ -102,6 +105,7 @@ class Joints:
         bearer = self.bearers[point]
         if bearer != self.mechanism.ground.name:
             self.acting.hang(bearer, Force(negative(force), at))
+        return force
 
     def inner(self, point: str, one: str, other: str, force: Vector) -> Vector:
         """The force of the other on the one, to whom all else at the pin has been counted; the same over its columns."""

@@ -193,9 +193,15 @@ class Reactions:
         """The driven joint's own forces, from the equilibrium of the moving link alone."""
         held: list[Force] = self.joints.contacts.get(moving, [])
         couples = self.joints.couples.get(moving, [])
-        total = together((force.vector for force in held), self.acting.total(moving))
         joint = self.drive.joint
         at = self.poses.xy[joint.point if isinstance(joint, Pin) else joint.joint.point]
+        if isinstance(joint, Pin) and not self.pair and not held:
+            # alone it holds the link: its force is minus the sum of all others, which needs no columns besides
+            acting = self.acting.of(moving)
+            force = self.joints.outer(joint.point, moving, negative(together(each.vector for each in acting.forces)))
+            acting.sum = negative(force)
+            return self.joints.driving_torque(al.neg(self.acting.moment(moving, at, whole=True)))
+        total = together((force.vector for force in held), self.acting.total(moving))
         arms = al.total(cross(minus(force.at, at), force.vector) for force in held)
         moment = al.total([self.acting.moment(moving, at), al.mul(self.columns.metre, arms), *couples])
         if isinstance(joint, Pin):

@@ -105,7 +105,9 @@ def functions_of(source: Source, language: str, taken: Collection[str] = ()) -> 
 def main_table(mechanism: Mechanism) -> TableRequest | None:
     """The two-way table whose function has the mechanism's name, if there is one that a function can compute."""
     derived = {dim.symbol for dim in mechanism.dimensions if dim.derived}
-    return next((request for request in mechanism.tables if request.column not in derived), None)
+    return next(
+        (request for request in mechanism.tables if request.column not in derived and not request.of_summary), None
+    )
 
 
 def table_routine(source: Source, request: TableRequest) -> Routine:

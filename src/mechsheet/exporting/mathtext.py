@@ -215,7 +215,8 @@ def _units(position: Position) -> dict[str, Unit]:
     mechanism = position.plan.mechanism
     units = {dim.symbol: dim.unit for dim in mechanism.dimensions}
     units |= {step.symbol: step.unit for steps in position.steps.values() for step in steps}
-    return units | {mechanism.driver.symbol: mechanism.driver.unit}
+    given = (mechanism.driver.symbol, *mechanism.given_by_row)
+    return units | {symbol: mechanism.given_unit(symbol) or NUMBER for symbol in given}
 
 
 def _places(position: Position, kind: str) -> int:

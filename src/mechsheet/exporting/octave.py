@@ -17,7 +17,7 @@ from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.solve import dimension_values
-from mechsheet.model import ChartRequest, Joint
+from mechsheet.model import TIME, ChartRequest, Joint
 from mechsheet.sheet.drawing.charts import chart_requests, traced_points
 from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
 from mechsheet.sheet.drawing.points import moving_points, pins_of
@@ -97,7 +97,7 @@ def _opening(program: Program, name: str) -> list[str]:
 def _given(program: Program) -> list[str]:
     names = program.names
     changeable = [names[line.symbol] for line in (*program.given, *program.modes)]
-    changeable.append(names[program.mechanism.driver.symbol])
+    changeable += [names[symbol] for symbol in _asked(program)]
     lines = [f"  check_names(varargin, {{{', '.join(_string(name) for name in changeable)}}});", "", "  % dimensions"]
     for line in program.given:
         lines += _argument(program, line)
@@ -120,8 +120,22 @@ def _argument(program: Program, line: Line) -> list[str]:
     return commented(f"  {name} = given(varargin, '{name}', {_text(program, line.node)});", _words(line), "%")
 
 
+def _asked(program: Program) -> tuple[str, ...]:
+    """What may be given row by row: by a motion law the time, from which the driver follows."""
+    return program.given_by_row if program.law is None else (TIME,)
+
+
 def _driver(program: Program) -> list[str]:
     name = program.names[program.mechanism.driver.symbol]
+    if program.law is not None:
+        time, duration = program.names[TIME], program.names[program.law.duration]
+        lines = [
+            f"  {time} = given(varargin, '{time}', (0:{program.law.rows - 1}) .* {duration} ./ {program.law.rows - 1});",
+            f"  {time} = {time}(:);",
+            f"  rows = numel({time});",
+            f"  {name} = {_text(program, program.law.value)};",
+        ]
+        return ["", "  % driver", *lines]
     if program.sweep:
         start, stop, step = (_text(program, part) for part in program.sweep)
         lines = [f"  start = {start};", f"  stop = {stop};", f"  step = {step};"]
@@ -129,6 +143,10 @@ def _driver(program: Program) -> list[str]:
     else:
         lines, values = [], f"[{', '.join(_text(program, value) for value in program.values)}]"
     lines += [f"  {name} = given(varargin, '{name}', {values});", f"  {name} = {name}(:);", f"  rows = numel({name});"]
+    for symbol, numbers in program.listed.items():
+        own = program.names[symbol]
+        listed = ", ".join(_text(program, number) for number in numbers)
+        lines += [f"  {own} = given(varargin, '{own}', [{listed}]);", f"  {own} = {own}(:) .* ones(rows, 1);"]
     return ["", "  % driver", *lines]
 
 
@@ -188,12 +206,11 @@ def _pass(program: Program, column: ColumnLine, system: System) -> list[str]:
 
 
 def _result(program: Program) -> list[str]:
-    driver = program.names[program.shown[0]]
+    given = [program.names[symbol] for symbol in program.given_by_row]
+    kept = [program.names[symbol] for symbol in program.shown[len(given) :]]
     lines = ["", f"  exists = {_text(program, program.exists)} & true(rows, 1);", "  result = struct();"]
-    lines.append(f"  result.{driver} = {driver};")
-    return lines + [
-        f"  result.{name} = kept({name}, exists);" for name in (program.names[symbol] for symbol in program.shown[1:])
-    ]
+    lines += [f"  result.{name} = {name};" for name in given]
+    return lines + [f"  result.{name} = kept({name}, exists);" for name in kept]
 
 
 # --- the picture -------------------------------------------------------------------------------------------------
@@ -300,13 +317,21 @@ def _block(program: Program, joint: Joint, driven: str) -> str:
 
 
 def _curves(program: Program, request: ChartRequest, number: int, name: str) -> str:
-    """A chart of the workbook: curves against the driver, or paths of points."""
+    """A chart of the workbook: curves against the driver, paths of points, or hodographs."""
     mechanism = program.mechanism
     unit = one_line(mechanism.length_unit)
     if request.paths:
         x, y = (", ".join(["rows", *(_place(program, point, axis) for point in request.paths)]) for axis in "xy")
         legend = ", ".join(_string(point) for point in request.paths)
         return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
+    if request.hodographs:
+        x, y = (
+            ", ".join(["rows", *(_shown(program, f"{point}.v{axis}") for point in request.hodographs)]) for axis in "xy"
+        )
+        legend = ", ".join(_string(point) for point in request.hodographs)
+        return (
+            f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y of v [{unit}/s]')}, '{name}');"
+        )
     x = _shown(program, request.x)
     y = ", ".join(["rows", *(_shown(program, symbol) for symbol in request.y)])
     legend = ", ".join(_string(program.names[symbol]) for symbol in request.y)

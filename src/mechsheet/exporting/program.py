@@ -19,8 +19,8 @@ from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, System
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_order
-from mechsheet.model import Dimension, Mechanism, Quantity
-from mechsheet.units import Unit
+from mechsheet.model import Dimension, Law, Mechanism, Quantity
+from mechsheet.units import NUMBER, Unit
 
 WIDTH = 100
 """Characters of a line of a program that has a comment."""
@@ -59,7 +59,8 @@ class Program:
 
     given      dimensions that a user may change;  derived  those that follow, and the constants of the equations
     modes      assembly modes, +1 or -1
-    start, stop, step, or values  the driver's, as expressions
+    start, stop, step, or values  the driver's, as expressions; neither where it moves by a law
+    listed     what is listed beside `values`, by symbol: speeds, accelerations
     exists     true in a row that every group closes
     shown      driver, variables, points, rates and outputs: what the program hands back
     names      symbol -> its name in the language
@@ -72,6 +73,7 @@ class Program:
     modes: tuple[Line, ...]
     sweep: tuple[Node, Node, Node] | None
     values: tuple[Node, ...]
+    listed: Mapping[str, tuple[Node, ...]]
     columns: tuple[ColumnLine, ...]
     exists: Node
     shown: tuple[str, ...]
@@ -80,12 +82,21 @@ class Program:
     @property
     def moving(self) -> frozenset[str]:
         """The symbols that have one value per row."""
-        return frozenset((self.mechanism.driver.symbol, *(column.symbol for column in self.columns)))
+        return frozenset((*self.given_by_row, *(column.symbol for column in self.columns)))
+
+    @property
+    def given_by_row(self) -> tuple[str, ...]:
+        """The driver, and what has a value in each row beside it."""
+        return self.mechanism.driver.symbol, *self.mechanism.given_by_row
+
+    @property
+    def law(self) -> Law | None:
+        """The motion law, if the driver has one."""
+        return self.mechanism.driver.law
 
     def unit_shown(self, symbol: str) -> Unit:
         """The unit in which people read a symbol's value."""
-        driver = self.mechanism.driver
-        return self.mechanism.shown(driver.unit if symbol == driver.symbol else self.equations.of(symbol).unit)
+        return self.mechanism.shown(self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit)
 
     def unit_of(self, symbol: str) -> str:
         """The unit of a shown symbol's value: "rad", the length unit, an output's own label, or ""."""
@@ -138,12 +149,15 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     driver = mechanism.driver
     sweep = (
         None
-        if driver.values
+        if not driver.stepped
         else tuple(quantity(part, driver.unit) for part in (driver.start, driver.stop, driver.step))
     )
     columns = _columns(mechanism, equations)
     kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "rate", "force", "output")]
-    wanted = [driver.symbol, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
+    given = (driver.symbol, *mechanism.given_by_row)
+    lists = dict(zip(mechanism.driver_rates, (driver.speeds, driver.accelerations), strict=True))
+    listed = {name: tuple(quantity(each, NUMBER) for each in values) for name, values in lists.items() if values}
+    wanted = [*given, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
     wanted += [column.symbol for column in columns]
     return Program(
         mechanism,
@@ -153,9 +167,10 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
         modes,
         (sweep[0], sweep[1], sweep[2]) if sweep else None,
         tuple(quantity(value, driver.unit) for value in driver.values),
+        listed,
         columns,
         _exists(equations),
-        tuple(dict.fromkeys([driver.symbol, *kept])),
+        tuple(dict.fromkeys([*given, *kept])),
         identifiers(dict.fromkeys(wanted), reserved),
     )
 
@@ -187,7 +202,7 @@ def one_line(text: str) -> str:
 
 
 def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ...]:
-    moving = {mechanism.driver.symbol}
+    moving = {mechanism.driver.symbol, *mechanism.given_by_row}
     systems = {name: group.system for group in equations.groups if group.system for name in group.system.unknowns}
     passes = {each.symbol for system in systems.values() for each in system.body}
     closed: dict[tuple[Condition, ...], Symbol] = {}

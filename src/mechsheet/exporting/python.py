@@ -14,6 +14,7 @@ from mechsheet.exporting.program import WIDTH, ColumnLine, Line, Program, commen
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES
+from mechsheet.model import TIME
 
 RESERVED = (
     *keyword.kwlist, *keyword.softkwlist, *dir(builtins), "np", "csv", "sys", "solve", "main", "n", "rows", "exists",
@@ -188,9 +189,11 @@ def _solve(program: Program) -> list[str]:
         body += _column(program, column)
     body += [f"        exists = np.broadcast_to({_text(program, program.exists)}, {driver}.shape)"]
     body += ["        return {"]
-    body += [f"            {_string(program.shown[0])}: {driver},"]
-    body += [f"            {_string(symbol)}: _kept({program.names[symbol]}, exists)," for symbol in program.shown[1:]]
-    return [*_signature(program, driver), *body, "        }", ""]
+    given_rows = program.given_by_row
+    body += [f"            {_string(symbol)}: {program.names[symbol]}," for symbol in given_rows]
+    kept = program.shown[len(given_rows) :]
+    body += [f"            {_string(symbol)}: _kept({program.names[symbol]}, exists)," for symbol in kept]
+    return [*_signature(program), *body, "        }", ""]
 
 
 def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
@@ -228,9 +231,17 @@ def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
     return lines
 
 
-def _signature(program: Program, driver: str) -> list[str]:
-    head = ["", "def solve(", f"    {driver}: ArrayLike | None = None,", "    *,"]
-    texts = ["", f"    {driver}: the driver's values, one per row; by default the description's sweep"]
+def _asked(program: Program) -> tuple[str, ...]:
+    """What may be given row by row: by a motion law the time, from which the driver follows."""
+    return program.given_by_row if program.law is None else (TIME,)
+
+
+def _signature(program: Program) -> list[str]:
+    names = [program.names[symbol] for symbol in _asked(program)]
+    head = ["", "def solve(", *(f"    {name}: ArrayLike | None = None," for name in names), "    *,"]
+    whose = "driver's values" if program.law is None else "time in seconds"
+    texts = ["", f"    {names[0]}: the {whose}, one per row; by default the description's sweep"]
+    texts += [f"    {name}: one per row; by default as the description lists them" for name in names[1:]]
     for line in program.given:
         head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.node)},")
         texts += _argument(program, line)
@@ -255,6 +266,14 @@ def _line(program: Program, line: Line) -> list[str]:
 
 def _driver(program: Program, driver: str) -> list[str]:
     """The driver's values: given, or the description's; these may be made of dimensions."""
+    if program.law is not None:
+        time, duration, last = program.names[TIME], program.names[program.law.duration], program.law.rows - 1
+        return [
+            f"        if {time} is None:",
+            f"            {time} = np.arange({last + 1}) * {duration} / {last}",
+            f"        {time} = np.atleast_1d(np.asarray({time}, float))",
+            f"        {driver} = {_text(program, program.law.value)}",
+        ]
     lines = [f"        if {driver} is None:"]
     if program.sweep:
         start, stop, step = (_text(program, part) for part in program.sweep)
@@ -264,7 +283,13 @@ def _driver(program: Program, driver: str) -> list[str]:
         ]
     else:
         lines += [f"            {driver} = ({', '.join(_text(program, value) for value in program.values)},)"]
-    return [*lines, f"        {driver} = np.atleast_1d(np.asarray({driver}, float))"]
+    lines.append(f"        {driver} = np.atleast_1d(np.asarray({driver}, float))")
+    for symbol, values in program.listed.items():
+        name = program.names[symbol]
+        lines.append(f"        if {name} is None:")
+        lines.append(f"            {name} = ({', '.join(_text(program, value) for value in values)},)")
+        lines.append(f"        {name} = np.asarray({name}, float) + 0 * {driver}")
+    return lines
 
 
 def _column(program: Program, column: ColumnLine) -> list[str]:

@@ -96,10 +96,15 @@ class Source:
         return (*given, *(Parameter(mode, label, NUMBER) for mode, label in words.items()))
 
     def variables(self) -> tuple[str, ...]:
-        """What has a function: link angles, displacements, moving points and outputs, in order of solution."""
+        """What has a function: link angles, displacements, moving points and outputs, in order of solution.
+
+        What depends on the time of a motion, or on a listed speed, is no function of the position.
+        """
         driver = self.mechanism.driver.symbol
         kinds = ("variable", "point", "output")
-        return tuple(eq.symbol for eq in self.equations.columns if eq.role in kinds and eq.symbol != driver)
+        found = (eq.symbol for eq in self.equations.columns if eq.role in kinds and eq.symbol != driver)
+        by_row = {*self.mechanism.given_by_row}
+        return tuple(symbol for symbol in found if not by_row or not by_row & _needed([symbol], self.steps))
 
     def routine(self, key: str, symbol: str, about: Words, order: Sequence[str] = (), windowed: bool = True) -> Routine:
         """The function of a variable.

@@ -150,7 +150,10 @@ class _Work:
         derived = {dim.symbol for dim in self.plan.mechanism.dimensions if dim.derived}
         requests = self.plan.mechanism.tables
         sheets = workbook.sheets[TABLES_FROM : TABLES_FROM + len(requests)]
-        return [pair for pair in zip(sheets, requests, strict=True) if pair[1].column not in derived]
+        return [
+            pair for pair in zip(sheets, requests, strict=True)
+            if pair[1].column not in derived and not pair[1].of_summary
+        ]  # fmt: skip
 
     def first_sheet(self, sheet: Sheet) -> Sheet:
         """The first sheet, with a line that says what the file needs, and tries a function where that can be tried."""

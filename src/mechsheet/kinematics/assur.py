@@ -44,6 +44,8 @@ class Dyad:
 
     kind  outer of the first, inner, outer of the second: RRR, RRP, RPR, PRP or RPP. Of RRP and RPP the first assembly
           has the R outside; otherwise the first is the one that comes first in the description.
+    frame  the driven pair (with what moves with it already) in which the dyad is solved; empty: it is joined to the ground's
+    whole  pair and dyad as one assembly, in the frame of the first of these bodies
     """
 
     kind: Literal["RRR", "RRP", "RPR", "PRP", "RPP"]
@@ -51,6 +53,8 @@ class Dyad:
     second: tuple[str, ...]
     outer: tuple[Contact, Contact]
     inner: Contact
+    frame: tuple[str, ...] = ()
+    whole: tuple[str, ...] = ()
 
     @property
     def assemblies(self) -> tuple[tuple[str, ...], ...]:
@@ -65,7 +69,8 @@ class Dyad:
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """The driven joint, and the groups in order. When `drive.base` is not the ground both sides move as one assembly."""
+    """The driven joint, and the dyads in order. When `drive.base` is not the ground both sides move as one assembly, and
+    dyads that are joined to it alone move with it."""
 
     drive: Drive
     dyads: tuple[Dyad | Chain, ...]
@@ -85,19 +90,27 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     assemblies += [(body,) for body in graph.bodies if body not in grouped]
     assemblies.sort(key=lambda bodies: graph.bodies.index(bodies[0]))
     groups: list[Dyad | Chain] = []
+    driven: tuple[str, ...] = (drive.base, drive.moving)
+    force = mechanism.solution.force
     while assemblies:
-        group = _next_group(graph, assemblies, solved, mechanism.solution.force)
+        dyad = None if force else _next_dyad(graph, assemblies, solved)
+        moving = dyad is None and not force and driven in assemblies
+        if moving and (inside := _within(graph, assemblies, driven, solved)) is not None:
+            # A closed form, so it comes before any group that must be solved by iteration: pair and dyad are one link now.
+            groups.append(inside)
+            assemblies = [bodies for bodies in assemblies if bodies not in (driven, inside.first, inside.second)]
+            driven = inside.whole
+            assemblies.insert(0, driven)
+            continue
+        group = dyad or _next_chain(graph, assemblies, solved, force)
         groups.append(group)
         assemblies = [bodies for bodies in assemblies if bodies not in group.assemblies]
         solved.update(group.bodies)
     return Order(drive, tuple(groups))
 
 
-def _next_group(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str], force: bool) -> Dyad | Chain:
-    """A dyad; where there is none (or `force` asks for no dyad), the smallest group that Newton's method solves."""
-    dyad = None if force else _next_dyad(graph, assemblies, solved)
-    if dyad is not None:
-        return dyad
+def _next_chain(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str], force: bool) -> Chain:
+    """The smallest group that Newton's method solves; `force` takes dyads so, too."""
     stiff = stiff_faults(graph)
     try:
         chain = None if stiff else next_chain(graph, assemblies, solved, 2 if force else 4)
@@ -166,6 +179,22 @@ def _next_dyad(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str]
             if len(inner) == 1:
                 return _dyad(first, second, outer_first[0], inner[0], outer_second[0])
     return None
+
+
+def _within(graph: Graph, assemblies: list[tuple[str, ...]], driven: tuple[str, ...], solved: set[str]) -> Dyad | None:
+    """Two links that are joined to each other and each to the driven pair, by three pins; None where there are none.
+
+    A link that is joined to what is solved comes first, if there is one: in its frame the whole is read best.
+    """
+    others = [bodies for bodies in assemblies if bodies != driven and bodies[0] not in graph.blocks]
+    dyad = _next_dyad(graph, others, set(driven))
+    if dyad is None or dyad.kind != "RRR":
+        return None
+    first, second, outer = dyad.first, dyad.second, dyad.outer
+    if _contacts(graph, second, solved) and not _contacts(graph, first, solved):
+        first, second, outer = second, first, outer[::-1]
+    whole = (*first, *second, *driven) if _contacts(graph, first, solved) else (*driven, *first, *second)
+    return Dyad("RRR", first, second, outer, dyad.inner, driven, whole)
 
 
 def _dyad(

@@ -42,6 +42,8 @@ def asked(mechanism: Mechanism) -> dict[str, None]:
     found |= dict.fromkeys(summary.of for summary in mechanism.summaries)
     for load in mechanism.dynamics.loads if mechanism.dynamics else ():
         found |= dict.fromkeys(name for part in (*(load.force or ()), load.torque) if part for name in symbols(part))
+    for chart in mechanism.charts:
+        found |= dict.fromkeys(f"{point}.v{axis}" for point in chart.hodographs for axis in "xy")
     return found | dict.fromkeys(name for chart in mechanism.charts for name in (chart.x, *chart.y) if name)
 
 
@@ -101,6 +103,9 @@ class _ByDriver:
         self.unknown |= dict.fromkeys(f"{symbol}{part}" for part in _COEFFICIENTS)
         return primed(symbol)
 
+    def of_relative(self, symbol: str) -> Rate:
+        return self.of(symbol)
+
     def of_point(self, point: str) -> PointRate | None:
         return self.points.get(point)
 
@@ -118,6 +123,11 @@ class _ByTime:
 
     def of(self, symbol: str) -> Rate:
         return Rate(*(Symbol(name) for name in rate_symbols(symbol, symbol in self.angles)))
+
+    def of_relative(self, symbol: str) -> Rate:
+        own, speed = primed(symbol), self.driver.first
+        second = al.add(al.mul(own.second, al.square(speed)), al.mul(own.first, self.driver.second))
+        return Rate(al.mul(own.first, speed), second)
 
     def of_point(self, point: str) -> PointRate | None:
         found = self.points.get(point)
@@ -178,6 +188,7 @@ class _Writer:
         self.shown: set[Node] = {al.ZERO, al.ONE}
         self.ledger.group = 0
         self.motions = Motions(poses, drive, self.names)
+        self.pair = Motions(poses, drive, self.names, drive.base)
         lengths = self.mechanism.driver.joint
         self.per = self.mechanism.length_unit if lengths else ""
 
@@ -211,6 +222,12 @@ class _Writer:
     # --- a group ----------------------------------------------------------------------------------------------
 
     def _dyad(self, dyad: Dyad, solved: Solved) -> None:
+        if dyad.frame:
+            meeting = self.pair.meet_within(dyad)
+            self.angles.update(meeting.unknowns)
+            once, twice = (self._cramer(meeting, order) for order in (1, 2))
+            self._solve(solved, meeting, once, twice, timed=False)
+            return
         pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
         for force in (False, True):
             meeting = self.motions.meet(dyad, {pin: self._outer(pin, force) for pin in pins})
@@ -245,7 +262,7 @@ class _Writer:
         known = minus(_without(right, zero), _without(left, zero))
         return _Cramer(columns[0], columns[1], known)
 
-    def _solve(self, solved: Solved, meeting: Meeting, once: _Cramer, twice: _Cramer) -> None:
+    def _solve(self, solved: Solved, meeting: Meeting, once: _Cramer, twice: _Cramer, timed: bool = True) -> None:
         """D, both first coefficients, k, both second ones; then the rates."""
         det = self._determinant(solved.determinant)
         self.determinants[self.ledger.group] = det.node
@@ -256,7 +273,7 @@ class _Writer:
         k = self._hoisted(twice.right, "k", 2)
         for name, node in zip(names, twice.solved(k, det), strict=True):
             self._coefficient(name, 2, node)
-        if self.timed:
+        if self.timed and timed:
             for name in names:
                 self._rates(name)
 
@@ -399,11 +416,15 @@ class _Writer:
 
     def _by_time_alone(self) -> Written:
         """How fast each link turns; of each group by how much its two ways to the closing point differ."""
-        motions = Motions(self.poses, self.drive, _ByTime(self.mechanism, self.names.points))
+        names = _ByTime(self.mechanism, self.names.points)
+        motions, pair = Motions(self.poses, self.drive, names), Motions(self.poses, self.drive, names, self.drive.base)
         found = {}
         for number, (dyad, _) in enumerate(self.dyads, 1):
-            pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
-            meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
+            if dyad.frame:
+                meeting = pair.meet_within(dyad)
+            else:
+                pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
+                meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
             left, right = meeting.ways
             found[number] = (*minus(left.first, right.first), *minus(left.second, right.second))
         turning = {

@@ -237,7 +237,8 @@ def assembly_of(mode: float) -> int:
 class Equations:
     """All equations of a mechanism: constants first, then columns, in order of solution.
 
-    positive   symbols of dimensions that are lengths between joints: they must stay greater than zero; the driver's, too
+    positive   symbols of dimensions that are lengths between joints: they must stay greater than zero; the driver's, too,
+               and the duration of a motion law
     tolerance  symbol of the constant below which a length counts as zero
     poses      where each link is, by its name
     fits       by number of a group what is 0 in every row: how far its velocities (two parts), its accelerations (two parts)

@@ -6,7 +6,7 @@ equations stand.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -34,11 +34,13 @@ class Ledger:
     values            the columns' values over the first `rows` rows, by symbol
     """
 
-    def __init__(self, dimensions: dict[str, float], driver: str, driver_values: Array, taken: Iterable[str]) -> None:
+    def __init__(
+        self, dimensions: dict[str, float], driver: str, given: Mapping[str, Array], taken: Iterable[str]
+    ) -> None:
         self.dimensions = dimensions
-        self.rows = len(driver_values)
+        self.rows = len(given[driver])
         self.values: dict[str, Array] = {name: np.full(self.rows, number) for name, number in dimensions.items()}
-        self.values[driver] = driver_values
+        self.values |= given
         self.driver = driver
         self.constant_symbols = set(dimensions)
         self.constants: list[Equation] = []

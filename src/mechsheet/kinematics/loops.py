@@ -48,11 +48,13 @@ def loops_of(poses: Poses, dyads: Iterable[Dyad | Chain]) -> tuple[Loop, ...]:
             found.append(NO_LOOP)
             solved |= {*dyad.bodies}
             continue
-        known = _route(poses, solved, dyad.outer[0], dyad.outer[1])
+        # a dyad that moves with the driven pair closes over the pair
+        known = _route(poses, set(dyad.frame) or solved, dyad.outer[0], dyad.outer[1])
         first = _route(poses, set(dyad.first), dyad.outer[0], dyad.inner)
         second = _route(poses, set(dyad.second), dyad.outer[1], dyad.inner)
         found.append(_loop(poses, known, first, second, driver.link or driver.joint))
-        solved |= {*dyad.first, *dyad.second}
+        if not dyad.frame:
+            solved |= {*dyad.first, *dyad.second}
     return tuple(found)
 
 

@@ -63,6 +63,9 @@ class Rates(Protocol):
     def of(self, symbol: str) -> Rate:
         """An unknown angle's or displacement's."""
 
+    def of_relative(self, symbol: str) -> Rate:
+        """Of an angle against the driven pair's base, which follows from the driver alone."""
+
     def of_point(self, point: str) -> PointRate | None:
         """Those of a point that has columns of its own, else None."""
 
@@ -100,15 +103,21 @@ def along(carrier: Motion, turning: Rate, direction: Vector, slide: Rate) -> Mot
     return motion
 
 
+def relative_name(poses: Poses, body: str) -> str:
+    """What the angle of a link against the driven pair's base is called: only its derivatives have columns."""
+    return f"rel_{poses.links[body].number}"
+
+
 class Motions:
     """The motion of every solved body; `turning`: how fast each turns."""
 
-    def __init__(self, poses: Poses, drive: Drive, rates: Rates) -> None:
+    def __init__(self, poses: Poses, drive: Drive, rates: Rates, still: str = "") -> None:
+        """`still`: the body that stands still, the ground by default."""
         self.poses, self.drive, self.rates = poses, drive, rates
-        ground = poses.mechanism.ground.name
-        self.turning: dict[str, Rate] = {ground: STANDING}
-        self.motion: dict[str, Motion] = {ground: lambda _: FIXED}
-        if drive.base == ground:
+        still = still or poses.mechanism.ground.name
+        self.turning: dict[str, Rate] = {still: STANDING}
+        self.motion: dict[str, Motion] = {still: lambda _: FIXED}
+        if drive.base == still:
             self._other_of_pair(drive.base)
 
     # --- points -----------------------------------------------------------------------------------------------
@@ -164,8 +173,48 @@ class Motions:
 
     def _whole(self, assembly: Assembly, body: str) -> None:
         """The bodies of an assembly, of which one is known."""
-        if len(assembly) > 1:
+        if len(assembly) == 2:
             self._other_of_pair(body)
+        if len(assembly) > 2:
+            self._with_pair(assembly, body)
+
+    def _with_pair(self, assembly: Assembly, known: str) -> None:
+        """The bodies that move with the driven pair: each turns against its base as the driver says, about a shared pin."""
+        base = self.turning[known] + -self.relative(known)
+        waiting = [body for body in assembly if body != known]
+        while waiting:
+            body, pin, carrier = next(
+                (body, point, other)
+                for body in waiting
+                for other in assembly
+                if other not in waiting
+                for point in self.poses.graph.points[body]
+                if point in self.poses.graph.points[other]
+            )
+            moves = self.motion[carrier](self.coordinates(pin))
+            self._turns(body, pin, moves, base + self.relative(body))
+            waiting.remove(body)
+
+    def relative(self, body: str) -> Rate:
+        """How fast a body that moves with the driven pair turns against the pair's base."""
+        drive = self.drive
+        if body == drive.base or (body == drive.moving and not isinstance(drive.joint, Pin)):
+            return STANDING
+        if body == drive.moving:
+            rate = self.rates.of_driver()
+            return rate if drive.moving == self.poses.mechanism.driver.link else -rate
+        return self.rates.of_relative(relative_name(self.poses, body))
+
+    def meet_within(self, dyad: Dyad) -> Meeting:
+        """The two ways to the closing point of a dyad on the driven pair, whose base stands still here."""
+        pins = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
+        ways = []
+        for (body,), pin in zip((dyad.first, dyad.second), pins, strict=False):
+            moves = self.motion[self.with_point(dyad.frame, pin)](self.coordinates(pin))
+            self._turns(body, pin, moves, self.relative(body))
+            ways.append(self.motion[body](self.coordinates(pins[2])))
+        names = [relative_name(self.poses, body) for (body,) in (dyad.first, dyad.second)]
+        return Meeting(self.coordinates(pins[2]), (ways[0], ways[1]), (names[0], names[1]))
 
     def with_point(self, assembly: Assembly, point: str) -> str:
         """The body of an assembly that has a point."""

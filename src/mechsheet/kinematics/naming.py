@@ -18,6 +18,7 @@ def given_names(mechanism: Mechanism) -> list[str]:
         *(link.angle_symbol for link in mechanism.links),
         *(joint.symbol for joint in mechanism.joints),
         mechanism.driver.symbol,
+        *mechanism.given_by_row,
         *_rates(mechanism),
     ]
 

@@ -38,10 +38,14 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A body in its assembly: its angle from the assembly's frame, and where its own origin lies there."""
+    """A body in its assembly: its angle from the assembly's frame, and where its own origin lies there.
+
+    pin  a point that it shares with a body before it, from which its place is found once that one is solved
+    """
 
     angle: Angle
     origin: Place
+    pin: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,6 +205,11 @@ class Poses:
             own = self._body_angle(body, angle + member.angle)
             if body == assembly[0]:
                 angle = own
+            if member.pin:
+                for before in assembly[: assembly.index(body)]:
+                    self._points(before)
+                self.known[body] = Pose(own, self.own_place(body, member.pin), *self.xy[member.pin])
+                continue
             origin_x, origin_y = (member.origin - base).turned(angle)
             if member.origin == base:
                 self.known[body] = Pose(own, ORIGIN, x, y)

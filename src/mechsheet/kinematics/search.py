@@ -7,7 +7,7 @@ No formula of a sheet is read: the verdicts of the first sheet are held against 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property
 
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.driving import given_at
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.solve import dimension_values, largest_length
@@ -41,20 +42,23 @@ Mask = NDArray[np.bool_]
 class Search:
     """The motion with the dimensions of `mechanism` and the assemblies of `equations`.
 
-    driver   its values, row by row [rad or length unit]
+    given    of every row the driver's value [rad or length unit], and what is given beside it (`given_values`)
     stepped  False where the values are listed: there is nothing between the rows
     u, at    the places looked at, and every symbol's values there;  there  where it closes
     dips     places off the grid where it does not close, between some where it does;  peeps  the other way round
     doubt    places where it nearly comes apart, or where lines turn parallel or pins coincide between two places
     """
 
-    def __init__(self, mechanism: Mechanism, equations: Equations, driver: Array, stepped: bool = True) -> None:
-        if not stepped:  # these are the rows, and nothing else
-            rows = replace(mechanism.driver, values=tuple(float(value) for value in np.asarray(driver, float)))
-            mechanism = replace(mechanism, driver=rows)
+    def __init__(
+        self, mechanism: Mechanism, equations: Equations, given: Mapping[str, Array], stepped: bool = True
+    ) -> None:
+        if any(group.system for group in equations.groups):  # each row from the row above: these are the rows
+            values = tuple(given[mechanism.driver.symbol].tolist())
+            mechanism = replace(mechanism, driver=replace(mechanism.driver, values=values, law=None))
         self.mechanism = mechanism
         self.equations = equations
-        self.listed = np.asarray(driver, float)
+        self.given = given
+        driver = given[mechanism.driver.symbol]
         self.rows = len(driver)
         self.stepped = stepped and self.rows > 1
         self.start = float(driver[0])
@@ -78,15 +82,22 @@ class Search:
 
     def driver(self, u: Array | float) -> Array:
         """The driver's value at places."""
+        return self._given(u)[self.mechanism.driver.symbol]
+
+    def _given(self, u: Array | float) -> dict[str, Array]:
+        """The same, and what is given beside it."""
         places = np.asarray(u, float)
         if not self.stepped:
-            return np.asarray(self.listed[np.rint(places - 1).astype(int)])
-        return np.asarray(self.start + (places - 1) * self.step)
+            rows = np.rint(places - 1).astype(int)
+            return {name: np.asarray(column[rows]) for name, column in self.given.items()}
+        if self.mechanism.driver.law is not None:
+            return given_at(self.mechanism, self.dimensions, places)
+        return {self.mechanism.driver.symbol: np.asarray(self.start + (places - 1) * self.step)}
 
     def known(self, u: Array) -> dict[str, Array]:
         """Every symbol's values at places."""
         with np.errstate(all="ignore"):
-            return sweep(self.mechanism, self.equations, self.driver(u))
+            return sweep(self.mechanism, self.equations, self._given(u))
 
     def exists(self, known: dict[str, Array]) -> Mask:
         """Where every group closes."""
@@ -200,6 +211,7 @@ class Search:
         if not self.mechanism.driver.link or not self.stepped or self.rows < 4:
             return False
         covered, more = (abs(self.step) * rows / TURN for rows in (self.rows - 1, self.rows))
+        more = covered if self.mechanism.driver.law is not None else more
         return any(abs(round(part) - part) < 1e-9 and round(part) > 0 for part in (covered, more))
 
     @property

@@ -16,11 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.diagnostics import DescriptionWarning, Fault
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve_unpicked
+from mechsheet.kinematics.solve import dimension_values, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

@@ -17,6 +17,7 @@ from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.coefficients import Written, add_rates, wanted
+from mechsheet.kinematics.driving import driver_values, given_values
 from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
@@ -31,12 +32,12 @@ from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
 from mechsheet.kinematics.newton.tracing import cannot_follow, way
-from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import Place, angle_of, cartesian, number
-from mechsheet.kinematics.poses import Member, Poses
+from mechsheet.kinematics.places import angle_of, cartesian, number
+from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
+from mechsheet.kinematics.within import member, sketched_mode, solve_within
 from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase, same
@@ -66,16 +67,6 @@ def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
             known[symbol] = None
             del pending[symbol]
     return tuple(known)
-
-
-def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
-    """The driver's values, row by row: start + n step (no drift); stop is included when the steps land on it."""
-    driver = mechanism.driver
-    if driver.values:
-        return np.array([number(value, dimensions) for value in driver.values])
-    start, stop, step = (number(part, dimensions) for part in (driver.start, driver.stop, driver.step))
-    count = math.floor((stop - start) / step + 1e-9) + 1
-    return np.asarray(start + step * np.arange(count), dtype=np.float64)
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +143,10 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
             given = {group.mode: group.mode_value for group in shown if group.system is None} | dict(given)
         value, is_open = 1, True
         if modes is not None:
-            value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, given.get(solved.mode))
+            mode = given.get(solved.mode)
+            if mode is None and dyad.frame:
+                mode = sketched_mode(mechanism.sketch, dyad, dimensions)
+            value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, mode)
             is_open = is_open or solved.mode in opened
         poses.settle_turns()
         found.append((dyad, solved, assembly_of(value), is_open))
@@ -160,25 +154,27 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     rates = Written({}, {})
     if wanted(mechanism):
         _refuse_rates(mechanism, found)
-        rates = add_rates(
-            poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)]
-        )
+        closed = [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)]
+        _refuse_forces(mechanism, closed)
+        rates = add_rates(poses, order.drive, closed)
     if further is not None:
         dyads = tuple(dyad for dyad in order.dyads if isinstance(dyad, Dyad))
         further(Found(poses, order.drive, dyads, rates))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
+    law = mechanism.driver.law
+    positive = {*ledger.positive, *((law.duration,) if law else ())}
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
         _groups(found, loops_of(poses, order.dyads)),
-        tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in ledger.positive),
+        tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
         rates.fits,
         rates.turning,
     )
-    validate(result, (*dimensions, mechanism.driver.symbol))
+    validate(result, (*dimensions, mechanism.driver.symbol, *mechanism.given_by_row))
     return result
 
 
@@ -209,13 +205,13 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
 
 
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
-    values = driver_values(mechanism, dimensions)
-    following = len(values)
-    if len(values) > 2 * PROBED_ROWS:
+    given = given_values(mechanism, dimensions)
+    rows = following = len(given[mechanism.driver.symbol])
+    if rows > 2 * PROBED_ROWS:
         following = PROBED_ROWS
-        rest = np.linspace(PROBED_ROWS, len(values) - 1, PROBED_ROWS).astype(int)
-        values = np.concatenate([values[:PROBED_ROWS], values[rest]])
-    ledger = Ledger(dimensions, mechanism.driver.symbol, values, given_names(mechanism))
+        rest = np.linspace(PROBED_ROWS, rows - 1, PROBED_ROWS).astype(int)
+        given = {name: np.concatenate([column[:PROBED_ROWS], column[rest]]) for name, column in given.items()}
+    ledger = Ledger(dimensions, mechanism.driver.symbol, given, given_names(mechanism))
     ledger.following = following
     ledger.tolerance = ledger.define(
         ledger.reserve("tol"),
@@ -279,6 +275,8 @@ def _lengths_of_places(mechanism: Mechanism) -> list[Quantity]:
 
 
 def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
+    if dyad.frame:
+        return solve_within(poses, dyad)
     match dyad.kind:
         case "RRR":
             return solve_rrr(poses, dyad)
@@ -321,7 +319,7 @@ def _traced(mechanism: Mechanism, at: float, home: float, variables: Sequence[st
     from mechsheet.kinematics.sweep import sweep  # which needs this module
 
     path = way(at, home, not mechanism.driver.joint)
-    driver = replace(mechanism.driver, values=tuple(float(value) for value in path))
+    driver = replace(mechanism.driver, values=tuple(float(value) for value in path), law=None)
     followed = replace(mechanism, driver=driver, sketch=replace(mechanism.sketch, at=None))
     values = sweep(followed, _solve(followed, {}), path)
     if not np.all(np.isfinite([values[name][-1] for name in variables])):
@@ -340,6 +338,16 @@ def _refuse_rates(mechanism: Mechanism, found: list[tuple[Dyad | Chain, Solved, 
                 key=key,
                 hint="leave the speed, the masses and the loads out; positions are found",
             )
+        )
+
+
+def _refuse_forces(mechanism: Mechanism, dyads: list[tuple[Dyad, Solved]]) -> None:
+    """Forces in links that move with a driven pair are a matter of their own."""
+    labels = [solved.label.en for dyad, solved in dyads if dyad.frame]
+    if labels and mechanism.dynamics is not None:
+        message = f"forces are not found where a joint between two moving links is driven inside a loop that moves: {labels[0]}"
+        raise MechanismError(
+            Fault(message, key="dynamics", hint="leave masses and loads out; positions and velocities are found")
         )
 
 
@@ -368,7 +376,7 @@ def _drive(poses: Poses, drive: Drive) -> None:
             poses.fix((drive.moving,), turn, own, *poses.xy[point])
             return
         base = poses.own_place(drive.base, point)
-        poses.members[drive.moving] = _member(turn, base, own)
+        poses.members[drive.moving] = member(turn, base, own)
         return
     joint = drive.joint.joint
     if on_ground:
@@ -383,7 +391,7 @@ def _drive(poses: Poses, drive: Drive) -> None:
     start = poses.through(joint)
     end = cartesian(symbol, al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
     turn = line + angle_of(joint.orientation)
-    poses.members[drive.moving] = _member(turn, end, poses.own_place(drive.moving, joint.point))
+    poses.members[drive.moving] = member(turn, end, poses.own_place(drive.moving, joint.point))
 
 
 def _note_lengths(poses: Poses) -> None:
@@ -392,14 +400,6 @@ def _note_lengths(poses: Poses) -> None:
         pins = [point for point, bodies in poses.graph.pins if link.name in bodies]
         if len(pins) == 2:
             poses.places[link.name].note_length(*pins)
-
-
-def _member(turn: Angle, at: Place, own: Place) -> Member:
-    """The body turned by `turn` whose place `own` lies at the place `at` of the assembly's frame."""
-    if own.is_zero:
-        return Member(turn, at)
-    x, y = own.turned(turn)
-    return Member(turn, at - cartesian(x, y))
 
 
 def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:

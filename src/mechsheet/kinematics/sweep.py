@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 from mechsheet.formula.nodes import Root
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.system import CLOSED, followed, refined
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import dimension_values, solve
 from mechsheet.model import Mechanism
 
 CHUNKS = (200, 4_000)
@@ -24,18 +25,24 @@ DIGITS = 3
 """Poses are rounded to so many digits of the size: a sketch, not an answer."""
 
 
-def sweep(mechanism: Mechanism, equations: Equations, driver: Array) -> dict[str, Array]:
-    """Every symbol's values over the given driver values; NaN where a position does not exist."""
-    rows = len(driver)
+def sweep(mechanism: Mechanism, equations: Equations, given: Array | Mapping[str, Array]) -> dict[str, Array]:
+    """Every symbol's values; NaN where a position does not exist.
+
+    given  the driver's values, and what is given beside them (`given_values`); the driver's values alone where positions
+           are all that is asked for: then what needs the rest is NaN
+    """
+    rowwise = given if isinstance(given, Mapping) else {mechanism.driver.symbol: given}
+    rows = len(rowwise[mechanism.driver.symbol])
     known: dict[str, Array] = {symbol: np.array(number) for symbol, number in dimension_values(mechanism).items()}
     known |= {group.mode: np.array(float(group.mode_value)) for group in equations.groups if group.mode}
-    known[mechanism.driver.symbol] = driver
+    known |= dict.fromkeys(mechanism.given_by_row, np.full(rows, np.nan)) | dict(rowwise)
     seen: dict[Any, Any] = {}
     for equation in equations.constants:
         known[equation.symbol] = evaluate_equation(equation, known, 1)[0]
     for equation in equations.columns:
         if isinstance(equation.expression, Root):
             if equation.symbol not in known:
+                driver = rowwise[mechanism.driver.symbol]
                 known |= _roots(mechanism, equations, equation.symbol, known, driver)
             continue
         known[equation.symbol] = evaluate_equation(equation, known, rows, seen)

@@ -131,11 +131,17 @@ class Linkage(Mechanism):
         """The drawing at a driver value (in its unit; the first position without it), shown by a notebook."""
         return Drawing(self, at)
 
-    def plot(self, path: str | Path, at: float | None = None, language: Literal["en", "tr"] | None = None) -> Path:
+    def plot(
+        self,
+        path: str | Path,
+        at: float | None = None,
+        language: Literal["en", "tr"] | None = None,
+        vectors: bool = False,
+    ) -> Path:
         """Draw into a file: .svg, .png, .gif or .html; see `mechsheet.plot`."""
         from mechsheet.plotting import plot
 
-        return plot(self, path, at, language)
+        return plot(self, path, at, language, vectors)
 
     def __repr__(self) -> str:
         return f"<Linkage {self.name}: {len(self.links)} links, driven by {self.driver.symbol}>"

@@ -42,7 +42,7 @@ def verdict(compiled: Compiled) -> str:
 def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
     """The stop of the sweep as people read it, where the steps do not land on it."""
     driver = mechanism.driver
-    if driver.values:
+    if not driver.stepped:
         return None
     values = dimension_values(mechanism)
     start, stop, step = (number(part, values) for part in (driver.start, driver.stop, driver.step))
@@ -81,7 +81,7 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
     for key, spot in plan.at.spots.items():
         if key.startswith("#limit_") and isinstance(limit := compiled.value(spot), float):
             found[spot.name] = line(limit, None, None)
-    search = Search(mechanism, compiled.equations, compiled.driver, stepped=not mechanism.driver.values)
+    search = Search(mechanism, compiled.equations, compiled.given, stepped=not mechanism.driver.values)
     for key, numbers in SearchedVerdicts(plan, search).numbers().items():
         name = plan.at.spots[f"#{key}"].name if f"#{key}" in plan.at.spots else key
         said = found.setdefault(name, line(None, None, None))

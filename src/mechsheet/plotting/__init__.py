@@ -23,6 +23,7 @@ def plot(
     path: str | Path,
     at: float | None = None,
     language: Literal["en", "tr"] | None = None,
+    vectors: bool = False,
 ) -> Path:
     """Draw a mechanism into the file `path`, whose ending says how, and return it; a folder gets a .svg.
 
@@ -32,6 +33,7 @@ def plot(
 
     at        in the driver's unit (degrees, radians or the length unit); without it, the first position that exists
     language  "en" or "tr"; without it, the description's
+    vectors   draw velocities, accelerations and joint forces as arrows, each kind with a scale bar
 
     Raises MechsheetError for another ending and for a position that an animation does not have, MechanismError when
     the mechanism cannot be solved or has no position at `at`, MissingProgramError when a picture is wanted and
@@ -46,12 +48,16 @@ def plot(
         raise MechsheetError(Fault("the ending of the name says how to draw", readable_name(path), hint=hint))
     from mechsheet.formats.archive import replace_file
 
-    replace_file(path, drawn(mechanism, kind, at, language))
+    replace_file(path, drawn(mechanism, kind, at, language, vectors))
     return path
 
 
 def drawn(
-    mechanism: Mechanism, kind: str, at: float | None = None, language: Literal["en", "tr"] | None = None
+    mechanism: Mechanism,
+    kind: str,
+    at: float | None = None,
+    language: Literal["en", "tr"] | None = None,
+    vectors: bool = False,
 ) -> bytes:
     """The bytes of the file that `plot` writes; `kind` is one of KINDS. Raises as `plot` does."""
     from mechsheet.plotting import pictures
@@ -59,7 +65,7 @@ def drawn(
     from mechsheet.plotting.sampling import sample
     from mechsheet.plotting.scenes import Stage, journey
 
-    stage = Stage(sample(mechanism, at, language))
+    stage = Stage(sample(mechanism, at, language, vectors=vectors))
     shown, sweep = stage.sample.shown, stage.sample.sweep
     title = mechanism.title.of(stage.sample.plan.language)
     if kind in ("gif", "html") and shown >= sweep:

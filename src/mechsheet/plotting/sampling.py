@@ -14,10 +14,16 @@ import numpy as np
 from mechsheet.arguments.numbers import number_given
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
+from mechsheet.formula.nodes import Symbol
+from mechsheet.kinematics.driving import given_at, place_of, rates_at
+from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sketched import tell
-from mechsheet.model import Mechanism
+from mechsheet.kinematics.solve import dimension_values
+from mechsheet.model import TIME, Driver, Mechanism
+from mechsheet.sheet.drawing.frames import CHART_X
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.workbook import Workbook
 
 LEAST, MOST = 121, 361
 """A sweep with fewer positions is refined, each of its steps alike; of one with more, every second, third … is taken."""
@@ -29,13 +35,33 @@ SAME = 1e-9
 class Sample(Compiled):
     """A mechanism compiled at the positions to be drawn.
 
-    sweep  how many of the table's rows are the sweep; one more follows when a position outside of it is asked for
+    sweep    how many of the table's rows are the sweep; one more follows when a position outside of it is asked for
+    vectors  whether the drawing has arrows of velocities, accelerations and forces
     """
 
-    def __init__(self, mechanism: Mechanism, modes: Mapping[str, int], sweep: int, shown: int | None) -> None:
+    def __init__(
+        self, mechanism: Mechanism, modes: Mapping[str, int], sweep: int, shown: int | None, vectors: bool = False
+    ) -> None:
         super().__init__(mechanism, modes)
         self.sweep = sweep
+        self.vectors = vectors
         self._asked = shown
+
+    @property
+    def layout(self) -> Workbook:
+        """The workbook, its drawing with or without arrows."""
+        workbook, rows = super().layout, self.plan.arrow_rows
+        if self.vectors or not rows:
+            return workbook
+        main = workbook.sheets[0]
+        drawing, *others = main.charts
+        title = self.plan.at.titles["drawing"]
+        kept = [
+            each for each in drawing.series if each.x.sheet != title or each.x.area.first_row not in rows
+            or each.x.area.first_col != CHART_X
+        ]  # fmt: skip
+        main = replace(main, charts=(replace(drawing, series=tuple(kept)), *others))
+        return replace(workbook, sheets=(main, *workbook.sheets[1:]))
 
     @cached_property
     def shown(self) -> int:
@@ -45,34 +71,97 @@ class Sample(Compiled):
         return self.exists.index(True) if True in self.exists else 0
 
 
-def sample(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None, least: int = LEAST) -> Sample:
+def sample(
+    mechanism: Mechanism,
+    at: float | None,
+    language: Literal["en", "tr"] | None,
+    least: int = LEAST,
+    vectors: bool = False,
+) -> Sample:
     """The mechanism's workbook at the positions to be drawn, `at` (in the driver's unit) among them exactly.
 
     There are `least` positions or a few more, where the sweep has fewer of its own.
-    The assembly modes are those of the description's own sweep. Raises MechanismError when the mechanism cannot be
-    solved, or cannot be assembled at `at`; MechsheetError when `at` is no number.
+    The assembly modes are those of the description's own sweep; `vectors` as of `Sample`. Raises MechanismError when the
+    mechanism cannot be solved, or cannot be assembled at `at`; MechsheetError when `at` is no number, or where there are no
+    vectors to draw.
     """
     at = None if at is None else number_given(at, "at")
     if language not in (None, "en", "tr"):
         raise MechsheetError(Fault(f'unknown language "{language}"', key="language", hint='languages: "en", "tr"'))
     compiled = compiled_of(mechanism)
     tell(mechanism, compiled.equations)
-    values = resampled(compiled.driver.tolist(), least)
+    places: list[float] = []
+    if mechanism.driver.law is None:
+        values = resampled(compiled.driver.tolist(), least)
+    else:
+        places = resampled([float(row) for row in range(1, mechanism.driver.law.rows + 1)], least)
+        values = given_at(mechanism, dimension_values(mechanism), np.array(places))[mechanism.driver.symbol].tolist()
     shown, sweep = None, len(values)
     if at is not None:
-        values, shown = with_value(values, mechanism.driver.unit.to_internal(at))
+        wanted = mechanism.driver.unit.to_internal(at)
+        values, shown = with_value(values, wanted)
         sweep = sweep if shown == sweep else len(values)
+        if places and len(values) > len(places):
+            places.insert(shown, place_of(mechanism, dimension_values(mechanism), wanted))
     drawn = replace(
         mechanism,
-        driver=replace(mechanism.driver, values=tuple(values)),
+        driver=_listed(compiled, values, places, shown, least),
         language=language or mechanism.language,
         layout="sheets",
         tables=(),
         summaries=(),
     )
-    found = Sample(drawn, compiled.modes, sweep, shown)
+    found = Sample(drawn, compiled.modes, sweep, shown, vectors)
+    if vectors and not found.plan.arrows:
+        hint = "give the driver a speed, or the links masses or loads"
+        raise MechsheetError(Fault("there are no velocities and no forces to draw", key="vectors", hint=hint))
     if shown is not None and not found.exists[shown]:
         raise MechanismError(_missing(found, at))
+    return found
+
+
+def _listed(
+    compiled: Compiled, values: Sequence[float], places: Sequence[float], row: int | None, least: int
+) -> Driver:
+    """The driver at these values one by one; with the time of its law at these places, with what is listed beside it.
+
+    row  of a value that was put between those of the sweep, if one was
+    """
+    mechanism, driver = compiled.mechanism, compiled.mechanism.driver
+    names = dict(zip(mechanism.driver_rates, ("speeds", "accelerations"), strict=True))
+    if driver.law is None:
+        columns = {name: _as_driver(compiled.given[name], values, row, least) for name in mechanism.given_by_row}
+    else:
+        given = given_at(mechanism, dimension_values(mechanism), np.array(places))
+        rates = rates_at(mechanism, dimension_values(mechanism), given)
+        known = {dim.symbol for dim in mechanism.dimensions}  # the same in every row
+        columns = {TIME: given[TIME].tolist()}
+        columns |= {name: column.tolist() for name, column in rates.items() if name not in known}
+    lists = {names.get(name, "times"): tuple(column) for name, column in columns.items()}
+    speed, acceleration = driver.speed, driver.acceleration
+    if driver.law is not None:
+        speed, acceleration = (Symbol(name) for name in names)
+    return replace(
+        driver,
+        values=tuple(values),
+        law=None,
+        speed=speed,
+        acceleration=acceleration,
+        times=lists.get("times", ()),
+        speeds=lists.get("speeds", ()),
+        accelerations=lists.get("accelerations", ()),
+    )
+
+
+def _as_driver(listed: Array, values: Sequence[float], row: int | None, least: int) -> list[float]:
+    """What is listed beside the driver's values, where these have been refined: evenly from one to the next."""
+    found = resampled(listed.tolist(), least)
+    if row is None or len(found) == len(values):
+        return found
+    if row >= len(found):
+        return [*found, found[-1]]
+    part = (values[row] - values[row - 1]) / (values[row + 1] - values[row - 1])
+    found.insert(row, found[row - 1] + (found[row] - found[row - 1]) * part)
     return found
 
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..diagnostics import MechanismError, near_miss
 from ..formula.nodes import symbols
 from ..model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
+from .driving import by_law
 from .expressions import number
 
 Array: TypeAlias = NDArray[np.float64]
@@ -61,12 +62,14 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
 
 
 def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
-    """The driver's values over the sweep, in internal units: start + n*step up to stop, or the values listed.
+    """The driver's values over the sweep, in internal units: start + n*step up to stop, the values listed, or by its law.
 
     `dimensions` are all dimension values (`dimension_values`). Stop is included when the steps land on it within
     1e-9 of a step. Raises MechanismError when the steps never get to stop.
     """
     driver = mechanism.driver
+    if driver.law is not None:
+        return by_law(driver.law, dimensions)[1]
     if driver.values:
         return np.array([number(value, dimensions) for value in driver.values])
     start, stop, step = (number(value, dimensions) for value in (driver.start, driver.stop, driver.step))

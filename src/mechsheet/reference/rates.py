@@ -18,7 +18,7 @@ import numpy as np
 from ..formula.nodes import symbols
 from ..model import Mechanism, rate_symbols
 from . import geometry
-from .expressions import column as over_rows
+from .driving import driver_rates
 from .expressions import number
 from .geometry import Array
 from .poses import Solution
@@ -69,14 +69,14 @@ def by_time(solution: Solution) -> dict[str, Array]:
     found: dict[str, Array] = {}
     for symbol, (once, twice) in derivatives.items():
         found |= {f"{symbol}.d": once, f"{symbol}.dd": twice}
-    if driver.speed is None or driver.acceleration is None:
+    if driver.speed is None:
         return found
-    given = {name: np.array(value) for name, value in solution.dimensions.items()} | {driver.symbol: solution.driver}
-    speed, acceleration = (over_rows(node, given, len(solution.driver)) for node in (driver.speed, driver.acceleration))
+    given = driver_rates(mechanism, solution.dimensions, solution.driver)
+    speed, acceleration = (given[name] for name in mechanism.driver_rates)
     moved = {
         name: (once * speed, twice * speed**2 + once * acceleration) for name, (once, twice) in derivatives.items()
     }
-    found |= dict(zip(mechanism.driver_rates, (speed, acceleration), strict=True))
+    found |= given
     for symbol, pair in moved.items():
         if not symbol.endswith((".x", ".y")):
             found |= dict(zip(rate_symbols(symbol, symbol not in slides), pair, strict=True))

@@ -16,7 +16,7 @@ from mechsheet.sheet.table.forces import forces_sheet
 from mechsheet.sheet.table.iterations import iterations_sheet
 from mechsheet.sheet.table.positions import positions_sheet
 from mechsheet.sheet.table.rates import rates_sheet
-from mechsheet.sheet.table.two_way import table_sheets
+from mechsheet.sheet.table.requested import table_sheets
 from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
 
 DESCRIPTION_MARK = "mechsheet description, format 1"

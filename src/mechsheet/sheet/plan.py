@@ -14,10 +14,11 @@ import numpy as np
 
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, Role
+from mechsheet.kinematics.driving import given_values
+from mechsheet.kinematics.equations import FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values, largest_length
+from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
@@ -55,6 +56,10 @@ FOOTER_TITLE = 100
 """Characters of the title in the footer, which holds 255 in all."""
 
 
+ArrowKind = Literal["velocity", "acceleration", "forces"]
+"""What arrows in the drawing show; a cell of the first sheet, `show_velocity`, hides each."""
+
+
 @dataclass(frozen=True, slots=True)
 class Block:
     """A block of the first sheet: its heading's row and the rows of its entries by symbol (or key)."""
@@ -66,14 +71,15 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """One column of the table: the row's number, the driver, what it says of the row, or a quantity.
+    """One column of the table: the row's number, the driver, what it says of the row, the time of a law, what is listed
+    beside the driver's values, or a quantity.
 
     inner  an intermediate quantity, in quieter ink
     """
 
     col: int
     symbol: str
-    kind: Literal["number", "driver", "status", "equation"]
+    kind: Literal["number", "driver", "status", "time", "listed", "equation"]
     group: int
     inner: bool
     equation: Assignment | None = None
@@ -88,6 +94,7 @@ class Plan:
     iterations  those of the sheet of Newton's method, where a group is solved by it
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    arrow_rows  rows of the drawing's sheet in which its arrows stand, likewise
     """
 
     mechanism: Mechanism
@@ -105,6 +112,7 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
+    arrow_rows: range = range(0)
 
     @cached_property
     def size(self) -> float:
@@ -112,9 +120,14 @@ class Plan:
         return largest_length(self.mechanism, dimension_values(self.mechanism)) or 1.0
 
     @cached_property
+    def given(self) -> Mapping[str, Array]:
+        """Of every row the driver's value and what is given beside it, with the dimensions as described."""
+        return given_values(self.mechanism, dimension_values(self.mechanism))
+
+    @cached_property
     def nominal(self) -> dict[str, Array]:
         """Every symbol's values over the rows with the dimensions and modes as described, NaN where there is none."""
-        return sweep(self.mechanism, self.equations.equations, np.array(self.driver))
+        return sweep(self.mechanism, self.equations.equations, self.given)
 
     @cached_property
     def first_existing(self) -> int:
@@ -156,6 +169,25 @@ class Plan:
     def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces; see `Equations`."""
         return self.equations.equations.shown_forces
+
+    @property
+    def moving_points(self) -> tuple[str, ...]:
+        """Points that have a velocity and an acceleration."""
+        points = {point for link in self.mechanism.links for point in link.points}
+        found = (column.symbol.rpartition(".") for column in self.rates)
+        return tuple(point for point, _, part in found if part == "v" and point in points)
+
+    @property
+    def held_columns(self) -> tuple[str, ...]:
+        """The forces of joints, as far as they differ from row to row."""
+        columns = {column.symbol for column in self.forces}
+        return tuple(name for name in self.equations.equations.forces(*JOINT_FORCES) if name in columns)
+
+    @property
+    def arrows(self) -> tuple[ArrowKind, ...]:
+        """What arrows there are in the drawing."""
+        found: tuple[ArrowKind, ...] = ("velocity", "acceleration") if self.moving_points else ()
+        return (*found, "forces") if self.held_columns else found
 
     @property
     def footer(self) -> str:
@@ -201,7 +233,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
         key for key, own in (("rates", RATES), ("forces", FORCES), ("iterations", ("iteration",))) if roles & {*own}
     ]
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
-    values = driver_values(mechanism, dimension_values(mechanism))
+    values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
     assignments = with_energy(mechanism, lowered(mechanism, equations))
@@ -221,9 +253,10 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
     taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
     plan.next_row = FIRST_BLOCK
-    _block(plan, "position", ["position", mechanism.driver.symbol, "status"])
+    shown = [f"show_{kind}" for kind in plan.arrows]
+    _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
-    if not mechanism.driver.values:
+    if mechanism.driver.stepped:
         _block(plan, "sweep", ["start", "step", "stop"])
     for key in INPUT_BLOCKS:
         entries = [dim.symbol for dim in mechanism.dimensions if block_of(dim) == key]
@@ -232,7 +265,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     modes = [group.mode for group in plan.equations.groups if group.mode]
     if modes:
         _block(plan, "assembly", modes)
-    variables = [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
+    variables = [*mechanism.given_by_row]
+    variables += [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
     variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
@@ -264,6 +298,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _spot(plan, f"#summary {summary.symbol}", row, False, name, taken)
     name = safe_name(plan.text("name.position"), taken)
     _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
+    for key in shown:
+        _spot(plan, f"#{key}", plan.blocks["position"].rows[key], False, safe_name(key, taken), taken)
     _spot(plan, "#verdict", VERDICT_ROW, False, safe_name("verdict", taken), taken, SYMBOL)
     for key in plan.found.entries:
         row = plan.blocks["verdicts"].rows[key]
@@ -309,6 +345,8 @@ def _plan_columns(plan: Plan) -> None:
     _add_column(plan, "#number", "number", 0, False)
     _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
     _add_column(plan, "#status", "status", 0, False)
+    for symbol in plan.mechanism.given_by_row:
+        _add_column(plan, symbol, "time" if driver.law else "listed", 0, False)
     for equation in plan.equations.columns:
         if equation.role in (*RATES, *FORCES, "iteration"):
             continue
@@ -372,7 +410,7 @@ def _place_starts(plan: Plan, title: str) -> None:
 def _add_column(
     plan: Plan,
     symbol: str,
-    kind: Literal["number", "driver", "status", "equation"],
+    kind: Literal["number", "driver", "status", "time", "listed", "equation"],
     group: int,
     degrees: bool,
     equation: Assignment | None = None,

@@ -47,6 +47,7 @@ PHRASES = {
     "point_on": ("{point} on {link}", "{link}: {point}"),
     "place_in_link": ("{point} in the frame of {link}", "{link} takımında {point}"),
     "way_in_link": ("from the pin to {point}, in the frame of {link}", "{link} takımında mafsaldan {point} yerine"),
+    "turned_in_pair": ("angle of {link} in the frame of the driven pair", "{link} açısı, tahrik çiftinin takımında"),
     "in_driven_pair": ("{name} in the frame of the driven pair", "{name}, tahrik çiftinin takımında"),
     "origin": ("origin of {link}", "{link}: başlangıç noktası"),
     "length_in_link": ("{start}–{end} on {link}", "{link}: {start}–{end}"),

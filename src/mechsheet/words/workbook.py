@@ -194,6 +194,29 @@ WORDS: dict[str, tuple[str, str]] = {
         "Başlık satırındaki sarı hücreler ve ilk sayfadaki boyutlar değiştirilebilir. "
         "#YOK (#N/A): uzuvlar orada birleştirilemez.",
     ),
+    "table.summary.hint": (
+        "The yellow cells of the head row and of the first column may be changed, and so may the dimensions on the first "
+        "sheet. Amber: about right, or some positions of the sweep do not exist: the value is of those that do. "
+        "#N/A: none exists.",
+        "Başlık satırındaki ve ilk sütundaki sarı hücreler ile ilk sayfadaki boyutlar değiştirilebilir. "
+        "Turuncu: yaklaşıktır ya da çevrimin bazı konumları yoktur: değer var olanlarındır. #YOK (#N/A): hiçbiri yoktur.",
+    ),
+    "table.helpers": ("helpers: one column a cell", "yardımcılar: hücre başına bir sütun"),
+    "table.count": ("positions that exist", "var olan konumlar"),
+    "table.wraps": ("whole turn: ends are neighbours", "tam devir: uçlar komşu"),
+    "table.best.min": ("smallest in the rows", "satırlardaki en küçük"),
+    "table.best.max": ("largest in the rows", "satırlardaki en büyük"),
+    "table.row": ("in row", "satırı"),
+    "table.middle": ("middle of three rows", "üç satırın ortası"),
+    "table.before": ("value before it", "öncekinin değeri"),
+    "table.at.middle": ("value of the middle", "ortanın değeri"),
+    "table.after": ("value after it", "sonrakinin değeri"),
+    "table.place": ("probe, rows from the middle", "ara konum, ortadan satır"),
+    "table.driven": ("driver's value there", "giriş değeri"),
+    "table.probe": ("value there", "oradaki değer"),
+    "table.settled": ("the probes have settled", "ara konumlar oturdu"),
+    "table.sure": ("1: of all positions, settled", "1: bütün konumların, oturmuş"),
+    "table.result": ("value in the table", "tablodaki değer"),
     # the drawing
     "drawing.title": ("The drawing in numbers", "Çizimin sayıları"),
     "drawing.note": (

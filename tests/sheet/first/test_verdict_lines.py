@@ -25,6 +25,11 @@ def test_types_of_four_bars(case):
     assert laid.words("swing_theta14") == case["rocker"]
 
 
+def test_an_emptied_length_leaves_no_type_and_no_number():
+    laid = Laid(FOUR_BAR).change(a3=None)
+    assert (laid.spot("#grashof_1"), laid.words("grashof_1")) == (NA, "")
+
+
 def test_transmission_angle():
     """cos(mu) = (a3^2 + a4^2 - s^2) / (2 a3 a4), with s between |a1 - a2| and a1 + a2."""
     a1, a2, a3, a4 = 70, 35, 62.3, 56

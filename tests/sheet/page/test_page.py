@@ -369,3 +369,21 @@ def test_velocities_follow_the_positions():
     folded = KITE.replace("a1 = 60\na2 = 60\na3 = 70\na4 = 70", "a1 = 70\na2 = 35\na3 = 70\na4 = 35")
     folded = folded.replace("start = -360", "speed = 1\nstart = 150").replace("stop = 360", "stop = 195")
     assert np.isnan(Page(folded).column("omega13")).tolist() == [False, False, True, False]
+
+
+def test_forces_follow_the_velocities():
+    """Masses and loads are inputs on top; the columns are those of the sheets, and can be read."""
+    text = text_of("four-bar").replace("[driver]", "[driver]\nspeed = 20")
+    text = text.replace("[links.coupler]", "[links.coupler]\nmass = 2\ncenter = [30, 10]\ninertia = 1e-3")
+    text += '[[loads]]\nname = "P"\nlink = "rocker"\ntorque = 3\n'
+    page = Page(text)
+    symbols = [column.symbol for column in page.plan.columns]
+    assert symbols.index("omega14") < symbols.index("G3.x") < symbols.index("F34") < symbols.index("T12")
+    motion = mechsheet.loads(text).solve()
+    for symbol in ("F34", "F34.x", "F14", "F12.y", "T12", "T12.work"):
+        assert page.column(symbol) == pytest.approx(motion[symbol], rel=1e-9, abs=1e-9), symbol
+    for column in page.plan.columns:
+        if column.equation is not None and column.equation.role in ("dynamic", "force") and column.symbol != "T12.work":
+            fill = next(fill for fill in page.sheet.fills if (fill.row, fill.col) == (page.plan.at.first, column.col))
+            assert len(print_formula(fill.formula, "excel")) <= 130
+    assert {"m_3", "J_3", "P"} <= page.plan.at.spots.keys()

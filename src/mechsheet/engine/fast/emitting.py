@@ -9,52 +9,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from ..layout import Layout
 from ..values.cells import NEAR, TEXT
-from .helpers import HELPERS, TroubleError
+from .helpers import HELPERS
 from .lowering import COLS, ROWS, Effect, Lowering, Value
 from .recurrence import unwrapped
-from .usage import Usage, roots
+from .singles import Singles
+from .usage import roots
 
 CHUNK = 16_384
 """Cells of a column at a time: what fits the processor's second cache with a few buffers of it (docs/speed.md)."""
 
-_TERMS = 64
-"""Terms of a sum in the code: Python's compiler takes no chains of thousands."""
 _LARGE = 4096
 """Cells from which on a reduction of an array is faster than it is to write another one."""
 
 Code = Callable[..., None]
-
-_SCALAR = {
-    "add": "{0} + {1}",
-    "subtract": "{0} - {1}",
-    "multiply": "{0} * {1}",
-    "divide": "{0} / {1}",
-    "square": "{0} * {0}",
-    "negative": "-{0}",
-    "absolute": "abs({0})",
-    "minimum": "{0} if {0} < {1} else {1}",
-    "maximum": "{0} if {0} > {1} else {1}",
-    "less": "{0} < {1}",
-    "less_equal": "{0} <= {1}",
-    "greater": "{0} > {1}",
-    "greater_equal": "{0} >= {1}",
-    "not_equal": "{0} != {1}",
-    "logical_and": "{0} and {1}",
-    "logical_or": "{0} or {1}",
-    "logical_not": "not {0}",
-    "where": "{1} if {0} else {2}",
-    "snap": "0.0 if abs({0}) < NEAR * abs({1}) and abs({0}) < 1 else {0}",
-}
-"""How Python says an operation on single numbers; the others go through numpy, which gives the same bits as for a column."""
-
-_UNFLAGGED = frozenset(("add", "subtract", "multiply", "divide", "square"))
-"""Operations of Python floats that overflow in silence."""
 
 
 @dataclass(slots=True)
@@ -88,21 +61,16 @@ def emit(lowering: Lowering, layout: Layout) -> tuple[Code, str, dict[str, int]]
     return namespace["run"], source, {pool.letter: pool.count for pool in emitter.pools.values()}
 
 
-class _Emitter:
+class _Emitter(Singles):
     def __init__(self, lowering: Lowering, layout: Layout) -> None:
-        self.lowering = lowering
-        self.layout = layout
-        self.values = lowering.values
-        self.lines: list[str] = []
-        self.names: dict[int, str] = {}
+        super().__init__(lowering, layout)
         self.boxed: set[int] = set()
         self.pools = {key: _Pool(letter) for key, letter in zip("tbwv", "tbwv", strict=True)}
         self.owned: dict[int, tuple[_Pool, str]] = {}
-        self.namespace: dict[str, Any] = {
-            "TroubleError": TroubleError, "NEAR": NEAR, "isfinite": np.isfinite, "array": np.array, "empty": np.empty,
-            "copyto": np.copyto, "zero": np.zeros(()), "near": np.array(NEAR), "arange": np.arange, "take": np.take,
-        }  # fmt: skip
-        self.usage = Usage(lowering, layout)
+        self.namespace.update(
+            array=np.array, empty=np.empty, copyto=np.copyto, zero=np.zeros(()), near=np.array(NEAR), arange=np.arange,
+            take=np.take,
+        )  # fmt: skip
         self.needed, self.uses, self.outputs = self.usage.needed, self.usage.uses, self.usage.outputs
 
     # code
@@ -114,15 +82,7 @@ class _Emitter:
                 self._release(roots(item), place)
             else:
                 self._define(item, place)
-        unflagged = [self.names[n] for n in sorted(self.needed) if self._is_unflagged(self.values[n])]
-        for start in range(0, len(unflagged), _TERMS):
-            self.line(f"if not isfinite({' + '.join(unflagged[start : start + _TERMS])}): raise TroubleError")
-
-    def _is_unflagged(self, value: Value) -> bool:
-        return value.extent == 0 and value.op in _UNFLAGGED
-
-    def line(self, text: str) -> None:
-        self.lines.append(f"    {text}")
+        self.check_singles()
 
     def source(self) -> str:
         head = ["def run(numbers, codes, buffers, i, j):", "    n = j - i", "    item = numbers.item"]
@@ -165,10 +125,6 @@ class _Emitter:
             return f"numbers[{start} + i:{start} + j]"
         return f"numbers[{start}:{start + shape.rows * shape.cols}].reshape({shape.cols}, {shape.rows})[:, i:j]"
 
-    def _function(self, op: str) -> str:
-        self.namespace[op] = getattr(np, op)
-        return op
-
     def _argument(self, number: int, along: bool) -> str:
         """An operand's name; a single number among columns as an array without axes, which numpy takes faster."""
         value, name = self.values[number], self.names[number]
@@ -185,15 +141,6 @@ class _Emitter:
 
     def _define(self, number: int, place: int) -> None:
         value = self.values[number]
-        if value.kind in ("error", "true", "false"):
-            return
-        if value.op == "text":
-            self.names[number] = f"({float(self.layout.texts.number(str(value.data)))})"
-            return
-        if value.kind in ("line", "text line"):
-            self.names[number] = f"l{number}"
-            self._line(number, value)
-            return
         if value.extent & ROWS:
             self._along(number, value, place)
         elif value.extent == COLS:
@@ -201,27 +148,7 @@ class _Emitter:
             self._across(number, value)
             self._release(value.args, place)
         else:
-            self.names[number] = f"s{number}"
-            self._single(number, value)
-
-    def _single(self, number: int, value: Value) -> None:
-        args = [self.names[arg] for arg in value.args]
-        if value.op == "constant":
-            self.names[number] = f"({value.data})"
-            return
-        if value.op == "cell":
-            text = f"item({value.data})"
-        elif value.op.startswith("line_"):
-            text = f"float({args[0]}.{value.op[5:]}())"
-        elif value.op in HELPERS:
-            self.namespace[value.op] = HELPERS[value.op]
-            digits = f", {value.data}" if value.op == "rounded" else ""
-            text = f"float({value.op}({', '.join(args)}{digits}))"
-        elif value.op in _SCALAR:
-            text = _SCALAR[value.op].format(*args)
-        else:
-            text = f"float({self._function(value.op)}({', '.join(args)}))"
-        self.line(f"s{number} = {text}")
+            self.define(number)
 
     def _across(self, number: int, value: Value) -> None:
         args = [self.names[arg] for arg in value.args]
@@ -237,19 +164,11 @@ class _Emitter:
         elif value.op == "snap":
             result, left = args
             text = (
-                f"{self._function('where')}((abs({result}) < NEAR * abs({left})) & (abs({result}) < 1), 0.0, {result})"
+                f"{self.function('where')}((abs({result}) < NEAR * abs({left})) & (abs({result}) < 1), 0.0, {result})"
             )
         else:
-            text = f"{self._function(value.op)}({', '.join(args)})"
+            text = f"{self.function(value.op)}({', '.join(args)})"
         self.line(f"r{number} = {text}")
-
-    def _line(self, number: int, value: Value) -> None:
-        """A range that is the same in every row."""
-        if value.op == "line" and isinstance(value.data, tuple):
-            self.line(f"l{number} = numbers[{value.data[0]}:{value.data[1]}]")
-        else:
-            self.namespace[f"places{number}"] = np.array(value.data)
-            self.line(f"l{number} = numbers[places{number}]")
 
     def _along(self, number: int, value: Value, place: int) -> None:
         if value.op == "column":
@@ -272,7 +191,7 @@ class _Emitter:
         self.names[number] = target = self._target(number)
         # numpy wants the word for these two; for the others the place alone is faster
         out = f"out={target}" if value.op in ("minimum", "maximum") else target
-        self.line(f"{self._function(value.op)}({', '.join(args)}, {out})")
+        self.line(f"{self.function(value.op)}({', '.join(args)}, {out})")
 
     def _rows(self) -> int:
         return max(self.layout.blocks[block].rows for block in self.lowering.results)
@@ -300,7 +219,7 @@ class _Emitter:
             self.line(f"copyto({target}, {args[0]})")
         values, masks = self._pool(value.extent, False), self._pool(value.extent, True)
         size, mask = values.take(), masks.take()
-        self.line(f"{self._function('absolute')}({target}, {size})")
+        self.line(f"{self.function('absolute')}({target}, {size})")
         inside = ""
         if self.values[left].extent == value.extent:
             limit = values.take()
@@ -311,11 +230,11 @@ class _Emitter:
                 self.line(f"if least({size}, None) < NEAR * {most}:")
                 inside = "    "
             self.line(f"{inside}absolute({args[1]}, {limit})")
-            self.line(f"{inside}{self._function('multiply')}({limit}, near, {limit})")
+            self.line(f"{inside}{self.function('multiply')}({limit}, near, {limit})")
             values.give(limit)
         else:
             limit = f"NEAR * abs({self.names[left]})"
-        self.line(f"{inside}{self._function('less')}({size}, {limit}, {mask})")
+        self.line(f"{inside}{self.function('less')}({size}, {limit}, {mask})")
         self.line(f"{inside}if {mask}.tobytes().find(1) >= 0: {target}[{mask} & ({size} < 1)] = 0.0")
         values.give(size)
         masks.give(mask)
@@ -331,11 +250,11 @@ class _Emitter:
         self.namespace["accumulate"] = np.add.accumulate
         self.line(f"accumulate({steps}, 0, None, {target})")
         # A sum that cancels to almost nothing is snapped, and what follows starts from 0: the interpreter does that.
-        self.line(f"{self._function('absolute')}({target}, {steps})")
+        self.line(f"{self.function('absolute')}({target}, {steps})")
         limit = values.take()
         self.line(f"absolute({args[0]}, {limit})")
-        self.line(f"{self._function('multiply')}({limit}, 2 * NEAR, {limit})")
-        self.line(f"{self._function('less')}({steps}, {limit}, {mask})")
+        self.line(f"{self.function('multiply')}({limit}, 2 * NEAR, {limit})")
+        self.line(f"{self.function('less')}({steps}, {limit}, {mask})")
         self.line(f"if {mask}.tobytes().find(1) >= 0 and ({mask} & ({target} != 0)).any(): raise TroubleError")
         for name in (steps, limit):
             values.give(name)
@@ -357,7 +276,7 @@ class _Emitter:
     def _held(self, number: int, value: Value, args: list[str]) -> None:
         self.names[number] = target = self._target(number)
         self.namespace["latest"] = np.maximum.accumulate
-        where = self._function("where")
+        where = self.function("where")
         self.line(f"kept = empty(n + 1); kept[0] = item({value.data} + i); kept[1:] = {args[1]}")
         self.line(f'take(kept, latest({where}({args[0]}, arange(1, n + 1), 0)), 0, {target}, "clip")')
 
@@ -391,7 +310,7 @@ class _Emitter:
         if extent & ROWS:
             pool = self._pool(extent, True)
             mask = pool.take()
-            self.line(f"{self._function('equal')}({a}, zero, {mask})")
+            self.line(f"{self.function('equal')}({a}, zero, {mask})")
             pool.give(mask)
         else:
             mask = "beside"

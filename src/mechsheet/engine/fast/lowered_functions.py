@@ -17,9 +17,9 @@ from .lowering import COLS, ROWS, Effect, Lowering, UnsuitableError
 Args = tuple[Node, ...]
 Lowered = Callable[[Lowering, Args], int]
 
-_MOST_SUMMED = 7  # up to here numpy's own summation adds one after the other
+MOST_SUMMED = 7  # up to here numpy's own summation adds one after the other
 
-_UFUNCS = {
+UFUNCS = {
     "SIN": "sin", "COS": "cos", "TAN": "tan", "ASIN": "arcsin", "ACOS": "arccos", "ATAN": "arctan", "SINH": "sinh",
     "COSH": "cosh", "TANH": "tanh", "ASINH": "arcsinh", "ACOSH": "arccosh", "ATANH": "arctanh", "RADIANS": "radians",
     "DEGREES": "degrees", "SQRT": "sqrt", "ABS": "absolute", "SIGN": "sign", "EXP": "exp", "LN": "log",
@@ -107,12 +107,12 @@ def _extreme(op: str, reduced: str) -> Lowered:
 def _sum(low: Lowering, args: Args) -> int:
     if len(args) == 1 and isinstance(args[0], RangeRef):
         return _reduced(low, "sum", args[0])
-    _expect(0 < len(args) <= _MOST_SUMMED)
+    _expect(0 < len(args) <= MOST_SUMMED)
     return _joined("add", low, [low.number(arg) for arg in args])
 
 
 def _sumsq(low: Lowering, args: Args) -> int:
-    _expect(len(args) <= _MOST_SUMMED)
+    _expect(len(args) <= MOST_SUMMED)
     return _joined("add", low, [low.value("square", (low.number(arg),)) for arg in args])
 
 
@@ -294,7 +294,7 @@ def _first(low: Lowering, args: Args) -> int:
 
 
 FUNCTIONS: dict[str, Lowered] = {
-    **{name: _ufunc(op) for name, op in _UFUNCS.items()},
+    **{name: _ufunc(op) for name, op in UFUNCS.items()},
     "PI": _pi, "NA": _na, "ROW": _row, "ATAN2": _atan2, "POWER": _power, "MOD": _mod, "ROUND": _round,
     "MIN": _extreme("minimum", "min"), "MAX": _extreme("maximum", "max"), "SUM": _sum, "SUMSQ": _sumsq, "COUNT": _count,
     "INDEX": _index, "MATCH": _match, "ISNUMBER": _is("number"), "ISTEXT": _is("text"), "ISNA": _is(), "ISERROR": _is(),

@@ -221,7 +221,10 @@ class Lowering:
 
     def _operate(self, op: str, left: int, right: Node) -> int:
         if op in ("=", "<>", "<", "<=", ">", ">="):
-            return self._compared(op, left, self.number(right))
+            other = self.lower(right)
+            if {self.values[left].kind, self.values[other].kind} == {"number", "text"}:
+                return self._apart(op, self.values[left].kind == "number")
+            return self._compared(op, left, other)
         if self.values[left].kind != "number":
             raise UnsuitableError
         if op == "^":
@@ -257,9 +260,14 @@ class Lowering:
             return result
         return self.value("snap", (result, args[0]))
 
+    def _apart(self, op: str, number_first: bool) -> int:
+        """A number beside a text: numbers come before texts."""
+        flag = op == "<>" or (op != "=" and (op[0] == "<") == number_first)
+        return self.value("truth", (), flag, 0, "true" if flag else "false")
+
     def _compared(self, op: str, left: int, right: int) -> int:
         """As `compare_numbers`: nearly equal is equal, measured at the right side."""
-        if self.values[left].kind != "number":
+        if self.values[left].kind != "number" or self.values[right].kind != "number":
             raise UnsuitableError
         sides = self.values[left], self.values[right]
         if sides[0].op == sides[1].op == "constant":

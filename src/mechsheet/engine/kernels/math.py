@@ -87,6 +87,23 @@ def rounded(number: Any, digits: Any) -> Any:
     return half_away(number) if np.ndim(digits) == 0 and digits == 0 else _scaled(number, digits, _half_up)
 
 
+def rounded_one(number: float, digits: int) -> float:
+    """`rounded` of one number to 1 to 307 decimals, or as many places before them (negative), at Python's speed."""
+    factor = _FACTORS[abs(digits)]
+    size = abs(number)
+    up = size * factor if digits > 0 else size / factor
+    if not math.isfinite(up) or (digits > 0 and up >= 2.0**52):
+        return number
+    near = float(round(up))
+    if abs(up - near) <= 4e-16 * up:
+        up = near
+    whole = (up + 0.5 + up * 2.0**-52) // 1.0
+    return math.copysign(whole / factor if digits > 0 else whole * factor, number)
+
+
+_FACTORS = [float(np.power(10.0, places)) for places in range(308)]
+
+
 def _half_up(size: Any) -> Any:
     # 267.49999999999994 is 2.675 times 100: a half that multiplication has shaved.
     return np.floor(size + 0.5 + size * 2.0**-52)

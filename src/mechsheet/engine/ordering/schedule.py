@@ -18,6 +18,7 @@ from ..interpreter.evaluator import Evaluator
 from ..layout import Layout
 from .array_steps import ArrayStep, Kept
 from .cell_by_cell import Together
+from .row_by_row import row_by_row
 
 
 class Step(Protocol):
@@ -61,7 +62,8 @@ def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]]
         recurrence = recognise(layout, number, formulas[number]) if number in reads[number] else None
         if len(group) > 1 or (number in reads[number] and recurrence is None):
             place.update(dict.fromkeys(group, len(steps)))
-            steps.append(Together(layout, formulas, group, special.functions, special.blocked))
+            together = Together(layout, formulas, group, special.functions, special.blocked)
+            steps.append(row_by_row(layout, formulas, group) or together)
             continue
         lone = _lone_step(layout, number, formulas[number], special)
         if lone is not None:

@@ -186,6 +186,10 @@ def calls_one_of(formula: Node, functions: Collection[str]) -> bool:
     return bool(functions) and any(isinstance(node, Call) and node.name in functions for node in walk(formula))
 
 
+GROWS = 5
+"""A formula filled down and across is at most so many times as long: from A1 to XFD1048576."""
+
+
 def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
     """The text of each fill's first formula, escaped, by its place.
 
@@ -196,7 +200,7 @@ def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
     for fill in sheet.fills:
         text = print_formula(fill.formula, "excel")
         last = text
-        if fill.rows * fill.cols > 1:
+        if fill.rows * fill.cols > 1 and GROWS * len(text) > MAX_FORMULA:
             last = print_formula(shifted(fill.formula, fill.rows - 1, fill.cols - 1), "excel")
         length = max(len(text), len(last))
         if length > MAX_FORMULA:

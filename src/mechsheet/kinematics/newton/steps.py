@@ -49,7 +49,7 @@ class Steps:
     def _at(self, driver: Array, equations: Equations, parts: int) -> list[Array]:
         """The unknowns at these values of the driver, followed in steps divided into so many parts."""
         path = np.interp(np.arange((len(driver) - 1) * parts + 1) / parts, np.arange(len(driver)), driver)
-        rows = replace(self.mechanism.driver, values=tuple(float(value) for value in path))
+        rows = replace(self.mechanism.driver, values=tuple(float(value) for value in path), law=None)
         values = self.sweep(replace(self.mechanism, driver=rows), _finer(equations, parts), path)
         return [values[name][::parts] for name in self.unknowns]
 

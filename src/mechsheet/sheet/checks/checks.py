@@ -272,12 +272,15 @@ _WORST |= dict.fromkeys(("torque", "effort", "force"), "MAX")
 
 def typed_over(plan: Plan) -> Node:
     """How many cells of the tables hold no formula any more."""
-    listed = plan.mechanism.driver.values
-    cols = (0, len(plan.columns) - 1) if not listed else (STATUS, len(plan.columns) - 1)
-    area = RangeRef(
-        CellRef(plan.at.first, cols[0], True, True, plan.table), CellRef(plan.at.last, cols[1], True, True, plan.table)
-    )
-    areas = [area]
+    last, listed = len(plan.columns) - 1, [column.col for column in plan.columns if column.kind == "listed"]
+    cols = [(STATUS if plan.mechanism.driver.values else 0, last)]
+    if listed:
+        cols = [(STATUS, listed[0] - 1), (listed[-1] + 1, last)]
+    areas = [
+        RangeRef(CellRef(plan.at.first, a, True, True, plan.table), CellRef(plan.at.last, b, True, True, plan.table))
+        for a, b in cols
+        if a <= b
+    ]
     for key, columns in (("rates", plan.rates), ("forces", plan.forces), ("iterations", plan.iterations)):
         if columns:
             title = plan.at.titles[key]

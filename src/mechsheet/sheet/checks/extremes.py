@@ -19,10 +19,11 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
-from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.quoted import ALL, SHOWN, formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.units import turn as whole_turn
@@ -149,6 +150,13 @@ class Extremes:
             probes.work(self.whole_row, 1, "0")
             return
         turn = whole_turn(driver.unit.in_degrees)
+        if driver.law is not None:
+            covered = formula("ABS(last-first)/turn", first=Symbol(SHOWN + driver.law.start),
+                              last=Symbol(SHOWN + driver.law.stop), turn=turn)  # fmt: skip
+            probes.work(
+                self.whole_row, 1, "IF(AND(covered>0.5,ABS(ROUND(covered,0)-covered)<1E-9),1,0)", covered=covered
+            )
+            return
         probes.work(
             self.whole_row, 1,
             "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
@@ -234,6 +242,10 @@ class Extremes:
         low, high = self._ends_of_stretch()
         turns = self._half_turn(symbol)
         near = "ABS(start-end)<half" if turns else "TRUE"
+        if (
+            plan.mechanism.driver.law is not None
+        ):  # rows follow each other in time: the last is no neighbour of the first
+            near, turns = "FALSE", 0.0
         start, end = (
             CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
         )
@@ -276,8 +288,8 @@ class Extremes:
 
     def _half_turn(self, symbol: str) -> float:
         """Half a turn in the unit of a quantity that is an angle, else 0."""
-        equation = self.plan.equations.of(symbol)
-        if equation.unit.kind != "angle" or equation.unit.per:
+        unit = self.plan.mechanism.given_unit(symbol) or self.plan.equations.of(symbol).unit
+        if unit.kind != "angle" or unit.per:
             return 0.0
         return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
 
@@ -317,7 +329,7 @@ class Extremes:
         within = formula(
             "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=plan.rows
         )
-        probes.work(row + 2, SIDE + 1, "_start+(within-1)*_step", styles.RESULT, within=within)
+        probes.work(row + 2, SIDE + 1, "driver", styles.RESULT, driver=driver_at(plan, within))
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
         low, high = self._ends_of_stretch()
         # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be

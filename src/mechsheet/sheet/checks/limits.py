@@ -16,6 +16,7 @@ from mechsheet.formula.nodes import Call, CellRef, Node, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import first_open
@@ -202,7 +203,7 @@ class Limits:
             row, side + 4, "MEDIAN(inside,outside,best+(inside-outside)*(ABS(best-probed)*part+inwards))",
             best=best, inside=inside, outside=outside, probed=three[0], part=1e-4, inwards=INWARDS,
         )  # fmt: skip
-        probes.work(row, side + 5, "_start+(found-1)*_step", styles.RESULT, found=found)
+        probes.work(row, side + 5, "driver", styles.RESULT, driver=driver_at(self.plan, found))
         least = Call("MIN", tuple(self._margins_at(row + PROBES)))
         probes.work(row, side + 7, "IF(ISNUMBER(outside),IFERROR(MAX(ABS(f),-least)/here,1),0)",
                     outside=outside, f=three[1], least=least, here=here)  # fmt: skip

@@ -12,7 +12,9 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 
 from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
+from mechsheet.model import TIME
 from mechsheet.sheet import styles
+from mechsheet.sheet.driving import by_time, driver_at, time_after
 from mechsheet.sheet.plan import DRIVER, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import cell_formula
@@ -94,8 +96,13 @@ class Probes:
         plan, first = self.plan, block.row + 1
         anchor = self.cell(block.row, AT)
         at = CellRef(first, self.side + AT, col_abs=True)
-        driver = plan.at.bind(formula("_start+(at-1)*_step", at=at), self.title)
-        self.fills.append(Fill(first, DRIVER, driver, styles.decimals(styles.COLUMN, 4), rows=block.probes))
+        law, style = plan.mechanism.driver.law, styles.decimals(styles.COLUMN, 4)
+        driver = driver_at(plan, at) if law is None else by_time(law, Symbol(TIME))
+        if law is not None:
+            time = plan.at.bind(time_after(law, formula("at-1", at=at)), self.title)
+            self.fills.append(Fill(first, self.at.spots[TIME].col, time, style, rows=block.probes))
+        # columns of the same letters, on this sheet
+        self.fills.append(Fill(first, DRIVER, plan.at.bind(driver, plan.table, first), style, rows=block.probes))
         columns = self.needed(wanted)
         for column in self.columns:
             if column.symbol not in columns or column.equation is None:

@@ -16,7 +16,7 @@ import numpy as np
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import ENERGY, ChartRequest, Mechanism, rate_symbols
+from mechsheet.model import ENERGY, TIME, ChartRequest, Mechanism, rate_symbols
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.first.blocks import shown_unit
@@ -61,6 +61,8 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     columns = _probe(plan)
     angles: list[str] = []
     displacements: list[str] = []
+    if mechanism.driver.law is not None:  # its own curve over the time is worth a look
+        (displacements if mechanism.driver.joint else angles).append(driver)
     for equation in plan.equations.columns:
         if equation.role == "variable" and equation.symbol != driver and not _stands_still(columns[equation.symbol]):
             (angles if equation.unit.kind == "angle" else displacements).append(equation.symbol)
@@ -69,12 +71,17 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     sizes = {symbol: float(np.max(np.abs(column), initial=0.0)) for symbol, column in columns.items()}
     requests = []
     for symbols in (angles, displacements, outputs, rates):
-        requests += [ChartRequest(x=driver, y=group) for group in _shared(plan, symbols, sizes)]
+        requests += [ChartRequest(x=across(plan), y=group) for group in _shared(plan, symbols, sizes)]
     requests += _of_forces(plan, sizes)
     paths = remarkable_points(mechanism)
     if paths:
         requests.append(ChartRequest(paths=paths))
     return tuple(requests)
+
+
+def across(plan: Plan) -> str:
+    """What curves are drawn against: the driver, or the time of its law."""
+    return plan.mechanism.driver.symbol if plan.mechanism.driver.law is None else TIME
 
 
 def _rates(plan: Plan) -> list[str]:
@@ -90,18 +97,17 @@ def _of_forces(plan: Plan, sizes: Mapping[str, float]) -> list[ChartRequest]:
     """The driver's effort, found both ways; the joint forces that are not always 0."""
     if not plan.efforts:
         return []
-    driver = plan.mechanism.driver.symbol
     forces = [name for name in plan.equations.equations.forces(*JOINT_FORCES) if sizes[name] > 0]
     groups = [forces[start : start + MOST_CURVES] for start in range(0, len(forces), MOST_CURVES)]
     stored = ((ENERGY,),) if plan.mechanism.flywheel else ()
-    return [ChartRequest(x=driver, y=names) for names in (plan.efforts, *stored, *map(tuple, groups))]
+    return [ChartRequest(x=across(plan), y=names) for names in (plan.efforts, *stored, *map(tuple, groups))]
 
 
 def _probe(plan: Plan) -> dict[str, Array]:
     """Each column's numbers in a few rows: enough to tell which curves fit on one axis."""
     every = max(1, math.ceil(len(plan.driver) / PROBED))
-    driver = np.array(plan.driver[::every])
-    values = sweep(plan.mechanism, plan.equations.equations, driver)
+    given = {name: column[::every] for name, column in plan.given.items()}
+    values = sweep(plan.mechanism, plan.equations.equations, given)
     return {symbol: column[np.isfinite(column)] for symbol, column in values.items()}
 
 
@@ -197,13 +203,14 @@ def chart_title(plan: Plan, request: ChartRequest) -> str:
     driver = plain(request.x)
     if plan.efforts and request.y == plan.efforts:
         return plan.text("chart.effort", symbol=plain(plan.efforts[0]), driver=driver)
-    equations = [plan.equations.of(symbol) for symbol in request.y]
-    if len(equations) == 1 and equations[0].role == "output":
+    given = plan.mechanism.given_unit
+    equations = [plan.equations.of(symbol) for symbol in request.y if given(symbol) is None]
+    if len(request.y) == len(equations) == 1 and equations[0].role == "output":
         symbol, label = plain(request.y[0]), equations[0].label.of(plan.language)
         return (
             f"{symbol}: {label}" if label != request.y[0] else plan.text("chart.outputs", symbol=symbol, driver=driver)
         )
-    if len(equations) > 1 and {equation.role for equation in equations} == {"variable"}:
+    if len(request.y) > 1 and {equation.role for equation in equations} == {"variable"}:
         key = "chart.angles" if equations[0].unit.kind == "angle" else "chart.displacements"
         return plan.text(key, driver=driver)
     return plan.text("chart.outputs", symbol=", ".join(plain(symbol) for symbol in request.y), driver=driver)
@@ -228,8 +235,8 @@ def driver_axis(plan: Plan, symbol: str) -> Axis:
 
 def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) -> tuple[Chart, ...]:
     """The drawing under the scroll bar, the other charts beside and below it in two columns."""
-    curves = [_curve_chart(plan, drawing, request) for request in requests if not request.paths]
-    paths = [drawing.paths[request.paths] for request in requests if request.paths]
+    curves = [_curve_chart(plan, drawing, request) for request in requests if request.y]
+    paths = [drawing.paths[request] for request in requests if not request.y]
     heights = [SIZE + GAP, 0]
     placed = [_placed(drawing.chart, 0, 0)]
     for chart in (*curves, *paths):

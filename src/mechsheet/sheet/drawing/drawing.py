@@ -18,6 +18,7 @@ from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.drawing.arrows import arrows_of
 from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
@@ -31,6 +32,7 @@ from mechsheet.sheet.drawing.frames import (
     Page,
     write_frame,
 )
+from mechsheet.sheet.drawing.hodographs import hodograph_chart
 from mechsheet.sheet.drawing.name_places import place_names
 from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, through_of
 from mechsheet.sheet.drawing.points import PointCells, label, marks, moving_points, names_of, pins_of, write_points
@@ -69,7 +71,7 @@ MOST_SERIES = 255
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """The sheet, the chart of the mechanism, the charts of paths by their points, and where quantities stand.
+    """The sheet, the chart of the mechanism, those of paths and of hodographs, and where quantities stand.
 
     points the cells of every point at the position shown
     shown   cells with the value at the position shown, as people read it, of symbols that have none on the first sheet
@@ -77,7 +79,7 @@ class Drawing:
 
     sheet: Sheet
     chart: Chart
-    paths: Mapping[tuple[str, ...], Chart]
+    paths: Mapping[ChartRequest, Chart]
     points: Mapping[str, PointCells]
     shown: Mapping[str, SeriesRef]
 
@@ -98,7 +100,7 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     place_names(page, cells, guides)
     first, last = marks(page, cells)
     behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *_shapes(page, cells, guides)]
-    before = [*frame.series, _caption(page), *last]
+    before = [*frame.series, _caption(page), *last, *arrows_of(page, cells)]
     names = names_of(page, cells)[: max(0, MOST_SERIES - len(behind) - len(before))]
     series = [*behind, *names, *before]
     title = plan.mechanism.title.of(plan.language)
@@ -106,7 +108,10 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
         "", Anchor(0, 0, SIZE, SIZE), tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="", inner=DRAWING_INNER,
         name="drawing", alt_text=text("drawing.alt", title=title),
     )  # fmt: skip
-    paths = {request.paths: _path_chart(page, request, cells) for request in requests if request.paths}
+    paths = {request: _path_chart(page, request, cells) for request in requests if request.paths}
+    for request in requests:
+        if request.hodographs:
+            paths[request] = hodograph_chart(page, request, SIZE, PATH_INNER)
     return Drawing(_sheet(page), chart, paths, cells, shown)
 
 
@@ -183,7 +188,7 @@ def _shown(page: Page, requests: Sequence[ChartRequest], cells: Mapping[str, Poi
     missing = []
     for name in wanted:
         point, dot, axis = name.partition(".")
-        if dot and point in cells:
+        if dot and point in cells and axis in ("x", "y"):
             cell = cells[point].x if axis == "x" else cells[point].y
             found[name] = page.reference(cell.row, cell.col)
         elif name not in there and plan.at.spots[name].column:

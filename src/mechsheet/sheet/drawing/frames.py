@@ -201,10 +201,13 @@ class Frame:
         return al.div(al.sub(node, self.y), self.half)
 
 
-def write_frame(page: Page, title: str, x: tuple[Node, Node], y: tuple[Node, Node], margin: float) -> Frame:
+def write_frame(
+    page: Page, title: str, x: tuple[Node, Node], y: tuple[Node, Node], margin: float, unit: str | None = None
+) -> Frame:
     """The rows of a frame around everything between the least and the most of x and of y.
 
-    `margin`: how much larger than that the window is. Where nothing moves the half side is 1.
+    `margin`: how much larger than that the window is. Where nothing moves the half side is 1. `unit`: of what is drawn;
+    without one, that of lengths.
     """
     text = page.plan.text
     page.section(title, [text("drawing.from"), text("drawing.to"), "", text("drawing.middle")])
@@ -219,11 +222,11 @@ def write_frame(page: Page, title: str, x: tuple[Node, Node], y: tuple[Node, Nod
     size = Call("MAX", tuple(sizes))
     half = page.formula(FIRST, formula("IF(size>0,part*size,1)", size=size, part=margin / 2))
     page.row += 1
-    series = _scale_bar(page, half)
+    series = _scale_bar(page, half, page.plan.mechanism.length_unit if unit is None else unit)
     return Frame(middles[0], middles[1], half, series)
 
 
-def _scale_bar(page: Page, half: CellRef) -> tuple[Series, ...]:
+def _scale_bar(page: Page, half: CellRef, unit: str) -> tuple[Series, ...]:
     """A bar of 1, 2 or 5 times a power of ten, at most half the half side long; its length is the label."""
     text = page.plan.text
     page.put(NAME, text("drawing.bar"))
@@ -233,7 +236,6 @@ def _scale_bar(page: Page, half: CellRef) -> tuple[Series, ...]:
     length = page.formula(FIRST, al.mul(count, power))
     page.row += 1
     page.put(NAME, text("drawing.bar.label"))
-    unit = page.plan.mechanism.length_unit
     rounded = formula("ROUND(length,12)", length=length)  # gnumeric computes with more digits and would show them
     words = joined(rounded, f" {unit}" if unit else "")
     label = page.formula(FIRST, words, styles.INNER)

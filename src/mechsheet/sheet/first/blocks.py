@@ -45,8 +45,8 @@ class Writer:
 
 def shown_unit(plan: Plan, symbol: str) -> str:
     """The unit in which a column is shown."""
-    driver = plan.mechanism.driver
-    return plan.mechanism.shown(driver.unit if symbol == driver.symbol else plan.equations.of(symbol).unit).text
+    mechanism = plan.mechanism
+    return mechanism.shown(mechanism.given_unit(symbol) or plan.equations.of(symbol).unit).text
 
 
 def value_style(plan: Plan, kind: str) -> Style:

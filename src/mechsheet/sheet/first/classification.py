@@ -129,7 +129,7 @@ def _returning(
     mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
     newton = any(group.system is not None for group in equations.groups)  # no ratio of two times from rows alone
-    if not mechanism.driver.link or mechanism.driver.values or newton:
+    if not mechanism.driver.link or not mechanism.driver.stepped or newton:
         return ()
     final = _final_links(mechanism, equations)
     ground = mechanism.ground.name

@@ -12,6 +12,11 @@ def given_words(plan: Plan, dim: Dimension) -> str:
     match dim.place:
         case ():
             return ""
+        case ("driver", "motion", "duration"):
+            law = plan.mechanism.driver.law
+            return plan.text("motion.duration", law=plan.text(f"law.{law.name}"), rows=law.rows) if law else ""
+        case ("driver", ("start" | "stop") as key):
+            return plan.text(f"motion.{key}")
         case ("driver", str(key)):
             return plan.text(f"motion.{key}{'.own' if dim.symbol == key else ''}")  # in a unit of its own
         case ("flywheel", _):
@@ -30,6 +35,15 @@ def given_words(plan: Plan, dim: Dimension) -> str:
             own = ".link" if load.in_link and key == "force" else ""
             return plan.text(f"loads.{key}{own}", axis="xy"[int(rest[0])] if rest else "", **_link(plan, load.link))
     raise ValueError(f"a dimension from nowhere: {dim.symbol}")
+
+
+def words_of(plan: Plan, symbol: str) -> str:
+    """What a quantity is: of an equation, or one that is given row by row beside the driver."""
+    mechanism = plan.mechanism
+    if symbol not in mechanism.given_by_row:
+        return plan.equations.of(symbol).label.of(plan.language)
+    keys = dict(zip(mechanism.driver_rates, ("speed", "acceleration"), strict=True))
+    return plan.text(f"given.{keys.get(symbol, symbol)}")
 
 
 def _link(plan: Plan, name: str) -> dict[str, object]:

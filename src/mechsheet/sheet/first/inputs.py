@@ -53,15 +53,18 @@ class Input:
 
 
 def inputs_of(plan: Plan) -> list[Input]:
-    """Dimensions, start and step, modes, in the order in which they stand: what positions depend on.
+    """Dimensions, start and step (of a motion law start, stop and duration), modes, in the order in which they stand: what
+    positions depend on.
 
     The driver's listed values are not among them.
     """
+    law = plan.mechanism.driver.law
+    of_law = (law.start, law.stop, law.duration) if law else ()
     found = []
     for dim in plan.mechanism.dimensions:
-        if isinstance(dim.value, float) and not dim.place:
+        if isinstance(dim.value, float) and (not dim.place or dim.symbol in of_law):
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
-            found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.blocks["dimensions"].rows[dim.symbol]))
+            found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.at.spots[dim.symbol].row))
     driver = plan.mechanism.driver
     ways: tuple[tuple[Literal["start", "step"], Kind], ...] = (("start", "number"), ("step", "step"))
     for key, kind in ways if "sweep" in plan.blocks else ():

@@ -10,7 +10,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
-from mechsheet.sheet.first.given import given_words
+from mechsheet.sheet.first.given import given_words, words_of
 from mechsheet.sheet.first.inputs import gated_tolerance
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
@@ -28,7 +28,7 @@ from mechsheet.sheet.plan import (
 )
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.lowering import Assignment, in_pass
+from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import (
     Anchor,
@@ -50,6 +50,9 @@ CHARTS = MARGIN + 1
 
 ROW_HEIGHT = 20
 """Pixels."""
+
+MOST_OF_CONTROL = 30_000
+"""The highest number that a scroll bar or spin button reaches."""
 
 LINE_HEIGHT = 34.0
 """The line under the title may take two lines of text."""
@@ -308,28 +311,58 @@ def _position(writer: Writer) -> None:
     writer.line(rows["status"], plan.text("head.status"), "", "")
     said = _at_position(plan, plan.at.column("#status", plan.main))
     writer.formula(rows["status"], VALUE, said, styles.VERDICT)
+    for kind in plan.arrows:
+        row = rows[f"show_{kind}"]
+        writer.line(row, plan.text("name.arrows"), "", plan.text(f"position.show_{kind}"))
+        writer.put(row, VALUE, 1.0, styles.INPUT)
+        title, message = plan.text(f"arrows.{kind}"), plan.text(f"position.show_{kind}")
+        writer.validations.append(
+            Validation(
+                Area(row, VALUE, row, VALUE), "list", choices=("1", "0"), input_title=title, input_message=message,
+                error_title=title, error_message=message,
+            )
+        )  # fmt: skip
 
 
 def _variables(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("variables")
     for symbol, row in plan.blocks["variables"].rows.items():
-        equation: Assignment = plan.equations.of(symbol)
-        writer.line(row, rich(symbol), shown_unit(plan, symbol), equation.label.of(plan.language))
+        unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
+        writer.line(row, rich(symbol), shown_unit(plan, symbol), words_of(plan, symbol))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
-        rate = styles.decimals(styles.RESULT, places_of(plan, equation.unit))
-        as_is = equation.unit.per or equation.role == "force"
-        writer.formula(row, VALUE, node, rate if as_is else value_style(plan, equation.unit.kind))
+        rate = styles.decimals(styles.RESULT, places_of(plan, unit))
+        as_is = unit.per or symbol in plan.shown_forces
+        writer.formula(row, VALUE, node, rate if as_is else value_style(plan, unit.kind))
+
+
+def _motion_controls(plan: Plan) -> tuple[Control, ...]:
+    """A scroll bar in the row of the speed, or of a motion law's duration, where it is a whole number: controls count in
+    these."""
+    found = []
+    for dim in plan.mechanism.dimensions:
+        value = dim.shown
+        if dim.driver_key not in ("speed", "duration") or value is None or value < 1 or value != int(value):
+            continue
+        high = next(high for power in range(9) for n in (1, 2, 5) if (high := n * 10**power) >= 2 * value)
+        if high <= MOST_OF_CONTROL:
+            row, low = plan.blocks["motion"].rows[dim.symbol], int(dim.driver_key == "duration")
+            name = f"{dim.driver_key} scroll bar"
+            found.append(
+                Control("scroll", name, Anchor(row, TOLERANCE, 66, 20), row, VALUE, low, high, 1, high // 10 or 1)
+            )
+    return tuple(found)
 
 
 def controls(plan: Plan) -> tuple[Control, ...]:
-    """The scroll bar and the spin button of the position cell."""
+    """The scroll bar and the spin button of the position cell; a scroll bar beside the driver's speed or duration."""
     row = plan.blocks["position"].rows["position"]
-    last = min(plan.rows - 1, 30_000)
+    last = min(plan.rows - 1, MOST_OF_CONTROL)
     page = max(1, last // 12)
     if last < 1:
         return ()
     return (
+        *_motion_controls(plan),
         Control("scroll", "position scroll bar", Anchor(2, CHARTS, 420, 20), row, VALUE, 0, last, 1, page),
         Control("spin", "position spin button", Anchor(row, MARGIN, 18, 20), row, VALUE, 0, last, 1, page, False),
     )

@@ -44,8 +44,7 @@ def _write(writer: Writer, summary: Summary) -> None:
     writer.formula(row, MEANING, words, styles.LABEL)
     partial = formula("closed<rows", closed=closed, rows=plan.rows)
     writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
-    driver = plan.mechanism.driver.symbol
-    unit = (plan.mechanism.driver if summary.of == driver else plan.equations.of(summary.of)).unit
+    unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
     style = styles.decimals(styles.RESULT, places_of(plan, unit)) if unit.per else value_style(plan, unit.kind)
     value, where = _of(plan, summary)
     # over nothing: no number, and no 0 that somebody who looks for the smallest would take

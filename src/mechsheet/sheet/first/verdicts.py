@@ -18,6 +18,7 @@ from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
+from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
@@ -191,10 +192,6 @@ class _Block:
         self.line("limits", self.text("limits"), "", count, 0, words)
         self.colour("limits", "count>0", styles.WARN, count=cell)
 
-    def _driver_at(self, row: Node) -> Node:
-        """The driver's value at a place counted in rows."""
-        return formula("_start+(row-1)*_step", row=row)
-
     def input_range(self) -> None:
         """From where to where the driver can go in the first stretch."""
         if self.driver.values or self.plan.rows == 1:
@@ -203,7 +200,7 @@ class _Block:
                 for key in ("first", "last")
             ]
         else:
-            ends = [self._driver_at(Symbol(f"#{key}_1")) for key in ("from", "to")]
+            ends = [driver_at(self.plan, Symbol(f"#{key}_1")) for key in ("from", "to")]
         unit = self.driver.unit.text
         everywhere = formula("AND(count=rows,_whole>0,passes=0)", count=self.value("rows_closed"), rows=self.plan.rows,
                              passes=self.value("passes"))  # fmt: skip
@@ -224,7 +221,7 @@ class _Block:
         for number in reversed(self.extremes.gaps):
             dips = formula("IFERROR(least<-tolerance,FALSE)", least=Symbol(f"#gap_least_{number}"), tolerance=tolerance)
             found = al.add(formula("IF(dips,1,0)", dips=dips), found)
-            place = self._driver_at(Symbol(f"#gap_row_{number}"))
+            place = driver_at(self.plan, Symbol(f"#gap_row_{number}"))
             where = formula("IF(dips,place,other)", dips=dips, place=place, other=where)
         cell = self.value("passes")
         before, after = self.text("passes.not", place="#").split("#")
@@ -310,7 +307,7 @@ class _Block:
             lengths=lengths, rounding=self._rounding(), excess=cell, which=which, loop=loop.name,
             open=named("open"), change=named("change"), none=named("none"),
         )  # fmt: skip
-        excess = formula("2*(MIN(lengths)+MAX(lengths))-SUM(lengths)", lengths=lengths)
+        excess = self.bound("IF(_inputs>0,NA(),2*(MIN(lengths)+MAX(lengths))-SUM(lengths))", lengths=lengths)
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )

@@ -9,12 +9,13 @@ from mechsheet.formula.references import cell_name, column_letters
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
+from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.notes.loops import LoopRates
 from mechsheet.sheet.notes.mathematics import Part, symbol_parts, written
-from mechsheet.sheet.plan import DRIVER, STATUS, Plan
+from mechsheet.sheet.plan import STATUS, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.lowering import Assignment
-from mechsheet.sheet.table.positions import group_title
+from mechsheet.sheet.table.positions import column_unit, group_title, mathematics
 from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
 from mechsheet.units import DEG, NUMBER
 from mechsheet.words.equations import body_words, link_words
@@ -34,6 +35,7 @@ PARAGRAPHS = (
     "positions",
     "rates",
     "forces",
+    "arrows",
     "charts",
     "tables",
     "checks",
@@ -154,12 +156,14 @@ class _Page:
             left_out.add("tables")
         if not any(group.mode for group in plan.equations.groups):
             left_out.add("modes")
-        if plan.mechanism.driver.values:
+        if not plan.mechanism.driver.stepped:
             left_out.add("sweep")
         if not plan.rates:
             left_out.add("rates")
         if not plan.forces:
             left_out.add("forces")
+        if not plan.arrows:
+            left_out.add("arrows")
         self.list_of("use", tuple(entry for entry in PARAGRAPHS if entry not in left_out))
 
     def colours(self) -> None:
@@ -327,12 +331,16 @@ class _Page:
 
     def _driver(self) -> None:
         """The table's own columns: the driver, the word on the position."""
-        plan, driver = self.plan, self.plan.mechanism.driver
+        plan = self.plan
         self._group(plan.text("group.driver"))
-        stepping: Content = self.text("given")
-        if not driver.values:
-            stepping = f"= {plan.text('name.start')} + n·{plan.text('name.step')}"
-        self._row(driver.symbol, driver.unit.text, stepping, self.text("driver"), self._column(DRIVER))
+        for column in plan.columns:
+            if column.kind not in ("driver", "time", "listed"):
+                continue
+            stepping: Content = self.text("given")
+            if said := mathematics(plan, column):
+                stepping = Rich((("= ", ""), *said.parts)) if isinstance(said, Rich) else f"= {said}"
+            words = self.text("driver") if column.kind == "driver" else words_of(plan, column.symbol)
+            self._row(column.symbol, column_unit(plan, column), stepping, words, self._column(column.col))
         self.line(
             {
                 SYMBOL: plan.text("head.status"), UNIT: "", EQUATION: self.text("column.status"), MEANING: "",

@@ -22,8 +22,8 @@ from mechsheet.sheet.drawing.frames import HIDDEN_AXIS, INK, QUIET
 from mechsheet.sheet.drawing.outlines import corners, direction_of, line_end, through_of
 from mechsheet.sheet.drawing.points import moving_points, pins_of
 from mechsheet.sheet.drawing.shapes import link_color
+from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
-from mechsheet.sheet.page.top import LEAST, MOST, over_rows
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import degrees_together

@@ -70,7 +70,7 @@ def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, 
 def _page(plan: PagePlan) -> Sheet:
     top, table = Top(plan), Table(plan)
     widths = _widths(table)
-    requests = [request for request in chart_requests(plan) if not request.paths and _has_columns(plan, request)]
+    requests = [request for request in chart_requests(plan) if request.y and _has_columns(plan, request)]
     right = _charts_right(widths, len(requests) + plan.drawn)
     drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
     charts = _placed(plan, widths, requests, drawing)

@@ -20,10 +20,11 @@ import numpy as np
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Direction, Node, Symbol, TriangleAngle, symbols, transform, walk
+from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.numeric import value as numeric
-from mechsheet.kinematics.solve import dimension_values, driver_values, largest_length
+from mechsheet.kinematics.solve import dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.quoted import formula
@@ -68,10 +69,10 @@ class _Lowering:
         symbols_found = [equation.symbol for equation in equations.all]
         self.names = FreshNames([*given_names(mechanism), *symbols_found, *modes])
         self.still = {*dimension_values(mechanism), *modes, *(equation.symbol for equation in equations.constants)}
-        self.known = {*self.still, mechanism.driver.symbol}
+        self.known = {*self.still, mechanism.driver.symbol, *mechanism.given_by_row}
         values = dimension_values(mechanism)
         self.size = largest_length(mechanism, values) or 1.0
-        self.nominal = sweep(mechanism, equations, np.array(driver_values(mechanism, values)))
+        self.nominal = sweep(mechanism, equations, given_values(mechanism, values))
         self.plain: dict[str, Node] = {}
         self.legs: dict[Node, Node] = {}
         self.constants: list[Assignment] = []
@@ -249,7 +250,7 @@ class _Lowering:
         """Symbols that somebody reads: the roots, variables and outputs, and all that they read."""
         by_symbol = {each.symbol: each for each in (*self.constants, *self.columns)}
         waiting = [*roots, *self.kept, *(group.transmission for group in self.equations.groups)]
-        roles = ("variable", "rate", "output", "point") if self.drawn else ("variable", "rate", "output")
+        roles = ("variable", "rate", "force", "output", *(("point",) if self.drawn else ()))
         waiting += [each.symbol for each in by_symbol.values() if each.role in roles]
         read: set[str] = set()
         while waiting:

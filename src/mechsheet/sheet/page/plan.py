@@ -8,9 +8,10 @@ from dataclasses import dataclass, field
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.equations import INNER, RATES, Equations
+from mechsheet.kinematics.driving import driver_values
+from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations
 from mechsheet.kinematics.newton.refusing import need_closed_form
-from mechsheet.kinematics.solve import dimension_order, dimension_values, driver_values
+from mechsheet.kinematics.solve import dimension_order, dimension_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
@@ -89,9 +90,9 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     kept = {f"{point}.{axis}" for point in traced for axis in ("x", "y")}
     kept |= {symbol for chart in mechanism.charts for symbol in (chart.x, *chart.y) if symbol}
     kept |= {summary.of for summary in mechanism.summaries}
-    # points that velocities are found from have columns: written out, they would make the formulas long
-    rates = (equation for equation in equations.columns if equation.role in RATES)
-    kept |= {name for equation in rates for name in equation.reads if name.endswith((".x", ".y"))}
+    # points that velocities and forces are found from have columns: written out, they would make the formulas long
+    further = (equation for equation in equations.columns if equation.role in (*RATES, *FORCES))
+    kept |= {name for equation in further for name in equation.reads if name.endswith((".x", ".y"))}
     page = lowered(mechanism, equations, kept, drawn)
     at = Addresses(mechanism.references, titles, 0, 0)
     plan = PagePlan(
@@ -135,7 +136,7 @@ def _plan_top(plan: PagePlan) -> None:
     mechanism, found = plan.mechanism, plan.found
     plan.next_row = FIRST_ROW
     _block(plan, "dimensions", (dim.symbol for dim in mechanism.dimensions if not dim.derived))
-    if not mechanism.driver.values:
+    if mechanism.driver.stepped:
         _block(plan, "sweep", ("start", "step"))
     modes = [group.mode for group in plan.equations.groups if group.mode]
     _block(plan, "assembly", modes)
@@ -212,7 +213,9 @@ def _plan_table(plan: PagePlan) -> None:
     outputs = {output.symbol for output in plan.mechanism.outputs}
     columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
     degrees = {driver.symbol: driver.unit.in_degrees}
-    for col, equation in enumerate(plan.equations.columns, 1):
+    for symbol in plan.mechanism.given_by_row:
+        columns.append(TableColumn(len(columns), symbol, "time" if driver.law else "listed", 0, False))
+    for col, equation in enumerate(plan.equations.columns, len(columns)):
         inner = equation.role in INNER
         group = -1 if equation.symbol in outputs else equation.group
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))

@@ -6,7 +6,9 @@ import math
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
+from mechsheet.model import TIME
 from mechsheet.sheet import styles
+from mechsheet.sheet.driving import by_time, time_after
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
@@ -18,6 +20,7 @@ from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import degrees_together, first_open, group_headings, places, places_of
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
+from mechsheet.units import SECONDS
 
 MOST_STEPPED = 400
 """Rows in which the driver is the row above and a step; in more the rounding of so many sums would be seen."""
@@ -71,7 +74,10 @@ class Table:
     def _mathematics(self, column: TableColumn) -> Rich | str:
         """The formula as people write it."""
         plan = self.plan
-        if column.kind == "driver" and not plan.mechanism.driver.values:
+        law = plan.mechanism.driver.law
+        if law is not None and column.kind in ("driver", "time"):
+            return written(time_after(law, Symbol("n")) if column.kind == "time" else law.value, plan.language)
+        if column.kind == "driver" and plan.mechanism.driver.stepped:
             step = plan.text("name.step")
             return plan.text("page.step", step=step) if self._stepped else f"{plan.text('name.start')} + n·{step}"
         return "" if column.equation is None else written(column.equation.says, plan.language)
@@ -108,6 +114,15 @@ class Table:
         match column.kind:
             case "driver":
                 self._driver()
+            case "listed":
+                own = plan.mechanism.given_unit(column.symbol) or SECONDS
+                self._listed(column.symbol, column.col, styles.decimals(styles.COLUMN, places_of(plan, own)))
+            case "time" if plan.mechanism.driver.law is not None:
+                rows = formula("ROW()-ROW(top)", top=CellRef(first, 0, row_abs=True))
+                time = self._checked(time_after(plan.mechanism.driver.law, rows))
+                self._fill(
+                    column.col, self._bound(time, first), styles.decimals(styles.COLUMN, places_of(plan, SECONDS))
+                )
             case "status":
                 self._fill(column.col, self._bound(status(plan), first), styles.STATUS)
             case _:
@@ -122,15 +137,12 @@ class Table:
 
     def _driver(self) -> None:
         plan, driver, first = self.plan, self.plan.mechanism.driver, self.plan.at.first
-        degrees = driver.unit.in_degrees
         style = styles.decimals(styles.COLUMN, places(plan, driver.unit.kind))
         if driver.values:
-            for row, value in enumerate(driver.values, first):
-                if isinstance(value, float):
-                    self.cells.append(Cell(row, 0, driver.unit.written(value), styles.INPUT))
-                else:
-                    node = self._bound(value, row)
-                    self.fills.append(Fill(row, 0, in_degrees(node) if degrees else node, style))
+            self._listed(driver.symbol, 0, style)
+            return
+        if driver.law is not None:
+            self._fill(0, self._bound(by_time(driver.law, Symbol(TIME)), first), style)
             return
         start = self._bound(self._checked(Symbol("#start")), first)
         self.fills.append(Fill(first, 0, start, style))
@@ -140,6 +152,16 @@ class Table:
             top = CellRef(first, 0, row_abs=True)
             further = formula("top+(ROW()-ROW(top))*_step", top=top)
         self._fill(0, self._bound(further, first + 1), style, skip=1)
+
+    def _listed(self, symbol: str, col: int, style: Style) -> None:
+        """What is listed row by row, as inputs."""
+        unit = self.plan.mechanism.given_unit(symbol) or SECONDS
+        for row, value in enumerate(self.plan.mechanism.listed[symbol], self.plan.at.first):
+            if isinstance(value, float):
+                self.cells.append(Cell(row, col, unit.written(value), styles.INPUT))
+            else:
+                node = self._bound(value, row)
+                self.fills.append(Fill(row, col, in_degrees(node) if unit.in_degrees else node, style))
 
     def _checked(self, start: Node) -> Node:
         """The first value, while every yellow cell holds what can be: else no row pretends to exist."""

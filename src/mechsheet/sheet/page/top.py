@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, Text, transform
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, transform
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
@@ -13,6 +13,7 @@ from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
+from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, over_rows
 from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
@@ -26,18 +27,6 @@ SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
 
 SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
-
-LEAST, MOST, MEAN = "MINIFS", "MAXIFS", "AVERAGEIF"
-
-NUMBERS = "<1E+300"
-"""What numbers are, and errors are not: rows without a position are left out."""
-
-
-def over_rows(function: str, column: Node) -> Node:
-    """The least, the largest or the mean of the numbers of a column."""
-    if function == MEAN:
-        return formula("AVERAGEIF(column,numbers)", column=column, numbers=NUMBERS)
-    return Call(function, (column, column, Text(NUMBERS)))
 
 
 class Top:
@@ -252,12 +241,14 @@ class Top:
             crank=said("one", turning[0]), rockers=said("coupler"), follower=said("one", turning[1]),
         )  # fmt: skip
         words = formula(
-            "IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which)))",
+            'IFERROR(IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which))),"")',
             excess=excess, shortest=shortest, coupler=coupler, which=which,
             open=said("open"), change=said("change"), none=said("none"),
         )  # fmt: skip
         self.line(row, loop.name, plan.mechanism.length_unit, words)
-        value = formula("2*(shortest+longest)-total", shortest=shortest, longest=longest, total=total)
+        value = formula(
+            "IF(_inputs>0,NA(),2*(shortest+longest)-total)", shortest=shortest, longest=longest, total=total
+        )
         self.fill(row, VALUE, value, value_style(plan, "length"))
 
     def _length(self, key: str, length: Node) -> Node:
@@ -319,8 +310,7 @@ class Top:
             )
             meaning = plan.text("page.take.rows", label=label)
             self.line(row, rich(summary.symbol), shown_unit(plan, summary.of), meaning)
-            driver = plan.mechanism.driver
-            kind = (driver.unit if summary.of == driver.symbol else plan.equations.of(summary.of).unit).kind
+            kind = (plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit).kind
             value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=self._taken(summary))
             self.fill(row, VALUE, value, value_style(plan, kind))
 

@@ -19,8 +19,10 @@ from mechsheet.formula.nodes import (
     shifted,
     transform,
 )
+from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
+from mechsheet.sheet.driving import by_time, time_after
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
@@ -40,6 +42,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
+from mechsheet.units import NUMBER as NUMBER_UNIT
 from mechsheet.units import Unit
 from mechsheet.words.equations import body_words
 
@@ -74,8 +77,8 @@ def positions_sheet(plan: Plan) -> Sheet:
             cells.append(Cell(FORMULA_ROW, column.col, said[column.col], styles.FORMULA_TEXT))
         if column.equation is not None:
             comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
-        if column.kind == "driver" and plan.mechanism.driver.values:
-            listed_cells, listed_fills = _listed_driver(plan)
+        if column.symbol in plan.mechanism.listed:
+            listed_cells, listed_fills = _listed(plan, column)
             cells += listed_cells
             fills += listed_fills
         else:
@@ -83,7 +86,7 @@ def positions_sheet(plan: Plan) -> Sheet:
     headings, merges = group_headings(plan.columns, GROUP_ROW, lambda number: group_title(plan, number))
     cells += headings
     first, last, count = plan.at.first, plan.at.last, len(plan.columns)
-    fixed = {NUMBER: 5.0, DRIVER: 9.0, STATUS: 16.0}
+    fixed = {NUMBER: 5.0, DRIVER: 9.0 if plan.mechanism.driver.law is None else 20.0, STATUS: 16.0}
     widths = {column.col: fixed.get(column.col, width_for(said[column.col])) for column in plan.columns}
     return Sheet(
         plan.table,
@@ -111,7 +114,7 @@ def positions_sheet(plan: Plan) -> Sheet:
 
 def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: int) -> list[Fill]:
     """The formulas of a column in so many rows of a sheet."""
-    style = style_of(plan, column)
+    style, law = style_of(plan, column), plan.mechanism.driver.law
     match column.kind:
         case "number":
             # counted from the heading: rows may be inserted above the table
@@ -119,8 +122,11 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
             return [Fill(first, NUMBER, formula("ROW()-ROW(above)-1", above=above), style, rows=rows)]
         case "driver":
             number = CellRef(first, NUMBER, col_abs=True)
-            stepped = plan.at.bind(formula("_start+number*_step", number=number), sheet)
-            return [Fill(first, DRIVER, stepped, style, rows=rows)]
+            stepped = formula("_start+number*_step", number=number) if law is None else by_time(law, Symbol(TIME))
+            return [Fill(first, DRIVER, plan.at.bind(stepped, sheet, first), style, rows=rows)]
+        case "time" if law is not None:
+            passed = time_after(law, CellRef(first, NUMBER, col_abs=True))
+            return [Fill(first, column.col, plan.at.bind(passed, sheet), style, rows=rows)]
         case "status":
             return [Fill(first, STATUS, plan.at.bind(status(plan), sheet, first), style, rows=rows)]
     if column.equation is None:
@@ -214,17 +220,17 @@ def status_words(plan: Plan) -> list[str]:
     return found
 
 
-def _listed_driver(plan: Plan) -> tuple[list[Cell], list[Fill]]:
-    """The listed values of the driver as inputs."""
-    driver = plan.mechanism.driver
+def _listed(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
+    """The listed values of the driver, or what is listed beside them, as inputs."""
+    unit = plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT
     cells: list[Cell] = []
     fills: list[Fill] = []
-    for row, value in enumerate(driver.values, plan.at.first):
+    for row, value in enumerate(plan.mechanism.listed[column.symbol], plan.at.first):
         if isinstance(value, float):
-            cells.append(Cell(row, DRIVER, driver.unit.written(value), styles.INPUT))
+            cells.append(Cell(row, column.col, unit.written(value), styles.INPUT))
             continue
         node = plan.at.bind(value, plan.table, row)
-        fills.append(Fill(row, DRIVER, in_degrees(node) if driver.unit.in_degrees else node, styles.COLUMN))
+        fills.append(Fill(row, column.col, in_degrees(node) if unit.in_degrees else node, styles.COLUMN))
     return cells, fills
 
 
@@ -242,14 +248,18 @@ def heading(plan: Plan, column: TableColumn) -> Content:
 def column_unit(plan: Plan, column: TableColumn) -> str:
     """The unit in which a column stands in the table."""
     if column.equation is None:
-        return plan.mechanism.driver.unit.text
+        return plan.mechanism.shown(plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT).text
     unit = column.equation.unit
     return plan.mechanism.shown(unit.internal if column.inner else unit).text
 
 
 def mathematics(plan: Plan, column: TableColumn) -> Rich | str:
     """The formula as people write it."""
-    if column.kind == "driver" and not plan.mechanism.driver.values:
+    driver = plan.mechanism.driver
+    if driver.law is not None and column.kind in ("driver", "time"):
+        time = time_after(driver.law, Symbol("n"))
+        return written(time if column.kind == "time" else driver.law.value, plan.language)
+    if column.kind == "driver" and driver.stepped:
         return f"{plan.text('name.start')} + n·{plan.text('name.step')}"
     return "" if column.equation is None else written(column.equation.says, plan.language)
 
@@ -275,6 +285,8 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
         return _decimals(styles.INNER, 0)
     if column.kind == "status":
         return styles.STATUS
+    if column.kind in ("time", "listed"):
+        return _decimals(styles.COLUMN, places_of(plan, plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT))
     if column.equation is None:
         return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit.in_degrees else "length"))
     unit = column.equation.unit

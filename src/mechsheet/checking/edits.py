@@ -24,7 +24,7 @@ MANY = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Audit:
+class Edits:
     """What was found in a book.
 
     edits    faults, told at the places that the cells have now
@@ -38,7 +38,7 @@ class Audit:
     book: Book
 
 
-def audit(book: Book, expected: Expected) -> Audit:
+def edits_of(book: Book, expected: Expected) -> Edits:
     """Compare a book with the one that its description would build."""
     moves = moves_between(expected.book, book)
     book = undone(book, moves)
@@ -63,7 +63,7 @@ def audit(book: Book, expected: Expected) -> Audit:
     ]
     if formulas and differing > MANY * formulas:
         remarks.append(f"{differing} of {formulas} formulas differ: was it built by another version of mechsheet?")
-    return Audit(tuple(edits), tuple(remarks), moves, book)
+    return Edits(tuple(edits), tuple(remarks), moves, book)
 
 
 # --- sheets and names ----------------------------------------------------------------------------------------------
@@ -221,10 +221,14 @@ def same(one: Scalar, other: Scalar) -> bool:
 
 
 def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Expected, moves: Moves) -> Iterator[str]:
-    """Inputs that were changed, and texts. Not the position shown, which says nothing, nor modes: others tell of them."""
+    """Inputs that were changed, and texts. Not the position and the arrows shown, which say nothing, nor modes: others tell
+    of them.
+    """
     spots = expected.plan.at.spots
+    shown = [key for key in spots if key.startswith("#show_")]
     silent = {
-        spots[key] for key in ("#position", *(group.mode for group in expected.plan.equations.groups if group.mode))
+        spots[key]
+        for key in ("#position", *shown, *(group.mode for group in expected.plan.equations.groups if group.mode))
     }
     places = {(spot.sheet, spot.row, spot.col) for spot in silent}
     texts: list[tuple[int, int]] = []

@@ -1,0 +1,243 @@
+"""A loop over rows in generated Python: straight-line code of floats for columns that read each other row by row.
+
+What is the same in all rows is computed before the loop, what several formulas need once a row, what only one needs stands
+in its expression. The code stops at the first row in which something is no plain number, with nothing written for it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import count
+from struct import Struct
+
+from ..kernels.math import rounded_one
+from ..layout import Layout
+from .helpers import HELPERS, TroubleError
+from .lowering import ROWS, Effect, UnsuitableError, Value
+from .row_lowering import RowLowering
+from .scalars import SINGLE, scalar, scalar_power, sign, snap, trunc
+from .singles import Singles
+from .usage import roots
+
+RowCode = Callable[..., int]
+
+FAILURES = (TroubleError, ArithmeticError, ValueError)
+"""What stops a row. numpy's FloatingPointError, ZeroDivisionError and OverflowError are of the second kind."""
+
+_DEEPEST = 24
+"""Operations inside one another in one expression: Python's parser takes some ninety."""
+
+_TWICE = frozenset(("square", "minimum", "maximum", "snap", "sign", "trunc"))
+"""Operations whose code names an operand more than once."""
+
+_PASSING = frozenset(
+    ("add", "subtract", "multiply", "square", "negative", "absolute", "where", "snap", "sqrt", "floor", "radians",
+     "degrees", "sin", "cos", "tan", "arcsin", "arccos", "sinh", "cosh", "arcsinh", "log", "log10")
+)  # fmt: skip
+"""Operations that give nothing finite, or stop, when their first operand (of a sum or product, any) is not finite."""
+
+_GROWING = frozenset(("add", "subtract", "multiply", "divide", "square", "degrees"))
+"""Operations of floats that leave the finite numbers in silence."""
+
+_OWN: dict[str, str] = {
+    **SINGLE,
+    "floor": "{0} // 1.0",
+    "snap": "{0} if -(t := {0} * 281474976710656.0) < {1} < t or t < {1} < -t else snap({0}, {1})",
+}
+"""As `SINGLE`. A sum far above NEAR = 2^-48 of its left operand, as nearly all are, is known by two comparisons."""
+
+
+def row_code(lowering: RowLowering, layout: Layout) -> tuple[RowCode, str]:
+    """`code(numbers, above, i, j, out)` and its source: computes rows [i, j) into the rows of `out`, until one stops it.
+
+    `above` holds the values of `above_order(lowering)`. Returns how many rows it has computed.
+    """
+    emitter = _RowEmitter(lowering, layout)
+    source = emitter.source()
+    try:
+        exec(compile(source, "<rows>", "exec"), emitter.namespace)
+    except (SyntaxError, RecursionError, MemoryError) as problem:
+        raise UnsuitableError from problem
+    code: RowCode = emitter.namespace["run"]
+    return code, source
+
+
+def above_order(lowering: RowLowering) -> list[tuple[int, int]]:
+    """(column, rows above) of all values that the loop keeps: also those between it and what is read."""
+    most: dict[int, int] = {}
+    for number, above in lowering.above:
+        most[number] = max(above, most.get(number, 0))
+    return [(number, above) for number in sorted(most) for above in range(1, most[number] + 1)]
+
+
+class _RowEmitter(Singles):
+    def __init__(self, lowering: RowLowering, layout: Layout) -> None:
+        super().__init__(lowering, layout)
+        self.rows = lowering
+        self.above = above_order(lowering)
+        self.depth: dict[int, int] = {}
+        self.unsafe = self._unsafe()
+        self.checked = self._checked()
+        self.local = self._local()
+        struct = Struct(f"{len(lowering.kept)}d")
+        self.namespace.update(
+            pack=struct.pack_into, width=struct.size, FAILURES=FAILURES, snap=snap, sign=sign, trunc=trunc, count=count
+        )
+
+    # which values need a name, and which must be looked at
+
+    def _unsafe(self) -> set[int]:
+        """Values that may be no finite number without anybody being told."""
+        found: set[int] = set()
+        for number, value in enumerate(self.values):
+            if value.extent & ROWS and (
+                value.op in _GROWING or (value.op in _PASSING and any(arg in found for arg in value.args))
+            ):
+                found.add(number)
+        return found
+
+    @staticmethod
+    def _passes(value: Value, place: int) -> bool:
+        if value.op == "where":
+            return place > 0
+        return value.op in _PASSING and (place == 0 or value.op != "snap")
+
+    def _checked(self) -> list[int]:
+        """Values whose failure would not be seen in what is computed from them: the cells, and what is compared or divided
+        by. Of a sum that is snapped the sum itself is as good."""
+        found = {number for number in self.rows.kept if number in self.unsafe}
+        for number in self.usage.needed:
+            value = self.values[number]
+            for place, arg in enumerate(value.args):
+                if arg in self.unsafe and not (
+                    self._passes(value, place) or (value.op == "divide" and place == 0) or value.op == "snap"
+                ):
+                    found.add(arg)
+        for item in self.usage.items:
+            if isinstance(item, Effect) and item.what == "somewhere":
+                found.update(number for number in roots(item) if number in self.unsafe)
+        return sorted(found)
+
+    def _local(self) -> set[int]:
+        found = {*self.checked, *self.rows.kept}
+        for number in self.usage.needed:
+            value = self.values[number]
+            if self.usage.uses[number] > 1:
+                found.add(number)
+            if value.op in _TWICE:
+                found.update(value.args)
+        for item in self.usage.items:
+            if isinstance(item, Effect) and item.what == "somewhere":
+                found.update(roots(item))
+        return found
+
+    # code
+
+    def source(self) -> str:
+        """The whole function."""
+        singles = [item for item in self.usage.items if not self._is_in_rows(item)]
+        for item in singles:
+            if isinstance(item, Effect):
+                self._effect(item, "    ")
+            else:
+                self.define(item)
+        self.check_singles()
+        inputs = [number for number in sorted(self.usage.needed) if self.values[number].op in ("column", "count")]
+        for number in inputs:
+            self.names[number] = f"c{number}"
+        for number in sorted(self.usage.needed):
+            data = self.values[number].data
+            if self.values[number].op == "above" and isinstance(data, tuple):
+                self.names[number] = f"p{data[0]}_{data[1]}"
+        before = self.lines
+        self.lines = []
+        for item in self.usage.items:
+            if isinstance(item, Effect) and self._is_in_rows(item):
+                self._effect(item, "            ")
+            elif not isinstance(item, Effect) and self._is_in_rows(item) and item not in self.names:
+                self._define_in_row(item)
+        head = ["def run(numbers, above, i, j, out):", "    item = numbers.item", "    done = 0"]
+        if self.above:
+            head.append(f"    {', '.join(f'p{n}_{above}' for n, above in self.above)}, = above")
+        names = ", ".join(["k", *(self.names[number] for number in inputs)])
+        lists = ", ".join(["range(0, (j - i) * width, width)", *map(self._input, inputs)])
+        loop = f"        for {names} in {f'zip({lists})' if inputs else lists}:"
+        tail = ["    except FAILURES:", "        pass", "    return done"]
+        first = ["    try:", *(f"    {line}" for line in before)]
+        return "\n".join([*head, *first, loop, *self.lines, *self._ends(), *tail]) + "\n"
+
+    def _is_in_rows(self, item: int | Effect) -> bool:
+        if isinstance(item, Effect):
+            return item.what == "keep" or any(self.values[number].extent & ROWS for number in roots(item))
+        return bool(self.values[item].extent & ROWS)
+
+    def _input(self, number: int) -> str:
+        value = self.values[number]
+        if value.op == "count":
+            return f"count({value.data}.0 + i)"
+        return f"numbers[{value.data} + i:{value.data} + j].tolist()"
+
+    def _ends(self) -> list[str]:
+        """The end of a row: everything looked at, written, and kept for the rows below."""
+        names = [self.names[number] for number in self.checked]
+        lines = []
+        for start in range(0, len(names), 64):
+            lines.append(f"t = {' + '.join(names[start : start + 64])}")
+            lines.append("if t - t != 0.0: break")
+        kept = [self.names[number] for number in self.rows.kept]
+        lines.append(f"pack(out, k, {', '.join(kept)})")
+        lines.append("done += 1")
+        moved = [(f"p{n}_{above}", kept[n] if above == 1 else f"p{n}_{above - 1}") for n, above in reversed(self.above)]
+        if moved and any(name.startswith("p") for name in kept):  # a cell that shows one of them: all at once
+            lines.append(f"{', '.join(name for name, _ in moved)}, = {', '.join(value for _, value in moved)},")
+        else:
+            lines += [f"{name} = {value}" for name, value in moved]
+        return [f"            {line}" for line in lines]
+
+    def _define_in_row(self, number: int) -> None:
+        value = self.values[number]
+        args = [self.names[arg] for arg in value.args]
+        depth = 1 + max((self.depth.get(arg, 0) for arg in value.args), default=0)
+        text = self._text(value, args)
+        if number in self.local or depth > _DEEPEST:
+            name = f"v{number}"
+            self.lines.append(f"            {name} = {text}")
+            self.names[number], self.depth[number] = name, 0
+        else:
+            self.names[number], self.depth[number] = f"({text})", depth
+
+    def _text(self, value: Value, args: list[str]) -> str:
+        op = value.op
+        if op in _OWN:
+            return _OWN[op].format(*args)
+        if op in ("sign", "trunc"):
+            return f"{op}({args[0]})"
+        if op == "rounded":
+            return f"{self._rounded(value.data)}({args[0]})"
+        if op == "pick":
+            self.namespace[op] = HELPERS[op]
+            return f"{op}({', '.join(args)})"
+        if op == "power":
+            name = f"power{value.args[1]}"
+            self.namespace[name] = scalar_power(float(str(self.values[value.args[1]].data)))
+            return f"{name}({args[0]})"
+        self.namespace[op] = scalar(op)
+        return f"{op}({', '.join(args)})"
+
+    def _rounded(self, data: object) -> str:
+        digits = math.trunc(float(str(data)))
+        if not 1 <= abs(digits) <= 307:
+            raise UnsuitableError
+        name = f"rounded{'_' if digits < 0 else ''}{abs(digits)}"
+        self.namespace[name] = lambda number: rounded_one(number, digits)
+        return name
+
+    def _effect(self, effect: Effect, indent: str) -> None:
+        if effect.what == "keep":
+            return
+        name = self.names[effect.value]
+        if effect.what == "somewhere" and isinstance(effect.data, int):
+            self.lines.append(f"{indent}if {name} == 0 == {self.names[effect.data]}: raise TroubleError")
+        else:
+            self.lines.append(f"{indent}if {'' if effect.what == 'never' else 'not '}{name}: raise TroubleError")

@@ -1,0 +1,229 @@
+"""Columns that read each other row by row, computed by a loop over the rows.
+
+It computes floats as far as all is numbers; values of any kind from there until it is again; and what neither can say, the
+interpreter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ...formula.book import Block
+from ...formula.nodes import Node, Scalar, shifted
+from ..fast.any_kind import CellCode, CellError, LeftError, Memory, cell_code
+from ..fast.lowered_functions import FUNCTIONS
+from ..fast.lowering import UnsuitableError
+from ..fast.marks import Marks
+from ..fast.row_loop import RowCode, above_order, row_code
+from ..fast.row_lowering import RowBlock, RowLowering
+from ..interpreter.evaluator import Evaluator
+from ..layout import Layout
+from ..values.frames import Frame
+from .row_order import Line, Stretch, lines_in_order, stretches
+
+_FEW_ROWS, _FEW_CELLS = 12, 256
+"""Rows and cells for which no code is made: the interpreter is done before it is."""
+_FEW_SLOW = 8
+"""Rows with something other than numbers until code for values of any kind is made."""
+_FIRST_ROWS, _MOST_ROWS = 64, 4096
+"""Rows of the loop at a time: few where they stop early, many when all goes well."""
+_MOST_BURST = 256
+"""Rows computed as values of any kind before floats are tried again, where that has failed again and again."""
+
+
+class RowByRow:
+    """A set of columns that read each other, in their order."""
+
+    def __init__(self, layout: Layout, group: Sequence[int], lines: Sequence[Line]) -> None:
+        self.layout = layout
+        self.producers = group
+        self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self.lines = lines
+        self.parts = [_Part(self, stretch) for stretch in stretches(lines)]
+        self._slow = 0
+        self._codes: dict[int, Callable[[Memory], CellCode] | None] = {}
+
+    def run(self, ev: Evaluator, marks: Marks) -> None:
+        """Compute all cells."""
+        cells = _Cells(self, ev)
+        for part in self.parts:
+            part.run(cells, marks)
+        for number in self.producers:
+            block, start = self.layout.blocks[number], self.layout.block_offsets[number]
+            marks.note(number, ev.codes[start : start + block.rows * block.cols])
+
+    def code_of(self, line: Line, memory: Memory) -> CellCode | None:
+        """A line's formula as a function of the row, once there is reason to make one."""
+        if self._slow < _FEW_SLOW:
+            return None
+        known = id(line)
+        if known not in self._codes:
+            self._codes[known] = cell_code(self.layout, self.sheets, line.block)
+        make = self._codes[known]
+        return None if make is None else make(memory)
+
+    def note_slow(self) -> None:
+        """Another row that is not computed as floats."""
+        self._slow += 1
+
+
+class _Cells:
+    """One evaluation: single rows of any kind of values."""
+
+    def __init__(self, step: RowByRow, ev: Evaluator) -> None:
+        self.step = step
+        self.ev = ev
+        self.memory = Memory(memoryview(ev.numbers.data), memoryview(ev.codes.data), ev.texts)
+        self._codes: dict[int, CellCode | None] = {}
+
+    def row(self, lines: Sequence[Line], time: int) -> None:
+        """Compute the cells of lines at one time."""
+        if not self._codes:
+            self.step.note_slow()
+            if self.step._slow >= _FEW_SLOW:
+                self._codes = {id(line): self.step.code_of(line, self.memory) for line in self.step.lines}
+        for line in lines:
+            down = time - line.first
+            code = self._codes.get(id(line))
+            place = line.offset + down
+            if code is None:
+                self._interpreted(line, down, place)
+                continue
+            try:
+                value = code(down)
+            except CellError as problem:
+                self.memory.numbers[place], self.memory.codes[place] = np.nan, problem.code
+            except LeftError:
+                self._interpreted(line, down, place)
+            else:
+                self._put(place, value)
+
+    def _put(self, place: int, value: Scalar) -> None:
+        if value.__class__ is float:
+            self.memory.numbers[place], self.memory.codes[place] = value, 0
+        else:
+            self.memory.numbers[place], self.memory.codes[place] = self.ev.texts.encode(value)
+
+    def _interpreted(self, line: Line, down: int, place: int) -> None:
+        frame = Frame(line.sheet, line.block.row + down, line.block.col, 1, 1, down)
+        found = self.ev.result(line.block.formula, frame)
+        self.ev.numbers[place] = found.numbers
+        self.ev.codes[place] = 0 if found.codes is None else found.codes
+
+
+class _Part:
+    """The rows in which the same lines have cells."""
+
+    def __init__(self, step: RowByRow, stretch: Stretch) -> None:
+        self.step = step
+        self.layout = step.layout
+        self.lines = stretch.lines
+        self.first = stretch.first
+        self.rows = stretch.last - stretch.first
+        self._runs = 0
+
+    @cached_property
+    def blocks(self) -> list[RowBlock]:
+        """These rows of the lines."""
+        found = []
+        for line in self.lines:
+            down, block = self.first - line.first, line.block
+            formula = shifted(block.formula, down) if down else block.formula
+            rows = Block(block.row + down, block.col, self.rows, 1, formula)
+            found.append(RowBlock(line.producer, line.sheet, rows, line.offset + down))
+        return found
+
+    @cached_property
+    def loop(self) -> tuple[RowLowering, RowCode] | None:
+        """The loop of floats, None where a formula cannot be said so."""
+        try:
+            lowering = RowLowering(self.layout, self.step.sheets, FUNCTIONS, self.blocks, set(self.step.producers))
+            return lowering, row_code(lowering, self.layout)[0]
+        except UnsuitableError:
+            return None
+
+    def run(self, cells: _Cells, marks: Marks) -> None:
+        """Compute the rows from the first to the last."""
+        self._runs += 1
+        enough = self._runs > 1 or self.rows * len(self.lines) > _FEW_CELLS
+        loop = self.loop if enough and self.rows > _FEW_ROWS else None
+        if loop is None or not self._as_expected(loop[0], cells.ev, marks):
+            for row in range(self.rows):
+                cells.row(self.lines, self.first + row)
+            return
+        self._by_loop(cells, *loop)
+
+    @staticmethod
+    def _as_expected(lowering: RowLowering, ev: Evaluator, marks: Marks) -> bool:
+        """Whether what all rows read is numbers."""
+        reads = lowering.reads
+        return (
+            reads.others.isdisjoint(marks.dirty)
+            and reads.texts <= marks.texts
+            and not any(ev.codes[place] for place in lowering.cells)
+        )
+
+    def _by_loop(self, cells: _Cells, lowering: RowLowering, code: RowCode) -> None:
+        plain = self._plain(lowering, cells.ev)
+        order = above_order(lowering)
+        row, size, burst = 0, _FIRST_ROWS, 1
+        out = np.empty((min(self.rows, _MOST_ROWS), len(self.lines)))
+        while row < self.rows:
+            above = self._above(order, cells.ev, row) if plain is None or plain[row] else None
+            done = 0
+            if above is not None:
+                end = min(row + size, self.rows)
+                if plain is not None and not plain[row:end].all():
+                    end = row + int(np.argmin(plain[row:end]))
+                done = code(cells.ev.numbers, above, row, end, out)
+                self._write(cells.ev, out, row, done)
+                row += done
+                if row == end:
+                    size, burst = min(2 * size, _MOST_ROWS), 1
+                    continue
+            size = _FIRST_ROWS
+            burst = 1 if done >= _FIRST_ROWS else min(2 * burst, _MOST_BURST)
+            for _ in range(min(burst, self.rows - row)):
+                cells.row(self.lines, self.first + row)
+                row += 1
+
+    def _write(self, ev: Evaluator, out: Any, row: int, done: int) -> None:
+        if not done:
+            return
+        columns = np.ascontiguousarray(out[:done].T)
+        for number, block in enumerate(self.blocks):
+            start = block.offset + row
+            ev.numbers[start : start + done] = columns[number]
+            ev.codes[start : start + done] = 0
+
+    def _plain(self, lowering: RowLowering, ev: Evaluator) -> Any:
+        """In which rows the columns read elsewhere hold numbers; None: in all."""
+        plain = None
+        for place in lowering.columns:
+            codes = ev.codes[place : place + self.rows]
+            if codes.any():
+                plain = (codes == 0) if plain is None else plain & (codes == 0)
+        return plain
+
+    def _above(self, order: list[tuple[int, int]], ev: Evaluator, row: int) -> list[float] | None:
+        """The values that a row reads from rows above, None when one is no number."""
+        found = []
+        for number, above in order:
+            block = self.blocks[number]
+            place = block.offset + row - above
+            if above > row:
+                place = self.layout.place(block.sheet, block.block.row + row - above, block.block.col)
+            if place < 0 or ev.codes[place]:
+                return None
+            found.append(float(ev.numbers[place]))
+        return found
+
+
+def row_by_row(layout: Layout, formulas: Sequence[Node], group: Sequence[int]) -> RowByRow | None:
+    """The step that computes blocks row by row, None where no order of rows and columns serves all of them."""
+    lines = lines_in_order(layout, formulas, group)
+    return None if lines is None else RowByRow(layout, group, lines)

@@ -1,0 +1,120 @@
+"""Whether a column of a sheet is a quantity of the mechanism, and in what unit, sense and zero it is written."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.homework.truth import Array, Quantity
+
+DEGREE = math.pi / 180
+POWERS = (1.0, 0.1, 10.0, 0.01, 100.0, 1e-3, 1e3)
+"""Length units that people mix: mm, cm, m."""
+FEWEST = 3
+"""Rows that must be there before two columns can be called equal."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """How a column says a quantity: quantity = sense * unit * column - offset, angles modulo a turn."""
+
+    unit: float = 1.0
+    sense: int = 1
+    offset: float = 0.0
+
+    @property
+    def plain(self) -> bool:
+        """Whether it is the quantity itself, in whatever unit."""
+        return self.sense == 1 and self.offset == 0.0
+
+    def of(self, column: Array) -> Array:
+        """A column in internal units."""
+        return self.sense * self.unit * column - self.offset
+
+
+def wrapped(angle: Array) -> Array:
+    """Angles within half a turn."""
+    found: Array = np.remainder(angle + math.pi, math.tau) - math.pi
+    return found
+
+
+def allowance(quantity: Quantity, size: float, tolerance: float) -> float:
+    """How far two values of a quantity may be apart."""
+    if quantity.kind == "angle":
+        return tolerance
+    if quantity.kind == "length":
+        return tolerance * size
+    found = np.abs(quantity.values[np.isfinite(quantity.values)])
+    return tolerance * max(float(found.max(initial=0.0)), 1e-12)
+
+
+def units_of(quantity: Quantity) -> Sequence[float]:
+    """The factors in which a quantity may be written."""
+    if quantity.kind == "angle":
+        return (1.0, DEGREE)
+    if quantity.kind == "length":
+        return POWERS
+    return (1.0, DEGREE, 60 / math.tau)
+
+
+def gaps(columns: Array, quantity: Quantity, reading: Reading) -> Array:
+    """How far columns, shape (..., rows), are from a quantity in each row that exists; inf where they hold no number."""
+    with np.errstate(all="ignore"):
+        apart = reading.of(columns) - quantity.values
+        if quantity.kind == "angle":
+            apart = wrapped(apart)
+    apart = np.abs(apart)
+    known = np.isfinite(quantity.values)
+    return np.where(known, np.where(np.isnan(apart), math.inf, apart), 0.0)
+
+
+def agrees(columns: Array, quantity: Quantity, reading: Reading, allowed: float) -> NDArray[np.bool_]:
+    """Which of the columns, shape (..., rows), are the quantity, read so."""
+    if np.isfinite(quantity.values).sum() < min(FEWEST, len(quantity.values)):
+        return np.zeros(columns.shape[:-1], bool)
+    found: NDArray[np.bool_] = gaps(columns, quantity, reading).max(axis=-1) <= allowed
+    return found
+
+
+def plain_reading(column: Array, quantity: Quantity, allowed: float) -> Reading | None:
+    """The unit in which a column is the quantity itself."""
+    for unit in units_of(quantity):
+        reading = Reading(unit)
+        if agrees(column, quantity, reading, allowed):
+            return reading
+    return None
+
+
+def reading_of(column: Array, quantity: Quantity, allowed: float, zeros: Iterable[float] = ()) -> Reading | None:
+    """How a column says a quantity: itself first, then in the other sense or from another zero.
+
+    zeros  angles among the dimensions: an angle may be counted from there, besides from 0, a quarter or half a turn
+    """
+    found = plain_reading(column, quantity, allowed)
+    if found is not None or quantity.kind == "number":
+        return found
+    known = np.flatnonzero(np.isfinite(quantity.values) & np.isfinite(column))
+    if not len(known):
+        return None
+    for unit in units_of(quantity):
+        for sense in (1, -1):
+            offset = 0.0
+            if quantity.kind == "angle":
+                offset = _zero(float(sense * unit * column[known[0]] - quantity.values[known[0]]), allowed, zeros)
+            reading = Reading(unit, sense, offset)
+            if agrees(column, quantity, reading, allowed):
+                return reading
+    return None
+
+
+def _zero(offset: float, allowed: float, zeros: Iterable[float]) -> float:
+    """The zero that is meant by an offset found from one row; the offset 0 where none is near."""
+    for quarter in (0.0, math.pi, math.pi / 2, -math.pi / 2):
+        for angle in (0.0, *(sign * zero for zero in zeros for sign in (1, -1))):
+            if abs(math.remainder(offset - quarter - angle, math.tau)) <= allowed:
+                return quarter + angle
+    return 0.0

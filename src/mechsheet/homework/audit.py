@@ -1,0 +1,239 @@
+"""`audit`: one workbook against a mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mechsheet.diagnostics import WorkbookError, readable_name
+from mechsheet.formats import read
+from mechsheet.homework.faults import Mend, Suspect, first_wrong, many
+from mechsheet.homework.remarks import Judged, remarks_of
+from mechsheet.homework.truth import Truth, other_assemblies, without_limits
+from mechsheet.homework.understanding import Understanding, understand
+from mechsheet.homework.upright import Work, upright
+from mechsheet.homework.verdicts import Finding, Sheet, Verdict, findings, with_liveness
+from mechsheet.model import Mechanism
+from mechsheet.words.homework import HOMEWORK, said
+
+TOLERANCE = 1e-4
+NOT_LIVE = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class AskedFor:
+    """What is asked of a workbook, and how it is marked."""
+
+    marks: Mapping[str, float]
+    tolerance: float = TOLERANCE
+    follow_through: bool = True
+    not_live: float = NOT_LIVE
+
+
+@dataclass(frozen=True, slots=True)
+class AskedResult:
+    """One asked quantity: its cells and the verdict; `plain` without follow-through."""
+
+    cells: str
+    verdict: Verdict
+    plain: Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class FaultFound:
+    """A fault: cells, the formula there, what would mend it ("" where no single change does), what that puts right."""
+
+    cells: str
+    formula: str
+    mend: str
+    rights: tuple[str, ...]
+    kind: str
+
+
+@dataclass(frozen=True, slots=True)
+class Audit:
+    """What was found in one workbook."""
+
+    file: str
+    asked: Mapping[str, AskedResult]
+    faults: tuple[FaultFound, ...]
+    of: float
+    plain: float
+    follow_through: float
+    remarks: tuple[str, ...]
+    language: str = "en"
+
+    @property
+    def right(self) -> bool:
+        """Whether all that is asked is right."""
+        return all(one.verdict == "right" for one in self.asked.values())
+
+    def as_dict(self) -> dict[str, Any]:
+        """As JSON data."""
+        return {
+            "asked": {symbol: {"cells": one.cells, "verdict": one.verdict} for symbol, one in self.asked.items()},
+            "faults": [
+                {"cells": f.cells, "formula": f.formula, "mend": f.mend, "rights": list(f.rights), "kind": f.kind}
+                for f in self.faults
+            ],
+            "marks": {"of": self.of, "plain": self.plain, "follow_through": self.follow_through},
+            "remarks": list(self.remarks),
+        }
+
+
+def audit(book: str | Path, mechanism: Mechanism, assembly: str = "") -> Audit:
+    """Find in a workbook that somebody made by hand the quantities that a description asks for, and the faults.
+
+    book       .xlsx, .xlsm, .ods, .ots, laid out in any way
+    mechanism  what it should be: `mechsheet.load(...)`; its dimensions are only what the sheet does not give itself
+    assembly   "any": another assembly than the description's sketch is right, too
+
+    Raises WorkbookError where the file cannot be read, or holds no table of this mechanism.
+    """
+    path = Path(book)
+    return audited(upright(read(path)), mechanism, asked_of(mechanism), readable_name(path), assembly == "any")
+
+
+def asked_of(mechanism: Mechanism) -> AskedFor:
+    """What is asked without a word in the description: every link angle, displacement and output, a mark each."""
+    names = [link.angle_symbol for link in mechanism.links[1:]]
+    names += [joint.symbol for joint in mechanism.joints] + [output.symbol for output in mechanism.outputs]
+    return AskedFor({name: 1.0 for name in names if name != mechanism.driver.symbol})
+
+
+def audited(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, any_assembly: bool = False) -> Audit:
+    """The audit of a workbook that has been read; `shown` is what messages call it."""
+    judged = _judged(work, mechanism, wanted, shown)
+    if not judged.promising:
+        other = _judged(work, mechanism, wanted, shown, unusual=True)
+        if any(one.verdict == "right" for one in other.first.values()):
+            judged = other
+    asked, first, last, mends = judged.asked, judged.first, judged.last, judged.mends
+    results = {symbol: _result(judged.found, first[symbol], last[symbol], mends) for symbol in asked}
+    if any_assembly:
+        results = {s: replace(r, verdict="right") if r.verdict == "other assembly" else r for s, r in results.items()}
+    faults = [_fault(judged.found, mend) for mend in mends]
+    if judged.suspect is not None and not mends:
+        faults.append(_unmended(judged.found, judged.suspect))
+    return Audit(
+        shown,
+        results,
+        tuple(faults),
+        sum(asked.values()),
+        _marks(asked, wanted, {symbol: one.plain for symbol, one in results.items()}),
+        _marks(asked, wanted, {symbol: one.verdict for symbol, one in results.items()}),
+        tuple(remarks_of(judged, mechanism.language)),
+        mechanism.language,
+    )
+
+
+def _judged(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, unusual: bool = False) -> Judged:
+    """Everything found in a workbook. `unusual`: the driver may be counted clockwise, or from another zero."""
+    try:
+        found = understand(work, mechanism, list(wanted.marks), wanted.tolerance, unusual)
+    except WorkbookError as error:
+        raise _told(error, mechanism, shown) from error
+    asked = _moving(found, wanted)
+    sheet = Sheet(found, list(asked))
+    if _holes(sheet):
+        found = replace(found, truth=without_limits(found.truth))
+        sheet = Sheet(found, list(asked))
+    truth, first = _assembly(sheet, findings(sheet))
+    start = {s: replace(f, verdict="right") if f.verdict == "other assembly" else f for s, f in first.items()}
+    if unusual:
+        mends, last_sheet, last = list[Mend](), sheet, start
+    else:
+        mends, last_sheet, last = many(sheet, truth, start)
+    suspect = None
+    if any(last[symbol].verdict == "wrong" for symbol in asked):
+        suspect = first_wrong(last_sheet, truth, last)
+    if truth is found.truth:
+        first = with_liveness(found, first)
+    return Judged(found, truth, asked, first, last, mends, suspect, unusual)
+
+
+def _holes(sheet: Sheet) -> bool:
+    """Whether some series has no number in a few of the rows that exist."""
+    exists = sheet.found.truth.exists
+    missing = [
+        int(np.isnan(sheet.column(series)[exists]).sum()) for series in sheet.found.series if series.main is not None
+    ]
+    return any(0 < count <= max(2, exists.sum() // 10) for count in missing)
+
+
+def _moving(found: Understanding, wanted: AskedFor) -> dict[str, float]:
+    """What is asked, without what does not move."""
+    return {
+        symbol: marks
+        for symbol, marks in wanted.marks.items()
+        if symbol in found.truth.columns and found.truth.quantity(symbol).moves(found.truth.size)
+    }
+
+
+def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str, Finding]]:
+    """The assembly that the sheet shows, and its findings: another one where all that is there is right for it."""
+    base = sheet.found.truth
+    there = [symbol for symbol, finding in first.items() if finding.verdict != "missing"]
+    if all(first[symbol].verdict == "right" for symbol in there):
+        return base, first
+    for truth in other_assemblies(base):
+        found = findings(sheet, truth)
+        if all(found[symbol].verdict == "right" for symbol in there):
+            return truth, {
+                symbol: replace(one, verdict="other assembly")
+                if one.verdict == "right" and first[symbol].verdict != "right"
+                else first[symbol]
+                for symbol, one in found.items()
+            }
+    return base, first
+
+
+def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence[Mend]) -> AskedResult:
+    """The verdict with the mends in place: a quantity whose own cells hold a fault stays wrong."""
+    series = first.series or last.series
+    cells = "" if series is None else series.where(found.work)
+    verdict = first.verdict
+    if verdict in ("wrong", "missing") and last.verdict == "right":
+        verdict = "follows"
+    if series is not None and any(_holds(series.places(), mend) for mend in mends):
+        verdict = "wrong"
+    plain: Verdict = verdict if verdict != "follows" else "wrong"
+    return AskedResult(cells, verdict, plain)
+
+
+def _holds(places: Sequence[tuple[str, int, int]], mend: Mend) -> bool:
+    return not set(places).isdisjoint(mend.strip.places())
+
+
+def _marks(asked: Mapping[str, float], wanted: AskedFor, verdicts: Mapping[str, Verdict]) -> float:
+    parts = {"right": 1.0, "follows": 1.0 if wanted.follow_through else 0.0, "not live": wanted.not_live}
+    return round(sum(marks * parts.get(verdicts[symbol], 0.0) for symbol, marks in asked.items()), 6)
+
+
+def _fault(found: Understanding, mend: Mend) -> FaultFound:
+    work = found.work
+    strip = mend.strip
+    return FaultFound(
+        work.where(strip.sheet, strip.start, strip.line, strip.length),
+        work.shown(strip.formula, strip.sheet),
+        work.shown(mend.formula, strip.sheet),
+        mend.rights,
+        mend.kind,
+    )
+
+
+def _unmended(found: Understanding, suspect: Suspect) -> FaultFound:
+    strip = suspect.strip
+    cells = found.work.where(strip.sheet, strip.start, strip.line, strip.length)
+    return FaultFound(cells, found.work.shown(strip.formula, strip.sheet), "", (), "no single change mends it")
+
+
+def _told(error: WorkbookError, mechanism: Mechanism, shown: str) -> WorkbookError:
+    return WorkbookError(
+        replace(fault, file=shown, message=said(mechanism.language, fault.about)) if fault.about in HOMEWORK else fault
+        for fault in error.faults
+    )

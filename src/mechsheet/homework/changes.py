@@ -1,0 +1,369 @@
+"""What one slip of the hand may have made of a formula, taken back: every single change of it.
+
+The kinds are what a lecturer would say of the slip; `weight` orders them: of two mends the lighter one is likelier meant.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from mechsheet.formula.nodes import (
+    MAX_COLUMNS,
+    MAX_ROWS,
+    Binary,
+    Call,
+    CellRef,
+    NameRef,
+    Node,
+    Number,
+    RangeRef,
+    Unary,
+    children,
+    rebuilt,
+    walk,
+)
+from mechsheet.formula.slips import FUNCTIONS, LEFT_OUT, SWAPPED
+
+MOST = 4000
+"""Candidates for one formula."""
+
+_TRIGONOMETRIC = frozenset(("SIN", "COS", "TAN"))
+_INVERSE = frozenset(("ASIN", "ACOS", "ATAN", "ATAN2"))
+_ALSO: dict[str, tuple[str, ...]] = {
+    "SIN": ("TAN",), "COS": ("TAN",), "TAN": ("COS", "ATAN"), "ASIN": ("ATAN", "SIN"), "ACOS": ("ATAN", "COS"),
+    "ATAN": ("ACOS", "ASIN"), "ABS": ("SQRT", "SIGN"),
+}  # fmt: skip
+_PI = Call("PI")
+_NUMBERS = (0.0, 1.0, 2.0, 0.5, 180.0, 90.0, 360.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A formula with one change; see the module."""
+
+    formula: Node
+    kind: str
+    weight: float
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """What else the formula could have read: `single` cells or names, and cells of the same `row`, as it would write them.
+
+    numbers  of single cells, what they hold: a typed number may stand for one of them
+    """
+
+    single: tuple[Node, ...]
+    row: tuple[Node, ...]
+    numbers: tuple[float, ...]
+
+
+def changes(formula: Node, around: Surroundings) -> list[Change]:
+    """Every single change of a formula, each formula once, the lightest first."""
+    paths = _paths(formula)
+    parts = [part for part in paths if not isinstance(part, RangeRef)]
+    angles = _angles(formula)
+    arguments = {arg for part in parts for arg in _sums(part)}
+    terms = set(_terms(formula)) | {term for arg in arguments for term in _terms(arg)}
+    found: dict[Node, Change] = {}
+
+    def add(whole: Node, kind: str, weight: float) -> None:
+        known = found.get(whole)
+        if whole != formula and (known is None or weight < known.weight):
+            found[whole] = Change(whole, kind, weight)
+
+    for part in parts:
+        for new, kind, weight in _variants(part, formula, angles, terms, arguments, around):
+            if new != part:
+                for whole in _put(formula, paths[part], new):
+                    add(whole, kind, weight)
+    for whole in _exchanged(formula, paths):
+        add(whole, "reference", 1.4)
+    return sorted(found.values(), key=lambda change: change.weight)[:MOST]
+
+
+_Path = tuple[int, ...]
+
+
+def _paths(formula: Node) -> dict[Node, list[_Path]]:
+    """Where each part stands, by the number of the operand to go to on each level; what stands in a range is left out."""
+    found: dict[Node, list[_Path]] = {}
+    waiting: list[tuple[Node, _Path]] = [(formula, ())]
+    while waiting:
+        node, path = waiting.pop()
+        found.setdefault(node, []).append(path)
+        if not isinstance(node, RangeRef):
+            waiting += [(part, (*path, number)) for number, part in enumerate(children(node))]
+    return {node: sorted(paths) for node, paths in sorted(found.items(), key=lambda item: min(item[1]))}
+
+
+def _put(formula: Node, paths: Sequence[_Path], new: Node) -> Iterator[Node]:
+    """The formula with `new` in all these places; and where they are several, in each of them alone."""
+    whole = formula
+    for path in paths:
+        whole = _replaced(whole, path, new)
+    yield whole
+    if 1 < len(paths) <= 4:
+        yield from (_replaced(formula, path, new) for path in paths)
+
+
+def _replaced(node: Node, path: _Path, new: Node) -> Node:
+    if not path:
+        return new
+    below = list(children(node))
+    below[path[0]] = _replaced(below[path[0]], path[1:], new)
+    return rebuilt(node, tuple(below))
+
+
+def _exchanged(formula: Node, paths: Mapping[Node, Sequence[_Path]]) -> Iterator[Node]:
+    """The formula with two of the cells that it reads taken for each other, everywhere or in one of its sums."""
+    read = [node for node in paths if isinstance(node, CellRef | NameRef)][:12]
+    sums = [path for node, places in paths.items() if isinstance(node, Binary) and node.op in "+-" for path in places]
+    for inside in dict.fromkeys([(), *sums[:6]]):
+        for one, other in itertools.combinations(read, 2):
+            whole = formula
+            for old, new in ((one, other), (other, one)):
+                for path in paths[old]:
+                    if path[: len(inside)] == inside:
+                        whole = _replaced(whole, path, new)
+            yield whole
+
+
+def _terms(node: Node) -> Iterator[Node]:
+    """The terms of a sum; a product is one."""
+    match node:
+        case Binary("+" | "-", left, right):
+            yield from _terms(left)
+            yield from _terms(right)
+        case Unary("-" | "+", operand):
+            yield from _terms(operand)
+        case _:
+            yield node
+
+
+def _sums(part: Node) -> Iterator[Node]:
+    """Arguments, numerators and denominators: what may be a sum with a term too few."""
+    match part:
+        case Call(_, args):
+            yield from args
+        case Binary("/", left, right):
+            yield left
+            yield right
+        case Binary("*", left, right):
+            yield left
+            yield right
+        case _:
+            return
+
+
+def _angles(formula: Node) -> set[Node]:
+    """Parts that are angles: the whole, arguments of sines and cosines, their terms, what arcs give."""
+    found = {formula, *_terms(formula)}
+    for part in walk(formula):
+        if isinstance(part, Call) and part.name in _TRIGONOMETRIC and part.args:
+            found |= {part.args[0], *_terms(part.args[0])}
+        if isinstance(part, Call) and part.name in _INVERSE:
+            found.add(part)
+    return found
+
+
+_Variant = tuple[Node, str, float]
+
+
+def _variants(
+    part: Node, formula: Node, angles: set[Node], terms: set[Node], arguments: set[Node], around: Surroundings
+) -> Iterator[_Variant]:
+    """(what may have been meant by a part, what kind of slip it is, its weight)."""
+    match part:
+        case Binary("+" | "-"):
+            yield from _of_sum(part)
+        case Binary("*" | "/"):
+            yield from _of_product(part)
+        case Binary("^", base, exponent):
+            yield base, "exponent", 1.5
+            yield from ((Binary("^", base, Number(value)), "exponent", 1.5) for value in (2.0, 3.0, 0.5))
+            if isinstance(base, Unary):
+                yield Unary("-", Binary("^", base.operand, exponent)), "sign of a square", 1.0
+        case Unary("-", operand):
+            yield operand, "sign", 1.0
+        case Call():
+            yield from _of_call(part)
+        case Number(value):
+            yield from _of_number(value, around)
+        case CellRef() | NameRef():
+            yield from _of_reference(part, around)
+    if isinstance(part, Binary):
+        yield from _rebracketed(part)
+    if not isinstance(part, Number | Unary):
+        yield Unary("-", part), "sign", 1.2
+    if isinstance(part, CellRef | NameRef | Call) or part == formula:
+        yield from _of_any(part)
+    if part in angles and not isinstance(part, Number):
+        yield from _of_angle(part)
+    if part in terms or isinstance(part, CellRef | NameRef):
+        yield from _with_factor(part, around)
+    if part == formula or part in arguments:
+        yield from _with_term(part, around)
+
+
+def _of_sum(part: Binary) -> Iterator[_Variant]:
+    left, right = part.left, part.right
+    yield Binary("-" if part.op == "+" else "+", left, right), "sign", 1.0
+    yield left, "term too many", 1.1
+    yield right if part.op == "+" else Unary("-", right), "term too many", 1.1
+    yield right, "term too many", 1.3
+    if part.op == "-":
+        yield Binary("-", right, left), "order of a difference", 1.0
+    for op in "*/":
+        yield Binary(op, left, right), "operator", 1.4
+
+
+def _of_product(part: Binary) -> Iterator[_Variant]:
+    left, right = part.left, part.right
+    yield Binary("/" if part.op == "*" else "*", left, right), "operator", 1.0
+    yield left, "factor too many", 1.3
+    yield right, "factor too many", 1.3
+    if part.op == "/":
+        yield Binary("/", right, left), "order of a quotient", 1.0
+        yield Binary("/", Number(1.0), right), "factor too many", 1.6
+    for op in "+-":
+        yield Binary(op, left, right), "operator", 1.4
+    yield Binary("^", left, right), "operator", 1.5
+    yield from ((new, "brackets", 1.0) for new in _divided(part))
+
+
+def _divided(part: Binary) -> Iterator[Node]:
+    """`a/b*c` as a/(b*c), and `a/(b*c)` as a/b*c, for products of any length."""
+    chain: list[tuple[str, Node]] = []
+    node: Node = part
+    while isinstance(node, Binary) and node.op in "*/":
+        chain.insert(0, (node.op, node.right))
+        node = node.left
+    slash = next((index for index, (op, _) in enumerate(chain) if op == "/"), None)
+    if slash is None:
+        return
+    head = node
+    for op, factor in chain[:slash]:
+        head = Binary(op, head, factor)
+    below = chain[slash][1]
+    for _, factor in chain[slash + 1 :]:
+        below = Binary("*", below, factor)
+    if len(chain) > slash + 1:
+        yield Binary("/", head, below)
+    factors: list[Node] = []
+    inner = chain[-1][1] if chain[-1][0] == "/" else Number(1.0)
+    while isinstance(inner, Binary) and inner.op == "*":
+        factors.insert(0, inner.right)
+        inner = inner.left
+    if factors:
+        whole: Node = Binary("/", part.left, inner)
+        for factor in factors:
+            whole = Binary("*", whole, factor)
+        yield whole
+
+
+def _rebracketed(part: Binary) -> Iterator[_Variant]:
+    """The same signs in the same order with brackets elsewhere."""
+    if part.op not in "+-*/^":
+        return
+    match part.left:
+        case Binary(op, a, b) if op in "+-*/":
+            yield Binary(op, a, Binary(part.op, b, part.right)), "brackets", 1.1
+        case Call(name, (inner,)):
+            yield Call(name, (Binary(part.op, inner, part.right),)), "brackets", 1.2
+        case Unary("-", inner):
+            yield Unary("-", Binary(part.op, inner, part.right)), "brackets", 1.1
+    match part.right:
+        case Binary(op, b, c) if op in "+-*/^":
+            yield Binary(op, Binary(part.op, part.left, b), c), "brackets", 1.1
+        case Call(name, (inner,)):
+            yield Call(name, (Binary(part.op, part.left, inner),)), "brackets", 1.4
+    if isinstance(part.left, Binary) and isinstance(part.right, Binary):
+        (a, b), (c, d) = (part.left.left, part.left.right), (part.right.left, part.right.right)
+        inner = Binary(part.op, b, c)
+        yield Binary(part.right.op, Binary(part.left.op, a, inner), d), "brackets", 1.3
+
+
+def _of_call(part: Call) -> Iterator[_Variant]:
+    name, args = part.name, part.args
+    for other in (*((FUNCTIONS[name],) if name in FUNCTIONS else ()), *_ALSO.get(name, ())):
+        kind = "radians and degrees" if name in ("RADIANS", "DEGREES") else "function"
+        yield Call(other, args), kind, 1.0
+    if name in LEFT_OUT and args:
+        yield args[0], "radians and degrees" if name in ("RADIANS", "DEGREES") else "function", 1.0
+    order = SWAPPED.get(name, ())
+    if order and len(args) == len(order):
+        yield Call(name, tuple(args[index] for index in order)), "order of arguments", 0.9
+    match part:
+        case Call("ATAN", (Binary("/", y, x),)):
+            yield Call("ATAN2", (x, y)), "quadrant", 0.9
+        case Call("ATAN2", (x, y)):
+            yield Call("ATAN2", (Unary("-", x), Unary("-", y))), "order of a difference", 1.2
+        case Call(_, (Binary(op, left, right),)) if op in "+-*/":
+            yield Binary(op, Call(name, (left,)), right), "brackets", 1.2
+            yield Binary(op, left, Call(name, (right,))), "brackets", 1.3
+    if name == "SQRT" and args:
+        yield Binary("^", part, Number(2.0)), "square root", 1.2
+
+
+def _of_number(value: float, around: Surroundings) -> Iterator[_Variant]:
+    near_pi = next((k for k in (1.0, 2.0, 0.5) if value and abs(value - k * math.pi) < 0.01 * math.pi), None)
+    if near_pi is not None:
+        yield (_PI if near_pi == 1 else Binary("*", Number(near_pi), _PI)), "value of pi", 0.8
+    for node, number in zip(around.single, around.numbers, strict=True):
+        if number and abs(abs(value) - abs(number)) <= 1e-6 * abs(number):
+            yield (node if value * number > 0 else Unary("-", node)), "typed number", 0.7
+    yield Number(-value), "typed number", 1.5
+    for other in dict.fromkeys((*_NUMBERS, value - 1, float(round(value)), 1 / value if value else 0.0)):
+        yield Number(other), "typed number", 1.6
+    yield from ((node, "typed number", 1.9) for node in around.single)
+
+
+def _of_reference(part: CellRef | NameRef, around: Surroundings) -> Iterator[_Variant]:
+    yield from ((node, "reference", 1.5) for node in around.single)
+    yield from ((node, "reference", 1.6) for node in around.row)
+    if isinstance(part, CellRef):
+        for row_abs, col_abs in ((not part.row_abs, part.col_abs), (not part.row_abs, not part.col_abs)):
+            yield replace(part, row_abs=row_abs, col_abs=col_abs), "anchor", 1.0
+        for down, right in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+            row, col = part.row + down, part.col + right
+            if 0 <= row < MAX_ROWS and 0 <= col < MAX_COLUMNS:
+                yield replace(part, row=row, col=col), "reference", 1.7
+
+
+def _of_any(part: Node) -> Iterator[_Variant]:
+    yield Binary("^", part, Number(2.0)), "exponent", 1.5
+    yield Binary("*", Number(2.0), part), "factor missing", 1.6
+    yield Binary("/", part, Number(2.0)), "factor missing", 1.6
+    yield Call("RADIANS", (part,)), "radians and degrees", 1.0
+    yield Call("DEGREES", (part,)), "radians and degrees", 1.0
+    yield Call("SQRT", (part,)), "square root", 1.4
+
+
+def _of_angle(part: Node) -> Iterator[_Variant]:
+    """The other root, and angles from another zero."""
+    yield Binary("-", _PI, part), "other root", 1.2
+    yield Binary("+", part, _PI), "other root", 1.4
+    yield Binary("-", Number(180.0), part), "other root", 1.5
+    yield Binary("+", part, Number(180.0)), "other root", 1.6
+    for zero in (Binary("/", _PI, Number(2.0)), Number(90.0)):
+        yield Binary("-", zero, part), "other root", 1.7
+        yield Binary("+", part, zero), "other root", 1.8
+        yield Binary("-", part, zero), "other root", 1.8
+
+
+def _with_factor(part: Node, around: Surroundings) -> Iterator[_Variant]:
+    for node in (*around.single, *around.row):
+        yield Binary("*", node, part), "factor missing", 2.1
+        yield Binary("/", part, node), "factor missing", 2.2
+
+
+def _with_term(part: Node, around: Surroundings) -> Iterator[_Variant]:
+    squares = any(isinstance(term, Binary) and term.op == "^" for term in _terms(part))
+    for node in (*around.single, *around.row):
+        term = Binary("^", node, Number(2.0)) if squares else node
+        yield Binary("+", part, term), "term missing", 2.0
+        yield Binary("-", part, term), "term missing", 2.0

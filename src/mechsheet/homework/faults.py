@@ -1,0 +1,320 @@
+"""Where the first fault is, and what would mend it: every single change of the formulas that wrong columns depend on."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from mechsheet.formula.nodes import CellRef, Node
+from mechsheet.homework.agreement import Reading, agrees, reading_of, units_of
+from mechsheet.homework.changes import Change, Surroundings, changes
+from mechsheet.homework.inputs import single_cells
+from mechsheet.homework.series import Graph, Series, aligned
+from mechsheet.homework.trial import Trial, UntriableError
+from mechsheet.homework.truth import Truth, vocabulary
+from mechsheet.homework.upright import Place, Strip, with_formula
+from mechsheet.homework.verdicts import Finding, Retyped, Sheet, findings, follows, retype
+
+MOST_FAULTS = 5
+LONGEST = 10.0
+"""Seconds that are spent on one workbook's mends."""
+VERIFIED = 12
+"""Mends of one formula that are tried under retyped dimensions."""
+MOST_AROUND = 60
+"""Cells that a formula may have meant instead."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mend:
+    """A formula, what it should be, and the asked quantities that this puts right."""
+
+    strip: Strip
+    formula: Node
+    kind: str
+    weight: float
+    rights: tuple[str, ...]
+    live: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Suspect:
+    """The first cell whose inputs are right and whose value is not: what stands there and what is wanted."""
+
+    strip: Strip
+    place: Place
+    found: float
+    wanted: float | None
+    of: str
+
+
+def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Series]]:
+    """What is wrong, and the series that should be it; for what is missing every series that nothing is known of."""
+    goals = [
+        (symbol, finding.series)
+        for symbol, finding in results.items()
+        if finding.verdict == "wrong" and finding.series is not None
+    ]
+    claimed = {finding.series.key for finding in results.values() if finding.series is not None}
+    lost = [symbol for symbol, finding in results.items() if finding.verdict == "missing"]
+    if lost:
+        loose = [series for series in sheet.found.series if series.key not in claimed and series.main is not None]
+        goals += [(symbol, series) for symbol in lost for series in loose]
+    return goals
+
+
+class Search:
+    """One search for a mend in one workbook."""
+
+    def __init__(self, sheet: Sheet, truth: Truth, results: Mapping[str, Finding], deadline: float) -> None:
+        self.sheet, self.truth, self.results, self.deadline = sheet, truth, results, deadline
+        self.found = replace(sheet.found, truth=truth)
+        self.graph: Graph = sheet.found.graph
+        self.goals = goals_of(sheet, results)
+        self.trial = Trial(self.graph)
+
+    @cached_property
+    def retyped(self) -> list[Retyped]:
+        """The workbook with its dimensions retyped, twice."""
+        symbols = [one.symbol for one in self.found.inputs]
+        found = [retype(self.found, symbols, turn) for turn in (0, 1)] if symbols else []
+        return [one for one in found if one is not None]
+
+    def mend(self) -> Mend | None:
+        """The best mend; see the module."""
+        if not self.goals:
+            return None
+        best: Mend | None = None
+        wanted = {symbol for symbol, _ in self.goals if self.results[symbol].verdict == "wrong"}
+        for number in self.suspects():
+            if time.process_time() > self.deadline:
+                break
+            mend = self._of_strip(number)
+            if mend is not None and (best is None or _rank(mend) < _rank(best)):
+                best = mend
+            if best is not None and best.live and wanted <= set(best.rights):
+                break
+        return best
+
+    def suspects(self) -> list[int]:
+        """Formulas that wrong series depend on: those that are nothing of the mechanism though all they read is, first."""
+        work = self.graph.work
+        ends = {
+            strip for _, series in self.goals for place in series.places() if (strip := work.at.get(place)) is not None
+        }
+        above = self.graph.above({number for number, strip in enumerate(work.strips) if strip in ends})
+        driver = self.found.driver
+        above = {
+            number
+            for number in above
+            if (work.strips[number].sheet, work.strips[number].line) != (driver.sheet, driver.line)
+        }
+        order = self.graph.order
+        known = self._known()
+        odd = self._odd()
+
+        def rank(number: int) -> tuple[int, int, int]:
+            fine = number in known
+            fed = all(other in known for other in self.graph.reads[number] - {number})
+            first = 0 if number in odd else 1 if not fine and fed else 2 if not fine else 3
+            return first, order[number], number
+
+        return sorted(above, key=rank)
+
+    def _known(self) -> set[int]:
+        """Strips that are plainly something of the mechanism, or a single cell."""
+        words = vocabulary(self.truth)
+        work = self.graph.work
+        by_main = {strip: number for number, strip in enumerate(work.strips)}
+        found = {number for number, strip in enumerate(work.strips) if strip.length == 1 and not self._beside(strip)}
+        for series in self.found.series:
+            column = self.sheet.column(series)
+            for word in words:
+                reading = reading_of(column, word, self.found.allowed(word))
+                if reading is not None and (reading.plain or word.kind == "length"):
+                    if series.main is not None:
+                        found.add(by_main[series.main])
+                    break
+        return found
+
+    def _beside(self, strip: Strip) -> bool:
+        """Whether a single cell stands in a series."""
+        return any(
+            (series.sheet, series.line) == (strip.sheet, strip.line)
+            and series.origin <= strip.start < series.origin + series.rows
+            for series in self.found.series
+        )
+
+    def _odd(self) -> set[int]:
+        """Formulas that break the run they stand in."""
+        work = self.graph.work
+        return {
+            number
+            for number, strip in enumerate(work.strips)
+            if strip.length < 3 and self._beside(strip) and self._run_of(strip) is not None
+        }
+
+    def _run_of(self, strip: Strip) -> Strip | None:
+        """The run that a strip breaks: the main formula of its series, where it is another one."""
+        for series in self.found.series:
+            own = (series.sheet, series.line) == (strip.sheet, strip.line) and series.main not in (None, strip)
+            if own and series.origin <= strip.start < series.origin + series.rows:
+                return series.main
+        return None
+
+    # --- one formula --------------------------------------------------------------------------------------------------
+
+    def _of_strip(self, number: int) -> Mend | None:
+        work = self.graph.work
+        strip = work.strips[number]
+        candidates = self._candidates(number)
+        goals = list({series.key: series for _, series in self.goals}.values())
+        try:
+            columns = self.trial.columns(number, [one.formula for one in candidates], goals)
+        except UntriableError:
+            return None
+        by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
+        told: list[dict[str, None]] = [{} for _ in candidates]
+        for symbol, series in self.goals:
+            quantity = self.truth.quantity(symbol)
+            allowed = self.found.allowed(quantity)
+            good = np.zeros(len(candidates), bool)
+            for unit in units_of(quantity):
+                good |= agrees(by_key[series.key], quantity, Reading(unit), allowed)
+            for index in np.flatnonzero(good).tolist():
+                told[index][symbol] = None
+        rights = np.array([len(each) for each in told])
+        best = [
+            int(index) for index in np.lexsort((np.array([one.weight for one in candidates]), -rights)) if rights[index]
+        ]
+        spare: Mend | None = None
+        for index in best[:VERIFIED]:
+            one = candidates[index]
+            mend = self.verified(strip, one, tuple(told[index]))
+            if mend is not None and mend.live:
+                return mend
+            spare = spare or mend
+        return spare
+
+    def _candidates(self, number: int) -> list[Change]:
+        """The changes of a strip's formula; a cell that breaks its run may first have the run's formula."""
+        work = self.graph.work
+        strip = work.strips[number]
+        found = changes(self.graph.formulas[number], self._around(number))
+        run = self._run_of(strip)
+        if run is not None:
+            found.insert(0, Change(work.bound(run.at(strip.start), strip), "breaks its column", 0.1))
+        return found
+
+    def _around(self, number: int) -> Surroundings:
+        """What the formula could have read, but for what depends on it."""
+        work = self.graph.work
+        strip = work.strips[number]
+        below = {place for other in self.graph.below({number}) for place in work.strips[other].places()}
+        single = single_cells(self.graph, self.found.driver)
+        single += [
+            (other.sheet, other.start, other.line)
+            for other in work.strips
+            if other.length == 1 and not self._beside(other)
+        ]
+        single = [place for place in dict.fromkeys(single) if place not in below][:MOST_AROUND]
+        driver = self.found.driver
+        own = next((s for s in self.found.series if (s.sheet, s.line) == (strip.sheet, strip.line)), None)
+        lines = [(driver.sheet, driver.line, driver.start), *(series.key for series in self.found.series)]
+        row = []
+        for sheet, line, first in lines if own is not None else ():
+            pos = first + strip.start - own.origin if own is not None else -1
+            if pos >= 0 and (sheet, pos, line) not in below:
+                row.append(CellRef(pos, line, False, False, sheet))
+        return Surroundings(
+            tuple(CellRef(pos, line, True, True, sheet) for sheet, pos, line in single),
+            tuple(row[:MOST_AROUND]),
+            tuple(work.number(place) for place in single),
+        )
+
+    # --- in the workbook itself ---------------------------------------------------------------------------------------
+
+    def verified(self, strip: Strip, change: Change, rights: tuple[str, ...]) -> Mend | None:
+        """The mend, when with it nothing that was right is wrong; `live` when it stays right under retyped dimensions."""
+        mended = mended_sheet(Sheet(self.found, self.sheet.asked), strip, change.formula)
+        after = findings(mended, self.truth)
+        for symbol, finding in self.results.items():
+            if finding.verdict in ("right", "not live") and after[symbol].verdict != "right":
+                return None
+        fixed = tuple(symbol for symbol in self.results if symbol in rights and after[symbol].verdict == "right")
+        if not fixed:
+            return None
+        understanding = mended.found
+        live = all(
+            follows(understanding, after[symbol], one.again(understanding)) for one in self.retyped for symbol in fixed
+        )
+        return Mend(strip, change.formula, change.kind, change.weight, fixed, live)
+
+
+def _rank(mend: Mend) -> tuple[bool, int, float]:
+    return not mend.live, -len(mend.rights), mend.weight
+
+
+def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
+    """The sheet with a mend in place."""
+    work = with_formula(sheet.found.work, strip, formula)
+    graph = Graph(work)
+    found = replace(
+        sheet.found, graph=graph, series=aligned(graph, sheet.found.driver), headings=dict(sheet.found.headings)
+    )
+    return Sheet(found, sheet.asked)
+
+
+def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> Suspect | None:
+    """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is."""
+    search = Search(sheet, truth, results, 0.0)
+    numbers = search.suspects()
+    if not numbers:
+        return None
+    strip = sheet.found.work.strips[numbers[0]]
+    for symbol, series in search.goals:
+        if series.main == strip:
+            quantity = truth.quantity(symbol)
+            return _nearest(sheet, strip, series, quantity.values, symbol, sheet.found.allowed(quantity))
+    place = (strip.sheet, strip.start, strip.line)
+    return Suspect(strip, place, sheet.found.work.number(place), None, "")
+
+
+def _nearest(sheet: Sheet, strip: Strip, series: Series, wanted: np.ndarray, symbol: str, allowed: float) -> Suspect:
+    column = sheet.column(series)
+    quantity = sheet.found.truth.quantity(symbol)
+    unit = min(units_of(quantity), key=lambda each: float(np.nanmedian(np.abs(column * each - wanted))))
+    rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= allowed) & np.isfinite(wanted))
+    row = int(rows[0]) if len(rows) else 0
+    return Suspect(strip, series.places()[row], float(column[row]), float(wanted[row] / unit), symbol)
+
+
+def search(sheet: Sheet, truth: Truth, results: Mapping[str, Finding], deadline: float) -> Mend | None:
+    """The best single change that puts wrong quantities right."""
+    return Search(sheet, truth, results, deadline).mend()
+
+
+def many(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
+    """One mend after the other, up to MOST_FAULTS: (mends, the sheet with all of them, what is found in it)."""
+    deadline = time.process_time() + LONGEST
+    mends: list[Mend] = []
+    current = dict(results)
+    while len(mends) < MOST_FAULTS and any(
+        one.verdict == "wrong" or one.verdict == "missing" for one in current.values()
+    ):
+        mend = search(sheet, truth, current, deadline)
+        if mend is None:
+            break
+        mends.append(mend)
+        sheet = mended_sheet(sheet, mend.strip, mend.formula)
+        after = findings(sheet, truth)
+        current = {symbol: after.get(symbol, one) for symbol, one in current.items()}
+    return mends, sheet, current
+
+
+def symbols_of(mends: Sequence[Mend]) -> set[str]:
+    """All quantities that mends put right."""
+    return {symbol for mend in mends for symbol in mend.rights}

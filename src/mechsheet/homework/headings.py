@@ -1,0 +1,126 @@
+"""What the words beside cells mean: θ13, theta 13, Teta13 (Derece), xC, C_x, uzaklık."""
+
+from __future__ import annotations
+
+import itertools
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+
+from mechsheet.formula.names import folded
+from mechsheet.homework.upright import Place, Work
+from mechsheet.model import Mechanism
+
+_GREEK = {
+    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "ψ": "psi",
+    "ω": "omega", "μ": "mu", "µ": "mu", "η": "eta", "λ": "lambda", "ξ": "xi", "ρ": "rho", "σ": "sigma", "τ": "tau",
+}  # fmt: skip
+_SPELLED = (("tetha", "theta"), ("teta", "theta"), ("alfa", "alpha"), ("fi", "phi"), ("th", "theta"))
+_TOKEN = re.compile(r"[^\W_]+(?:[._][^\W_]+)*'?")
+FARTHEST = 3
+"""Cells between a table and its heading, and rows that a heading may have."""
+
+
+def plain(text: str) -> str:
+    """A text in small letters, Greek ones by name, raised and lowered signs as ordinary ones."""
+    text = "".join(_GREEK.get(sign, sign) for sign in unicodedata.normalize("NFKC", text))
+    return folded(text)
+
+
+def tokens(text: str) -> list[str]:
+    """The words of a text, each as `plain`, letters and digits alone."""
+    return [_bare(token) for token in _TOKEN.findall(plain(text))]
+
+
+def _bare(token: str) -> str:
+    return re.sub(r"[._'\s]", "", token)
+
+
+def _spelled(token: str) -> str:
+    """A token with the usual spellings of Greek letters made one."""
+    match = re.fullmatch(r"([a-z]+?)(\d.*|)", token)
+    if match is None:
+        return token
+    letters, rest = match.groups()
+    return dict(_SPELLED).get(letters, letters) + rest
+
+
+def says(text: str, symbol: str) -> bool:
+    """Whether a heading names a symbol: a word of it, or two words together (`theta 13`, `x C`)."""
+    wanted = _aliases(symbol)
+    words = tokens(text)
+    joined = [one + other for one, other in itertools.pairwise(words)]
+    return any(_spelled(word) in wanted or word in wanted for word in (*words, *joined))
+
+
+def _aliases(symbol: str) -> set[str]:
+    point, dot, axis = plain(symbol).partition(".")
+    if dot and axis in ("x", "y"):
+        return {point + axis, axis + point}
+    return {_spelled(_bare(plain(symbol))), _bare(plain(symbol))}
+
+
+def contains(text: str, label: str) -> bool:
+    """Whether all words of a label stand in a text."""
+    words = [word for word in tokens(label) if len(word) > 1]
+    return bool(words) and set(words) <= set(tokens(text))
+
+
+def heading(work: Work, sheet: str, pos: int, line: int) -> str:
+    """The words before the first cell of a line, nearest last; of several cells one after the other all."""
+    found: list[str] = []
+    for back in range(1, FARTHEST + 3):
+        if pos - back < 0:
+            break
+        value = work.value((sheet, pos - back, line))
+        if isinstance(value, str) and value.strip():
+            found.append(value)
+            if len(found) == FARTHEST:
+                break
+        elif found or (value is not None and not isinstance(value, str)) or back > FARTHEST:
+            break
+    return " ".join(reversed(found))
+
+
+def around(work: Work, place: Place) -> list[str]:
+    """The words beside a single cell: to the left (two cells), above, to the right; the likeliest first."""
+    sheet, pos, line = place
+    steps = [(0, -1), (0, -2), (-1, 0), (0, 1)]
+    if work.across:
+        steps = [(-1, 0), (-2, 0), (0, -1), (1, 0)]
+    found: list[str] = []
+    for step, (along, aside) in enumerate(steps):
+        if step == 1 and found:
+            continue
+        if pos + along < 0 or line + aside < 0:
+            continue
+        value = work.value((sheet, pos + along, line + aside))
+        if isinstance(value, str) and value.strip():
+            found.append(value)
+    return found
+
+
+def labels(mechanism: Mechanism, symbol: str) -> Sequence[str]:
+    """What a description calls an output, or a link's angle."""
+    found: list[str] = []
+    for output in mechanism.outputs:
+        if output.symbol == symbol and output.label is not None:
+            found += [output.label.en, output.label.tr]
+    for summary in mechanism.summaries:
+        if summary.symbol == symbol and summary.label is not None:
+            found += [summary.label.en, summary.label.tr]
+    return list(dict.fromkeys(found))
+
+
+def names_over(work: Work, places: Iterable[Place]) -> list[str]:
+    """The workbook's names of these cells, or of the line that they are."""
+    from mechsheet.formula.nodes import CellRef, RangeRef
+
+    cells = set(places)
+    found = []
+    for defined in work.book.names:
+        node = work.names.get(defined.name.casefold())
+        corner = node.start if isinstance(node, RangeRef) else node
+        if isinstance(corner, CellRef) and (corner.sheet or defined.sheet or "", corner.row, corner.col) in cells:
+            found.append(defined.name)
+    return found

@@ -1,0 +1,123 @@
+"""What a person should know of an audit beside its verdicts and faults."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from mechsheet import reference
+from mechsheet.homework.agreement import Reading, gaps, units_of
+from mechsheet.homework.faults import Mend, Suspect
+from mechsheet.homework.inputs import SAME
+from mechsheet.homework.truth import Truth
+from mechsheet.homework.understanding import Understanding
+from mechsheet.homework.verdicts import Finding
+from mechsheet.model import Mechanism
+from mechsheet.words.homework import said
+
+MOST_OF_ENGINE = 5
+"""Remarks of the formula engine that are passed on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """Everything that was found in a workbook.
+
+    truth   of the assembly that the sheet shows
+    first   of each asked quantity what is found in the sheet as it is;  last  the same with the mends in place
+    """
+
+    found: Understanding
+    truth: Truth
+    asked: Mapping[str, float]
+    first: Mapping[str, Finding]
+    last: Mapping[str, Finding]
+    mends: Sequence[Mend]
+    suspect: Suspect | None
+    unusual: bool = False
+
+    @property
+    def promising(self) -> bool:
+        """Whether anything asked is found, as it is or with mends."""
+        return bool(self.mends) or any(
+            one.verdict in ("right", "not live", "other assembly") for one in self.first.values()
+        )
+
+
+def remarks_of(judged: Judged, language: str) -> Iterator[str]:
+    """The remarks, in sentences."""
+    found = judged.found
+    if judged.unusual:
+        yield said(language, "remark.zero.driver")
+    for text in found.work.remarks:
+        key, _, rest = text.partition(" ")
+        yield said(language, "remark.comma", count=rest) if key == "comma" else text
+    if found.work.large:
+        yield said(language, "remark.large")
+    yield from _of_dimensions(found, language)
+    for symbol, finding in judged.first.items():
+        yield from _of_reading(symbol, finding, found, language)
+        if finding.verdict == "not live":
+            dead = ", ".join(finding.dead)
+            key = "remark.dead" if dead else "remark.typed"
+            yield said(language, key, symbol=symbol, dimensions=dead)
+        if finding.verdict == "wrong" and finding.series is not None:
+            yield from _of_rows(symbol, finding, judged, language)
+    if judged.suspect is not None:
+        yield _of_suspect(judged, judged.suspect, language)
+    yield from [str(fault) for fault in found.work.values.remarks][:MOST_OF_ENGINE]
+
+
+def _of_dimensions(found: Understanding, language: str) -> Iterator[str]:
+    """Dimensions that are others than the description's, and those without a cell."""
+    mechanism = found.mechanism
+    given = reference.dimension_values(mechanism)
+    own = []
+    for one in found.inputs:
+        value = found.truth.dimensions[one.symbol]
+        if abs(value - given[one.symbol]) > SAME * max(abs(given[one.symbol]), 1e-12):
+            own.append(f"{one.symbol} = {_shown(mechanism, one.symbol, value)}")
+    if own:
+        yield said(language, "remark.own", given=", ".join(own))
+
+
+def _shown(mechanism: Mechanism, symbol: str, value: float) -> str:
+    unit = next(dim.unit for dim in mechanism.dimensions if dim.symbol == symbol)
+    return f"{math.degrees(value):.10g}°" if unit.kind == "angle" else f"{value:.10g}"
+
+
+def _of_reading(symbol: str, finding: Finding, found: Understanding, language: str) -> Iterator[str]:
+    reading = finding.reading
+    if reading is None:
+        return
+    quantity = found.truth.quantity(symbol)
+    if reading.sense < 0:
+        yield said(language, "remark.clockwise" if quantity.kind == "angle" else "remark.backwards", symbol=symbol)
+    if reading.offset:
+        offset = math.degrees(math.remainder(-reading.offset, math.tau))
+        yield said(language, "remark.zero", symbol=symbol, offset=offset)
+    if quantity.kind == "length" and reading.unit != 1.0:
+        yield said(language, "remark.unit", symbol=symbol, factor=reading.unit)
+
+
+def _of_rows(symbol: str, finding: Finding, judged: Judged, language: str) -> Iterator[str]:
+    """In how many rows a wrong quantity is right, where in some."""
+    assert finding.series is not None
+    quantity = judged.truth.quantity(symbol)
+    column = finding.series.column(judged.found.work)
+    known = np.isfinite(quantity.values)
+    allowed = judged.found.allowed(quantity)
+    right = max(int((gaps(column, quantity, Reading(unit))[known] <= allowed).sum()) for unit in units_of(quantity))
+    if right >= max(2, known.sum() // 10):
+        yield said(language, "remark.rows", symbol=symbol, right=right, rows=int(known.sum()))
+
+
+def _of_suspect(judged: Judged, suspect: Suspect, language: str) -> str:
+    work = judged.found.work
+    cell = work.where(*suspect.place)
+    if suspect.wanted is None:
+        return said(language, "remark.first", cell=cell)
+    return said(language, "remark.suspect", symbol=suspect.of, cell=cell, found=suspect.found, wanted=suspect.wanted)

@@ -1,0 +1,305 @@
+"""Series: the columns of a table, row by row beside the driver's values."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from mechsheet.engine import Values
+from mechsheet.formula.nodes import Node
+from mechsheet.homework.truth import Array
+from mechsheet.homework.upright import Place, Strip, Work, references
+
+SHORTEST = 4
+"""Cells that make a run."""
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """Cells of one line that hold numbers, typed or computed from the cell above alone."""
+
+    sheet: str
+    line: int
+    start: int
+    length: int
+
+    @property
+    def end(self) -> int:
+        """The position after the last one."""
+        return self.start + self.length
+
+    def places(self) -> list[Place]:
+        """Its cells."""
+        return [(self.sheet, pos, self.line) for pos in range(self.start, self.end)]
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """A line of a table: `origin` is the position of the driver's first row, `rows` how many the driver has.
+
+    main    the formula that most of its cells have; None where all are typed
+    first, last  the first and the last row in which it has a cell
+    """
+
+    sheet: str
+    line: int
+    origin: int
+    rows: int
+    main: Strip | None
+    first: int
+    last: int
+
+    def places(self) -> list[Place]:
+        """Its cells, one for each of the driver's rows."""
+        return [(self.sheet, self.origin + row, self.line) for row in range(self.rows)]
+
+    def column(self, work: Work, values: Values | None = None) -> Array:
+        """Its numbers, NaN where it has none."""
+        return np.array([work.number(place, values) for place in self.places()], float)
+
+    def where(self, work: Work) -> str:
+        """Its cells by name."""
+        return work.where(self.sheet, self.origin + self.first, self.line, self.last - self.first + 1)
+
+    @property
+    def key(self) -> tuple[str, int, int]:
+        """What tells it from others."""
+        return self.sheet, self.line, self.origin
+
+
+class Graph:
+    """Which strips read which, and which typed cells."""
+
+    def __init__(self, work: Work) -> None:
+        self.work = work
+        self.lines: dict[tuple[str, int], list[int]] = {}
+        for number, strip in enumerate(work.strips):
+            self.lines.setdefault((strip.sheet, strip.line), []).append(number)
+        self.formulas: list[Node] = [work.bound(strip.formula, strip) for strip in work.strips]
+        self.titles = {sheet.title.casefold(): sheet.title for sheet in work.book.sheets}
+
+    def areas(self, number: int) -> Iterator[tuple[str, int, int, int, int]]:
+        """(sheet, first pos, last pos, first line, last line) of everything that a strip reads."""
+        strip = self.work.strips[number]
+        for start, end in references(self.formulas[number]):
+            sheet = self.titles.get((start.sheet or strip.sheet).casefold())
+            if sheet is None:
+                continue
+            last = end.row if end.row_abs else end.row + strip.length - 1
+            low, high = min(start.row, last), max(start.row, last, end.row)
+            yield sheet, low, high, min(start.col, end.col), max(start.col, end.col)
+
+    @cached_property
+    def reads(self) -> list[set[int]]:
+        """For each strip the strips that it reads."""
+        found: list[set[int]] = []
+        for number in range(len(self.work.strips)):
+            read: set[int] = set()
+            for sheet, low, high, left, right in self.areas(number):
+                for line in range(left, min(right, left + 500) + 1):
+                    read |= {
+                        other
+                        for other in self.lines.get((sheet, line), ())
+                        if self.work.strips[other].start <= high and low < self.work.strips[other].end
+                    }
+            found.append(read)
+        return found
+
+    @cached_property
+    def readers(self) -> list[set[int]]:
+        """For each strip the strips that read it."""
+        found: list[set[int]] = [set() for _ in self.work.strips]
+        for number, read in enumerate(self.reads):
+            for other in read:
+                found[other].add(number)
+        return found
+
+    def below(self, numbers: set[int]) -> set[int]:
+        """The strips themselves and all that depend on them."""
+        return _closure(numbers, self.readers)
+
+    def above(self, numbers: set[int]) -> set[int]:
+        """The strips themselves and all that they depend on."""
+        return _closure(numbers, self.reads)
+
+    def readers_of(self, sheet: str, line: int, start: int, end: int) -> set[int]:
+        """Strips that read some of these cells directly."""
+        return {
+            number
+            for number in range(len(self.work.strips))
+            for title, low, high, left, right in self.areas(number)
+            if title == sheet and left <= line <= right and low < end and start <= high
+        }
+
+    @cached_property
+    def order(self) -> dict[int, int]:
+        """In which order strips are computed: how many steps each is from what was typed."""
+        depth: dict[int, int] = {}
+        remaining = set(range(len(self.reads)))
+        level = 0
+        while remaining:
+            ready = {number for number in remaining if not (self.reads[number] - {number}) & remaining} or set(
+                remaining
+            )
+            depth |= dict.fromkeys(ready, level)
+            remaining -= ready
+            level += 1
+        return depth
+
+
+def _closure(numbers: set[int], edges: Sequence[set[int]]) -> set[int]:
+    found: set[int] = set()
+    waiting = list(numbers)
+    while waiting:
+        number = waiting.pop()
+        if number not in found:
+            found.add(number)
+            waiting += edges[number]
+    return found
+
+
+def runs_of_numbers(work: Work) -> list[Run]:
+    """Typed numbers one after the other."""
+    found = []
+    for sheet in work.book.sheets:
+        lines: dict[int, set[int]] = {}
+        for row, col, value in sheet.constants.items():
+            if isinstance(value, float) and not isinstance(value, bool):
+                pos, line = (col, row) if work.across else (row, col)
+                lines.setdefault(line, set()).add(pos)
+        for line, places in sorted(lines.items()):
+            start: int | None = None
+            for pos in sorted(places):
+                if start is None:
+                    start = pos
+                if pos + 1 not in places:
+                    if pos + 1 - start >= SHORTEST:
+                        found.append(Run(sheet.title, line, start, pos + 1 - start))
+                    start = None
+    return found
+
+
+def drivers(graph: Graph) -> list[Run]:
+    """What may be the driver's values, the likeliest first: what most cells depend on."""
+    work = graph.work
+    candidates = runs_of_numbers(work) + _stepped(graph)
+    weighed = []
+    for run in candidates:
+        direct = {
+            number
+            for number in graph.readers_of(run.sheet, run.line, run.start, run.end)
+            if work.strips[number].length >= 3 and _reads_along(graph, number, run)
+        }
+        cells = sum(
+            work.strips[number].length for number in graph.below(direct) if work.strips[number].length >= SHORTEST - 1
+        )
+        column = np.array([work.number(place) for place in run.places()])
+        if cells and np.isfinite(column).all() and np.ptp(column) > 0:
+            weighed.append((cells, run))
+    weighed.sort(key=lambda pair: (-pair[0], -pair[1].length))
+    return [run for cells, run in weighed if 2 * cells >= weighed[0][0]]
+
+
+def _reads_along(graph: Graph, number: int, run: Run) -> bool:
+    """Whether a strip reads a run cell by cell, not as a whole."""
+    strip = graph.work.strips[number]
+    return any(
+        start is end and not start.row_abs and start.col == run.line
+        for start, end in references(graph.formulas[number])
+        if graph.titles.get((start.sheet or strip.sheet).casefold()) == run.sheet
+    )
+
+
+def _stepped(graph: Graph) -> list[Run]:
+    """A first cell, and below it formulas that read the cell above and single cells: start + step, filled down."""
+    found = []
+    for number, strip in enumerate(graph.work.strips):
+        if strip.length < SHORTEST - 1:
+            continue
+        own = False
+        for sheet, low, _, left, right in graph.areas(number):
+            if (sheet, left, right) == (strip.sheet, strip.line, strip.line) and low == strip.start - 1:
+                own = True
+            elif any(other != number and graph.work.strips[other].length > 1 for other in graph.reads[number]):
+                own = False
+                break
+        if own and not math.isnan(graph.work.number((strip.sheet, strip.start - 1, strip.line))):
+            found.append(Run(strip.sheet, strip.line, strip.start - 1, strip.length + 1))
+    return found
+
+
+def aligned(graph: Graph, driver: Run) -> list[Series]:
+    """All series beside a driver, in the order of the sheets."""
+    origins = _origins(graph, driver)
+    work = graph.work
+    grouped: dict[tuple[str, int, int], list[Strip]] = {}
+    for number, origin in origins.items():
+        strip = work.strips[number]
+        grouped.setdefault((strip.sheet, strip.line, origin), []).append(strip)
+    for run in runs_of_numbers(work):
+        beside = run.sheet == driver.sheet and run.line != driver.line
+        if beside and run.start >= driver.start and run.end <= driver.end and 2 * run.length >= driver.length:
+            grouped.setdefault((run.sheet, run.line, driver.start), [])
+    found = []
+    for (sheet, line, origin), strips in grouped.items():
+        series = Series(sheet, line, origin, driver.length, _main(strips), 0, driver.length - 1)
+        rows = [row for row, place in enumerate(series.places()) if work.value(place) is not None]
+        if rows:
+            found.append(Series(sheet, line, origin, driver.length, _main(strips), rows[0], rows[-1]))
+    order = {sheet.title: number for number, sheet in enumerate(work.book.sheets)}
+    return sorted(found, key=lambda series: (order[series.sheet], series.line, series.origin))
+
+
+def _main(strips: Sequence[Strip]) -> Strip | None:
+    return max(strips, key=lambda strip: strip.length) if strips else None
+
+
+def _origins(graph: Graph, driver: Run) -> dict[int, int]:
+    """Strip -> the position that belongs to the driver's first row, by what it reads."""
+    work = graph.work
+    origins: dict[int, int] = {}
+    long = [number for number, strip in enumerate(work.strips) if strip.length >= 3]
+    own = {
+        number
+        for number in long
+        if (work.strips[number].sheet, work.strips[number].line) == (driver.sheet, driver.line)
+        and driver.start <= work.strips[number].start < driver.end
+    }
+    while True:
+        new = {}
+        for number in long:
+            if number in origins or number in own:
+                continue
+            found = _origin(graph, number, driver, origins)
+            if found is not None:
+                new[number] = found
+        if not new:
+            return origins
+        origins |= new
+
+
+def _origin(graph: Graph, number: int, driver: Run, origins: dict[int, int]) -> int | None:
+    strip = graph.work.strips[number]
+    seen: Counter[int] = Counter()
+    for start, end in references(graph.formulas[number]):
+        if start is not end or start.row_abs:
+            continue
+        sheet = graph.titles.get((start.sheet or strip.sheet).casefold())
+        if (sheet, start.col) == (driver.sheet, driver.line) and driver.start - 1 <= start.row < driver.end:
+            seen[strip.start - (start.row - driver.start)] += 1
+            continue
+        for other in graph.lines.get((sheet or "", start.col), ()):
+            target = graph.work.strips[other]
+            if other in origins and other != number and target.start <= start.row < target.end:
+                seen[strip.start - (start.row - origins[other])] += 1
+    if not seen:
+        return None
+    here = driver.start
+    if strip.sheet == driver.sheet and here <= strip.start < driver.end and any(abs(o - here) <= 2 for o in seen):
+        return here
+    return min(seen, key=lambda origin: (-seen[origin], origin))

@@ -1,0 +1,208 @@
+"""What a mechanism does at given driver values: the asked quantities and everything else that a sheet may hold."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet import reference
+from mechsheet.diagnostics import MechanismError
+from mechsheet.model import Mechanism
+
+Array: TypeAlias = NDArray[np.float64]
+Kind: TypeAlias = Literal["angle", "length", "number"]
+
+STILL = 1e-9
+"""What changes by less than this part of the size over the sweep does not move."""
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """One column of the mechanism, in radians and its length unit; NaN where it does not exist."""
+
+    name: str
+    kind: Kind
+    values: Array
+
+    def moves(self, size: float) -> bool:
+        """Whether it changes over the sweep."""
+        found = self.values[np.isfinite(self.values)]
+        if not len(found):
+            return False
+        if self.kind == "angle":
+            return bool(np.ptp(np.sin(found)) + np.ptp(np.cos(found)) > 2 * STILL)
+        return bool(np.ptp(found) > STILL * (size if self.kind == "length" else max(1.0, float(np.abs(found).max()))))
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """A mechanism with numbers in place.
+
+    dimensions   every dimension's value, internal units
+    driver       the driver's values;  exists  in which rows it can be assembled
+    columns      the quantities by symbol;  kinds  what each of them is
+    poses        of the links in the first row that exists: what picks this assembly again
+    """
+
+    mechanism: Mechanism
+    dimensions: Mapping[str, float]
+    driver: Array
+    exists: NDArray[np.bool_]
+    columns: Mapping[str, Array]
+    kinds: Mapping[str, Kind]
+    size: float
+    poses: Mapping[str, tuple[float, float, float]] | None
+
+    def quantity(self, symbol: str) -> Quantity:
+        """One of the columns."""
+        return Quantity(symbol, self.kinds[symbol], self.columns[symbol])
+
+
+def truth_of(
+    mechanism: Mechanism,
+    dimensions: Mapping[str, float],
+    driver: Array,
+    start: Mapping[str, tuple[float, float, float]] | None = None,
+) -> Truth | None:
+    """The mechanism at these driver values; None where it cannot be assembled anywhere, or has no places."""
+    try:
+        solution = reference.solve(mechanism, dimensions, start=start, values=driver)
+        columns = reference.variables(solution)
+        if mechanism.driver.speed is not None:
+            columns |= {
+                symbol: values for symbol, values in reference.by_time(solution).items() if symbol not in columns
+            }
+    except (MechanismError, FloatingPointError, np.linalg.LinAlgError):
+        return None
+    rows = np.flatnonzero(solution.exists)
+    if not len(rows):
+        return None
+    poses = {name: tuple(map(float, pose[rows[0]])) for name, pose in solution.poses.items()}
+    return Truth(
+        mechanism,
+        solution.dimensions,
+        np.asarray(driver, float),
+        solution.exists,
+        columns,
+        _kinds(mechanism, columns),
+        solution.size,
+        poses,  # type: ignore[arg-type]
+    )
+
+
+def _kinds(mechanism: Mechanism, columns: Mapping[str, Array]) -> dict[str, Kind]:
+    angles = {link.angle_symbol for link in mechanism.links}
+    if not mechanism.driver.joint:
+        angles.add(mechanism.driver.symbol)
+    lengths = {joint.symbol for joint in mechanism.joints} | {name for name in columns if name.endswith((".x", ".y"))}
+    if mechanism.driver.joint:
+        lengths.add(mechanism.driver.symbol)
+    units = {output.symbol: output.unit.kind for output in mechanism.outputs}
+
+    def kind(symbol: str) -> Kind:
+        if symbol in units:
+            known = units[symbol]
+            return "angle" if known == "angle" else "length" if known == "length" else "number"
+        return "angle" if symbol in angles else "length" if symbol in lengths else "number"
+
+    return {symbol: kind(symbol) for symbol in columns}
+
+
+def other_assemblies(truth: Truth) -> list[Truth]:
+    """The same mechanism put together in the other ways that there are in its first row."""
+    row = int(np.flatnonzero(truth.exists)[0])
+    value = float(truth.driver[row])
+    try:
+        found = reference.assemblies(truth.mechanism, dict(truth.dimensions), value)
+    except (MechanismError, np.linalg.LinAlgError):
+        return []
+    others: list[Truth] = []
+    for poses in found[:16]:
+        other = truth_of(truth.mechanism, truth.dimensions, truth.driver, _from_here(truth, poses, value))
+        if other is not None and not any(_same(other, one) for one in (truth, *others)):
+            others.append(other)
+    return others
+
+
+def _from_here(
+    truth: Truth, poses: Mapping[str, tuple[float, float, float]], value: float
+) -> dict[str, tuple[float, float, float]]:
+    """Poses as `solve` takes them: they tell the driver's value, the angles of the driven link as the driver counts them."""
+    driver = truth.mechanism.driver
+    if driver.joint:
+        return dict(poses)
+    base = poses[driver.relative_to or truth.mechanism.ground.name][2]
+    x, y, angle = poses[driver.link]
+    return {**poses, driver.link: (x, y, angle + math.tau * round((value + base - angle) / math.tau))}
+
+
+EDGE = 1e-6
+"""A row that is no more when the driver moves by this part of a step lies at a limit."""
+
+
+def without_limits(truth: Truth) -> Truth:
+    """The truth without what it says of rows at a limit: there rounding decides whether a formula has a value."""
+    step = float(np.min(np.abs(np.diff(truth.driver)), initial=1.0)) or 1.0
+    edge = np.zeros(len(truth.driver), bool)
+    for side in (-EDGE, EDGE):
+        beside = truth_of(truth.mechanism, truth.dimensions, truth.driver + side * step, truth.poses)
+        edge |= truth.exists if beside is None else truth.exists & ~beside.exists
+    if not edge.any():
+        return truth
+    driver = truth.mechanism.driver.symbol
+    columns = {
+        name: column if name == driver else np.where(edge, np.nan, column) for name, column in truth.columns.items()
+    }
+    return replace(truth, columns=columns, exists=truth.exists & ~edge)
+
+
+def _same(one: Truth, other: Truth) -> bool:
+    both = one.exists & other.exists
+    if one.poses is None or other.poses is None:
+        return False
+    for symbol, column in one.columns.items():
+        if symbol in other.columns and one.kinds[symbol] != "number":
+            gap = np.abs(column[both] - other.columns[symbol][both])
+            if one.kinds[symbol] == "angle":
+                gap = np.abs(np.remainder(gap + math.pi, math.tau) - math.pi)
+            if len(gap) and float(np.nanmax(gap, initial=0.0)) > 1e-6 * max(one.size, 1.0):
+                return False
+    return bool((one.exists == other.exists).all())
+
+
+def vocabulary(truth: Truth) -> list[Quantity]:
+    """What moves: the columns; of the points distances, directions, differences and the angles of three."""
+    found = [truth.quantity(symbol) for symbol in truth.columns]
+    points = sorted({symbol[:-2] for symbol in truth.columns if symbol.endswith(".x")})
+    places = {point: (truth.columns[f"{point}.x"], truth.columns[f"{point}.y"]) for point in points}
+    for p, q in itertools.combinations(points, 2):
+        dx, dy = (places[q][axis] - places[p][axis] for axis in (0, 1))
+        distance = np.hypot(dx, dy)
+        found.append(Quantity(f"|{p}{q}|", "length", distance))
+        found.append(Quantity(f"{q}.x-{p}.x", "length", dx))
+        found.append(Quantity(f"{q}.y-{p}.y", "length", dy))
+        direction = np.where(distance > STILL * truth.size, np.arctan2(dy, dx), np.nan)
+        found.append(Quantity(f"∠{p}{q}", "angle", direction))
+    found += _angles_of_three(points, places, truth.size)
+    return [quantity for quantity in found if quantity.moves(truth.size)]
+
+
+def _angles_of_three(points: Sequence[str], places: Mapping[str, tuple[Array, Array]], size: float) -> list[Quantity]:
+    """The angle p q r at q; of mechanisms with many points those are too many to mean anything."""
+    if len(points) > 8:
+        return []
+    found = []
+    for q in points:
+        for p, r in itertools.combinations([point for point in points if point != q], 2):
+            arms = [(places[end][0] - places[q][0], places[end][1] - places[q][1]) for end in (p, r)]
+            short = np.minimum(np.hypot(*arms[0]), np.hypot(*arms[1])) <= STILL * size
+            cross = arms[0][0] * arms[1][1] - arms[0][1] * arms[1][0]
+            dot = arms[0][0] * arms[1][0] + arms[0][1] * arms[1][1]
+            found.append(Quantity(f"∠{p}{q}{r}", "angle", np.where(short, np.nan, np.arctan2(cross, dot))))
+    return found

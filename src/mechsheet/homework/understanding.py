@@ -1,0 +1,173 @@
+"""A workbook understood: its driver, its dimensions, its series, and the mechanism with the sheet's own numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from mechsheet import reference
+from mechsheet.diagnostics import Fault, WorkbookError
+from mechsheet.homework.agreement import DEGREE, POWERS, allowance, reading_of
+from mechsheet.homework.headings import heading, names_over
+from mechsheet.homework.inputs import Input, inputs_of
+from mechsheet.homework.series import Graph, Run, Series, aligned, drivers
+from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
+from mechsheet.homework.upright import Place, Work
+from mechsheet.model import Mechanism
+
+ENOUGH = 2
+"""So many of the asked quantities found with a way to read the driver settle that it is the right way."""
+MOST_ROWS = 2000
+"""Positions that are solved; of a longer table the first ones."""
+
+
+@dataclass
+class Understanding:
+    """See the module. `factor`, `offset`: driver = factor * cell + offset in internal units."""
+
+    graph: Graph
+    driver: Run
+    factor: float
+    offset: float
+    inputs: tuple[Input, ...]
+    truth: Truth
+    series: list[Series]
+    tolerance: float
+    headings: dict[tuple[str, int, int], str] = field(default_factory=dict)
+
+    @property
+    def work(self) -> Work:
+        """The workbook."""
+        return self.graph.work
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        return self.truth.mechanism
+
+    @property
+    def zeros(self) -> list[float]:
+        """Angles among the dimensions."""
+        return [self.truth.dimensions[dim.symbol] for dim in self.mechanism.dimensions if dim.unit.kind == "angle"]
+
+    def allowed(self, quantity: Quantity) -> float:
+        """How far a column may be from a quantity."""
+        return allowance(quantity, self.truth.size, self.tolerance)
+
+    def heading(self, series: Series) -> str:
+        """The words over a series, with the workbook's names for it."""
+        if series.key not in self.headings:
+            words = heading(self.work, series.sheet, series.origin + series.first, series.line)
+            names = names_over(self.work, series.places())
+            self.headings[series.key] = " ".join([words, *names]).strip()
+        return self.headings[series.key]
+
+
+def understand(
+    work: Work, mechanism: Mechanism, asked: Sequence[str], tolerance: float, unusual: bool = False
+) -> Understanding:
+    """Understand a workbook. Raises WorkbookError where nothing in it is a table of this mechanism.
+
+    unusual  the driver may be counted clockwise, or from another zero
+    """
+    graph = Graph(work)
+    runs = drivers(graph)
+    if not runs:
+        raise WorkbookError(Fault("no table", about="no table"))
+    best: tuple[tuple[int, int], Understanding] | None = None
+    given = reference.dimension_values(mechanism)
+    for run in runs[:3]:
+        series = aligned(graph, run)
+        for by_words in (True, False):
+            inputs = inputs_of(graph, mechanism, given, run, by_words)
+            if not by_words and inputs == inputs_of(graph, mechanism, given, run, True):
+                continue
+            for factor, offset in _ways(work, run, mechanism, unusual):
+                found = _hypothesis(graph, run, factor, offset, inputs, mechanism, series, tolerance)
+                if found is None:
+                    continue
+                score = _score(found, asked)
+                if best is None or score > best[0]:
+                    best = score, found
+                if score[0] >= min(ENOUGH, len(asked)):
+                    break
+            if best is not None and best[0][0] >= min(ENOUGH, len(asked)):
+                break
+        if best is not None and best[0][0]:
+            break
+    if best is None:
+        raise WorkbookError(Fault("no position", about="no position"))
+    return best[1]
+
+
+def _hypothesis(
+    graph: Graph,
+    run: Run,
+    factor: float,
+    offset: float,
+    inputs: tuple[Input, ...],
+    mechanism: Mechanism,
+    series: list[Series],
+    tolerance: float,
+) -> Understanding | None:
+    values = dimensions_in(graph.work, inputs)
+    truth = truth_of(mechanism, values, driver_column(graph.work, run) * factor + offset)
+    if truth is None:
+        return None
+    return Understanding(graph, run, factor, offset, inputs, truth, series, tolerance)
+
+
+def dimensions_in(work: Work, inputs: Sequence[Input]) -> dict[str, float]:
+    """The dimensions that the sheet has, in internal units."""
+    return {found.symbol: found.factor * work.number(found.place) for found in inputs}
+
+
+def driver_column(work: Work, run: Run) -> Array:
+    """What stands in the driver's cells."""
+    return np.array([work.number(place) for place in run.places()], float)
+
+
+def _ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[tuple[float, float]]:
+    """(factor, offset) in which the driver may be written, the usual ones first."""
+    column = driver_column(work, run)
+    if mechanism.driver.joint:
+        yield from ((power, 0.0) for power in POWERS)
+        return
+    largest = float(np.abs(column).max())
+    units = (DEGREE, 1.0) if largest > 7 else (1.0, DEGREE)
+    for unit in units[: 1 if largest > 40 else 2]:
+        yield unit, 0.0
+    for unit in units[:1] if unusual else ():
+        yield from (
+            (sign * unit, turn) for sign, turn in ((-1, 0.0), (1, math.pi), (1, math.pi / 2), (1, -math.pi / 2))
+        )
+
+
+def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
+    """(asked quantities that some series is, series that are anything of the mechanism)."""
+    columns = [series.column(found.work) for series in found.series]
+    right = 0
+    for symbol in asked:
+        if symbol in found.truth.columns:
+            quantity = found.truth.quantity(symbol)
+            allowed = found.allowed(quantity)
+            right += any(reading_of(column, quantity, allowed, found.zeros) for column in columns)
+    if right >= min(ENOUGH, len(asked)):
+        return right, 0
+    words = vocabulary(found.truth)
+    known = sum(any(reading_of(column, word, found.allowed(word)) for word in words) for column in columns)
+    return right, known
+
+
+def retyped(found: Understanding, changes: Mapping[str, float]) -> tuple[dict[str, float], dict[Place, float]]:
+    """(all dimensions with changes, what is typed into which cell for them)."""
+    values = dimensions_in(found.work, found.inputs) | dict(changes)
+    cells = {
+        found.work.engine_place(one.place): one.cell_value(changes[one.symbol])
+        for one in found.inputs
+        if one.symbol in changes
+    }
+    return values, cells

@@ -1,0 +1,359 @@
+"""A workbook made by hand, turned so that its tables go down: strips of equal formulas, their values, the words around them.
+
+A *line* is a column where tables go down and a row where they go to the right; *pos* counts along it. All formulas here
+are written in these coordinates (`CellRef.row` is pos, `CellRef.col` is line), so that everything behind knows one
+direction only; `where` and `shown` speak of the cells as the file has them.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TypeAlias
+
+import numpy as np
+
+from mechsheet.diagnostics import Fault
+from mechsheet.engine import Plan, Values, compile_book
+from mechsheet.engine.interpreter.evaluator import Evaluator
+from mechsheet.formula.book import Block, Book, BookSheet, CellStore
+from mechsheet.formula.nodes import (
+    Call,
+    CellRef,
+    NameRef,
+    Node,
+    RangeRef,
+    Scalar,
+    shifted,
+    transform,
+    walk,
+)
+from mechsheet.formula.printer import print_formula
+from mechsheet.formula.references import area_name
+
+Place: TypeAlias = tuple[str, int, int]
+"""(sheet's title, pos, line)."""
+
+MOST_CELLS = 200_000
+"""Formulas of a workbook that are looked at one by one."""
+
+_COMMA = re.compile(r"\s*[+-]?\d+,\d+\s*")
+
+
+@dataclass(frozen=True, slots=True)
+class Strip:
+    """Cells of one line, one after the other, with equal formulas; `formula` as seen from the first of them."""
+
+    sheet: str
+    line: int
+    start: int
+    length: int
+    formula: Node
+
+    @property
+    def end(self) -> int:
+        """The position after the last one."""
+        return self.start + self.length
+
+    def at(self, pos: int) -> Node:
+        """The formula as seen from another position."""
+        return shifted(self.formula, pos - self.start)
+
+    def places(self) -> Iterator[Place]:
+        """Its cells."""
+        return ((self.sheet, pos, self.line) for pos in range(self.start, self.end))
+
+
+def turned(node: Node) -> Node:
+    """A formula with rows and columns exchanged."""
+
+    def change(part: Node) -> Node:
+        if isinstance(part, CellRef):
+            return CellRef(part.col, part.row, part.col_abs, part.row_abs, part.sheet)
+        return part
+
+    return transform(node, change)
+
+
+@dataclass
+class Work:
+    """One workbook. `across`: its tables go to the right; `large`: it has more formulas than are looked at."""
+
+    book: Book
+    across: bool
+    strips: list[Strip]
+    large: bool = False
+    remarks: list[str] = field(default_factory=list)
+
+    @cached_property
+    def plan(self) -> Plan:
+        """The workbook made ready for evaluation."""
+        return compile_book(self.book)
+
+    @cached_property
+    def computed(self) -> Evaluator:
+        """The engine with every cell computed, which can compute further formulas from them."""
+        evaluator, marks = self.plan.begin({})
+        with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+            for step in self.plan.steps:
+                step.run(evaluator, marks)
+        return evaluator
+
+    @cached_property
+    def values(self) -> Values:
+        """Its values as they are."""
+        return self.plan.evaluate() if self.plan.settles else self.plan.values_of(self.computed)
+
+    @cached_property
+    def at(self) -> Mapping[Place, Strip]:
+        """The strip that fills a cell."""
+        return {place: strip for strip in self.strips for place in strip.places()}
+
+    def value(self, place: Place, values: Values | None = None) -> Scalar:
+        """What a cell shows."""
+        sheet, pos, line = place
+        row, col = (line, pos) if self.across else (pos, line)
+        return (self.values if values is None else values).get(sheet, row, col)
+
+    def number(self, place: Place, values: Values | None = None) -> float:
+        """The number in a cell, NaN for anything else."""
+        found = self.value(place, values)
+        return found if isinstance(found, float) else math.nan
+
+    def typed(self, place: Place) -> Scalar:
+        """What was typed into a cell that is not a formula."""
+        if place in self.at:
+            return None
+        sheet, pos, line = place
+        found = self.book.sheet(sheet)
+        return None if found is None else found.constants.get(*((line, pos) if self.across else (pos, line)))
+
+    def engine_place(self, place: Place) -> Place:
+        """The cell as the engine counts it: (sheet, row, column)."""
+        sheet, pos, line = place
+        return (sheet, line, pos) if self.across else place
+
+    def where(self, sheet: str, pos: int, line: int, length: int = 1) -> str:
+        """Cells as messages name them: Sayfa1!B13:B31."""
+        area = area_name(line, pos, 1, length) if self.across else area_name(pos, line, length, 1)
+        return f"{sheet}!{area}"
+
+    def shown(self, formula: Node, sheet: str = "") -> str:
+        """A formula as the sheet has it, without the sheet's own name."""
+        node = self.as_written(formula)
+        node = turned(node) if self.across else node
+        return print_formula(_without_sheet(node, sheet) if sheet else node)
+
+    @cached_property
+    def names(self) -> dict[str, Node]:
+        """What the names of the workbook stand for, those that are one cell or a part of a line; by folded name."""
+        found = {}
+        for defined in self.book.names:
+            if isinstance(defined.formula, CellRef | RangeRef):
+                found[defined.name.casefold()] = turned(defined.formula) if self.across else defined.formula
+        return found
+
+    def as_written(self, formula: Node) -> Node:
+        """A bound formula with the workbook's names again, where its formulas use names."""
+        if not self._uses_names:
+            return formula
+
+        def change(part: Node) -> Node:
+            return self._name_of.get(part, part) if isinstance(part, CellRef) else part
+
+        return transform(formula, change)
+
+    @cached_property
+    def _uses_names(self) -> bool:
+        return any(isinstance(part, NameRef) for strip in self.strips for part in walk(strip.formula))
+
+    @cached_property
+    def _name_of(self) -> dict[Node, Node]:
+        """Anchored cell with its sheet -> its name."""
+        found: dict[Node, Node] = {}
+        for defined in self.book.names:
+            node = self.names.get(defined.name.casefold())
+            if isinstance(node, CellRef) and node.sheet is not None:
+                found[CellRef(node.row, node.col, True, True, node.sheet)] = NameRef(defined.name)
+        return found
+
+    def bound(self, formula: Node, strip: Strip) -> Node:
+        """A formula of a strip with cells in place of names, and every reference with its sheet.
+
+        A name of a part of a line means the cell beside the formula, as programs understand it outside of functions that
+        take ranges; there it is left as a range.
+        """
+        return _bound(formula, strip, self.names)
+
+
+def _without_sheet(node: Node, sheet: str) -> Node:
+    return transform(
+        node, lambda part: replace(part, sheet=None) if isinstance(part, CellRef) and part.sheet == sheet else part
+    )
+
+
+_OF_RANGES = frozenset(("SUM", "MAX", "MIN", "AVERAGE", "SUMSQ", "COUNT", "PRODUCT", "SUMPRODUCT", "LARGE", "SMALL"))
+
+
+def _bound(formula: Node, strip: Strip, names: Mapping[str, Node]) -> Node:
+    ranged = any(isinstance(part, Call) and part.name in _OF_RANGES for part in walk(formula))
+
+    def change(part: Node) -> Node:
+        if isinstance(part, NameRef):
+            meant = names.get(part.name.casefold())
+            if isinstance(meant, CellRef):
+                return replace(meant, sheet=meant.sheet or strip.sheet)
+            if isinstance(meant, RangeRef) and not ranged:
+                start, end = meant.start, meant.end
+                if isinstance(start, CellRef) and isinstance(end, CellRef) and start.col == end.col:
+                    return CellRef(strip.start, start.col, False, True, start.sheet or strip.sheet)
+            return part if meant is None else meant
+        if isinstance(part, CellRef) and part.sheet is None:
+            return replace(part, sheet=strip.sheet)
+        return part
+
+    found = transform(formula, change)
+    return transform(found, _range_of_one_sheet)
+
+
+def _range_of_one_sheet(part: Node) -> Node:
+    """`Sheet1!A1:A9` names its sheet once: both corners are on it."""
+    if isinstance(part, RangeRef) and isinstance(part.start, CellRef) and isinstance(part.end, CellRef):
+        return RangeRef(part.start, replace(part.end, sheet=part.start.sheet))
+    return part
+
+
+def with_formula(work: Work, strip: Strip, formula: Node) -> Work:
+    """The workbook with another formula in the cells of a strip (or of typed cells that it names)."""
+    if work.across:
+        row, col, rows, cols, node = strip.line, strip.start, 1, strip.length, turned(formula)
+    else:
+        row, col, rows, cols, node = strip.start, strip.line, strip.length, 1, formula
+    book = copy(work.book)
+    book.sheets = [
+        _with_block(sheet, Block(row, col, rows, cols, node)) if sheet.title == strip.sheet else sheet
+        for sheet in work.book.sheets
+    ]
+    new = replace(strip, formula=formula)
+    strips = [new if one == strip else one for one in work.strips]
+    if new not in strips:
+        strips.append(new)
+    return Work(book, work.across, strips, work.large, work.remarks)
+
+
+def _with_block(sheet: BookSheet, block: Block) -> BookSheet:
+    """A sheet with a block in place of all that stands in its cells."""
+    blocks = [part for one in sheet.blocks for part in _minus(one, block)]
+    constants = CellStore()
+    for row, col, value in sheet.constants.items():
+        if not (block.row <= row < block.row + block.rows and block.col <= col < block.col + block.cols):
+            constants.put(row, col, value)
+    return replace(sheet, blocks=[*blocks, block], constants=constants)
+
+
+def _minus(block: Block, other: Block) -> Iterator[Block]:
+    """The parts of a block outside another one's cells."""
+    top, left = max(block.row, other.row), max(block.col, other.col)
+    bottom = min(block.row + block.rows, other.row + other.rows)
+    right = min(block.col + block.cols, other.col + other.cols)
+    if top >= bottom or left >= right:
+        yield block
+        return
+    end_row, end_col = block.row + block.rows, block.col + block.cols
+    for row, col, last_row, last_col in (
+        (block.row, block.col, top, end_col),
+        (top, block.col, bottom, left),
+        (top, right, bottom, end_col),
+        (bottom, block.col, end_row, end_col),
+    ):
+        if row < last_row and col < last_col:
+            formula = shifted(block.formula, row - block.row, col - block.col)
+            yield Block(row, col, last_row - row, last_col - col, formula)
+
+
+def upright(book: Book) -> Work:
+    """A workbook as strips, in the direction in which most of its formulas were filled."""
+    remarks = [str(fault) for fault in _told(book.remarks)] + _numbers_with_commas(book)
+    cells: list[tuple[str, int, int, Node, int]] = []  # sheet, row, column, formula as seen from A1, number of its key
+    keys: dict[Node, int] = {}
+    count, large = 0, False
+    for sheet in book.sheets:
+        for block in sheet.blocks:
+            if block.kind != "fill" and block.rows * block.cols > 1:
+                continue  # one array over several cells: no cell of it has a formula of its own
+            count += block.rows * block.cols
+            if count > MOST_CELLS:
+                large = True
+                break
+            key = keys.setdefault(shifted(block.formula, -block.row, -block.col, wrap=True), len(keys))
+            cells += [
+                (sheet.title, block.row + down, block.col + right, block.formula, key)
+                for down in range(block.rows)
+                for right in range(block.cols)
+            ]
+    by_place = {(title, row, col): key for title, row, col, _, key in cells}
+    down = sum(by_place.get((title, row + 1, col)) == key for title, row, col, _, key in cells)
+    right = sum(by_place.get((title, row, col + 1)) == key for title, row, col, _, key in cells)
+    across = right > down
+    formulas = {key: node for node, key in keys.items()}
+    order = {sheet.title: number for number, sheet in enumerate(book.sheets)}
+    places = sorted(
+        ((title, col, row, key) if across else (title, row, col, key) for title, row, col, _, key in cells),
+        key=lambda cell: (order[cell[0]], cell[2], cell[1]),
+    )
+    return Work(book, across, list(_strips(places, formulas, across)), large, remarks)
+
+
+def _strips(places: Iterable[tuple[str, int, int, int]], formulas: Mapping[int, Node], across: bool) -> Iterator[Strip]:
+    """Neighbours on a line with one key, joined. `places`: (sheet, pos, line, key), line by line."""
+    first: tuple[str, int, int, int] | None = None
+    length = 0
+    for place in places:
+        same = first is not None and (place[0], place[2], place[3]) == (first[0], first[2], first[3])
+        if same and first is not None and place[1] == first[1] + length:
+            length += 1
+            continue
+        if first is not None:
+            yield _strip(first, length, formulas, across)
+        first, length = place, 1
+    if first is not None:
+        yield _strip(first, length, formulas, across)
+
+
+def _strip(first: tuple[str, int, int, int], length: int, formulas: Mapping[int, Node], across: bool) -> Strip:
+    sheet, pos, line, key = first
+    row, col = (line, pos) if across else (pos, line)
+    formula = shifted(formulas[key], row, col, wrap=True)
+    return Strip(sheet, line, pos, length, turned(formula) if across else formula)
+
+
+def _told(remarks: Iterable[Fault]) -> list[Fault]:
+    """A few of the reader's remarks: a page of them helps nobody."""
+    return list(remarks)[:5]
+
+
+def _numbers_with_commas(book: Book) -> list[str]:
+    """Numbers typed as texts with a decimal comma become numbers in the book; says so."""
+    count = 0
+    for sheet in book.sheets:
+        for row, col, value in list(sheet.constants.items()):
+            if isinstance(value, str) and _COMMA.fullmatch(value):
+                sheet.constants.put(row, col, float(value.replace(",", ".")))
+                count += 1
+    return [f"comma {count}"] if count else []
+
+
+def references(formula: Node) -> Iterator[tuple[CellRef, CellRef]]:
+    """The corners of every area that a bound formula reads; a single cell is both of its corners."""
+    inside: set[int] = set()
+    for part in walk(formula):
+        if isinstance(part, RangeRef):
+            if isinstance(part.start, CellRef) and isinstance(part.end, CellRef):
+                yield part.start, part.end
+                inside |= {id(part.start), id(part.end)}
+        elif isinstance(part, CellRef) and id(part) not in inside:
+            yield part, part

@@ -1,0 +1,278 @@
+"""What the sheet has of each quantity that is asked: right, wrong, missing, of the other assembly, not live."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from mechsheet.engine import Values
+from mechsheet.formula.nodes import Call, Number, walk
+from mechsheet.homework.agreement import Reading, gaps, reading_of
+from mechsheet.homework.headings import contains, labels, says
+from mechsheet.homework.series import Series
+from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
+from mechsheet.homework.understanding import Understanding, retyped
+from mechsheet.homework.upright import Place
+
+Verdict: TypeAlias = Literal["right", "follows", "wrong", "other assembly", "not live", "missing"]
+
+SHARE = 0.1
+"""A column is live when it follows a change of the dimensions but for this part of what changes."""
+STEPS = (1.0, 0.4, 0.1, 0.02)
+"""Parts of the retyped changes that are tried one after the other, until no row vanishes."""
+RETYPED = (0.03, -0.02)
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One asked quantity.
+
+    series   the cells that are it, or are meant for it; None where nothing is
+    reading  how they say it, where they do
+    dead     dimensions that they do not follow
+    """
+
+    symbol: str
+    verdict: Verdict
+    series: Series | None = None
+    reading: Reading | None = None
+    dead: tuple[str, ...] = ()
+    certain: bool = True
+
+
+@dataclass
+class Sheet:
+    """An understood workbook with its columns read once, and what it is asked for."""
+
+    found: Understanding
+    asked: Sequence[str]
+    values: Values | None = None
+    columns: dict[tuple[str, int, int], Array] = field(default_factory=dict)
+
+    def column(self, series: Series) -> Array:
+        """The numbers of a series."""
+        if series.key not in self.columns:
+            self.columns[series.key] = series.column(self.found.work, self.values)
+        return self.columns[series.key]
+
+
+def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
+    """Each asked quantity: right where a series agrees with it, else wrong or missing. Nothing is retyped here."""
+    found = sheet.found
+    truth = found.truth if truth is None else truth
+    results: dict[str, Finding] = {}
+    for symbol in sheet.asked:
+        best = _agreeing(sheet, truth, symbol)
+        if best is not None:
+            results[symbol] = Finding(symbol, "right", best[0], best[1])
+    taken = {finding.series.key for finding in results.values() if finding.series is not None}
+    spare = [series for series in found.series if series.key not in taken]
+    for symbol in sheet.asked:
+        if symbol not in results:
+            series = _headed(sheet, symbol, spare)
+            if series is not None:
+                results[symbol] = Finding(symbol, "wrong", series)
+                spare = [other for other in spare if other.key != series.key]
+    _left_over(sheet, truth, results, spare)
+    return {symbol: results.get(symbol, Finding(symbol, "missing")) for symbol in sheet.asked}
+
+
+def _agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] | None:
+    """The series that is a quantity: read plainly before in another sense, headed so before not, computed before typed."""
+    found = sheet.found
+    quantity = truth.quantity(symbol)
+    allowed = found.allowed(quantity)
+    best: tuple[tuple[bool, bool, bool], Series, Reading] | None = None
+    for series in found.series:
+        reading = reading_of(sheet.column(series), quantity, allowed, found.zeros)
+        if reading is None or not _conventional(reading, series):
+            continue
+        rank = (reading.plain, says(found.heading(series), symbol), series.main is not None)
+        if best is None or rank > best[0]:
+            best = rank, series, reading
+    return None if best is None else best[1:]
+
+
+def _conventional(reading: Reading, series: Series) -> bool:
+    """Whether another sense or zero is a choice: clockwise from the vertical out of ATAN2 is its arguments turned around."""
+    if reading.plain or series.main is None:
+        return True
+    quarter = abs(abs(math.remainder(reading.offset, math.pi)) - math.pi / 2) < 1e-3
+    arcs = any(isinstance(part, Call) and part.name == "ATAN2" for part in walk(series.main.formula))
+    return not (reading.sense == -1 and quarter and arcs)
+
+
+def _headed(sheet: Sheet, symbol: str, spare: Sequence[Series]) -> Series | None:
+    """The series that is called as a quantity, a computed one first."""
+    found = sheet.found
+    words = labels(found.mechanism, symbol)
+    named = [
+        series
+        for series in spare
+        if says(found.heading(series), symbol) or any(contains(found.heading(series), label) for label in words)
+    ]
+    named.sort(key=lambda series: series.main is None)
+    return named[0] if named else None
+
+
+def _left_over(sheet: Sheet, truth: Truth, results: dict[str, Finding], spare: Sequence[Series]) -> None:
+    """One quantity and one unexplained last column: they belong together. `spare` are series that nothing has claimed."""
+    open_symbols = [symbol for symbol in sheet.asked if symbol not in results]
+    if len(open_symbols) != 1 or not spare:
+        return
+    ends = [series for series in unexplained(sheet, truth, spare) if not _read_on(sheet.found, series)]
+    ends = [series for series in ends if not _called_otherwise(sheet, series, open_symbols[0])]
+    if len(ends) == 1:
+        results[open_symbols[0]] = Finding(open_symbols[0], "wrong", ends[0], certain=False)
+
+
+def _called_otherwise(sheet: Sheet, series: Series, symbol: str) -> bool:
+    words = sheet.found.heading(series)
+    return any(says(words, other) for other in sheet.found.truth.columns if other != symbol)
+
+
+def _read_on(found: Understanding, series: Series) -> bool:
+    graph = found.graph
+    readers = graph.readers_of(series.sheet, series.line, series.origin, series.origin + series.rows)
+    return any(
+        (graph.work.strips[number].sheet, graph.work.strips[number].line) != (series.sheet, series.line)
+        and graph.work.strips[number].length > 1
+        for number in readers
+    )
+
+
+def unexplained(sheet: Sheet, truth: Truth, spare: Sequence[Series]) -> list[Series]:
+    """Computed series that are nothing of the mechanism, the driver's own value in another unit included."""
+    words = vocabulary(truth)
+    found = sheet.found
+
+    def known(series: Series) -> bool:
+        column = sheet.column(series)
+        return any(reading_of(column, word, found.allowed(word), found.zeros) is not None for word in words)
+
+    return [series for series in spare if series.main is not None and not known(series)]
+
+
+# --- retyped dimensions -----------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Retyped:
+    """Dimensions changed on both sides: what the mechanism does then, and what the sheet says."""
+
+    truth: Truth
+    values: Values
+    cells: Mapping[Place, float]
+
+    def again(self, found: Understanding) -> Retyped:
+        """The same cells retyped in another state of the workbook."""
+        return replace(self, values=found.work.plan.evaluate(self.cells))
+
+
+def retype(found: Understanding, symbols: Sequence[str], turn: int) -> Retyped | None:
+    """Some dimensions retyped, all at once, by +3 % and -2 % in turn; less where rows would vanish."""
+    base = found.truth
+    for part in STEPS:
+        changes = {}
+        for number, symbol in enumerate(symbols):
+            value = base.dimensions[symbol]
+            span = abs(value) if value else (base.size if _is_length(found, symbol) else 1.0)
+            changes[symbol] = value + span * part * RETYPED[(number + turn) % 2]
+        result = _typed(found, changes)
+        if result is not None and result.truth.exists[base.exists].all():
+            return result
+    return None
+
+
+def _is_length(found: Understanding, symbol: str) -> bool:
+    return any(dim.symbol == symbol and dim.unit.kind == "length" for dim in found.mechanism.dimensions)
+
+
+def _typed(found: Understanding, changes: Mapping[str, float]) -> Retyped | None:
+    dimensions, cells = retyped(found, changes)
+    values = found.work.plan.evaluate(cells)
+    column = np.array([found.work.number(place, values) for place in found.driver.places()])
+    if not np.isfinite(column).all():
+        return None
+    truth = truth_of(found.mechanism, dimensions, column * found.factor + found.offset, found.truth.poses)
+    return None if truth is None else Retyped(truth, values, cells)
+
+
+def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
+    """Whether a series that is right goes on being right, but for a small part of what the change makes."""
+    assert finding.series is not None and finding.reading is not None
+    before, now = found.truth.quantity(finding.symbol), after.truth.quantity(finding.symbol)
+    now = replace(now, values=np.where(np.isfinite(before.values), now.values, np.nan))
+    reading = finding.reading
+    column = finding.series.column(found.work, after.values)
+    if reading.offset:
+        return True  # counted from an angle that may have been retyped, too
+    change = np.abs(_turns(now.values - before.values, now))
+    allowed = 10 * found.allowed(now) + SHARE * float(np.nanmax(change, initial=0.0))
+    apart = gaps(column, now, reading)
+    return bool(apart.max() <= allowed)
+
+
+def _turns(values: Array, quantity: Quantity) -> Array:
+    return np.remainder(values + math.pi, math.tau) - math.pi if quantity.kind == "angle" else values
+
+
+def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[str, Finding]:
+    """The findings, with those that are right but do not follow the dimensions as not live."""
+    symbols = [one.symbol for one in found.inputs]
+    pairs = [retype(found, symbols, turn) for turn in (0, 1)] if symbols else []
+    tests = [after for after in pairs if after is not None]
+    doubtful = [
+        finding
+        for finding in results.values()
+        if finding.verdict == "right" and not all(follows(found, finding, after) for after in tests)
+    ]
+    dead: dict[str, list[str]] = {}
+    for symbol in symbols if doubtful else ():
+        after = retype(found, [symbol], 0)
+        if after is not None:
+            for finding in doubtful:
+                if not follows(found, finding, after):
+                    dead.setdefault(finding.symbol, []).append(symbol)
+    changed = dict(results)
+    for finding in doubtful:
+        if finding.symbol in dead:
+            changed[finding.symbol] = replace(finding, verdict="not live", dead=tuple(dead[finding.symbol]))
+    for symbol, finding in changed.items():
+        if finding.verdict == "right" and finding.series is not None:
+            inside = typed_dimensions(found, finding)
+            if finding.series.main is None or inside:
+                changed[symbol] = replace(finding, verdict="not live", dead=inside)
+    return changed
+
+
+_ANYBODYS = (0.0, 0.5, 1.0, 2.0, 3.0, 4.0, 90.0, 180.0, 270.0, 360.0)
+"""Numbers that stand in formulas for themselves."""
+
+
+def typed_dimensions(found: Understanding, finding: Finding) -> tuple[str, ...]:
+    """Dimensions that no cell holds and whose value stands as a number in a formula that the series depends on."""
+    series = finding.series
+    if series is None or series.main is None:
+        return ()
+    graph = found.graph
+    above = graph.above({graph.work.strips.index(series.main)})
+    numbers = {
+        abs(part.value)
+        for number in above
+        for part in walk(graph.formulas[number])
+        if isinstance(part, Number) and abs(part.value) not in _ANYBODYS
+    }
+    given = {one.symbol for one in found.inputs}
+    result = []
+    for dim in found.mechanism.dimensions if numbers else ():
+        value = abs(found.truth.dimensions[dim.symbol])
+        factors = (1.0, math.pi / 180) if dim.unit.kind == "angle" else (1.0,)
+        there = any(abs(factor * number - value) <= 1e-9 * value for number in numbers for factor in factors)
+        if not dim.place and dim.symbol not in given and there:
+            result.append(dim.symbol)
+    return tuple(result)

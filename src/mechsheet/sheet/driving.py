@@ -1,0 +1,27 @@
+"""How the driver goes from row to row, as formulas: by one step, or in time by a motion law."""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Node, Symbol, transform
+from mechsheet.model import TIME, Law
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import SHOWN, formula
+
+
+def driver_at(plan: Plan, place: Node) -> Node:
+    """The driver's value, as people read it, at a place counted in rows from 1; symbols are still to be bound."""
+    law = plan.mechanism.driver.law
+    if law is None:
+        return formula("_start+(place-1)*_step", place=place)
+    return by_time(law, time_after(law, formula("place-1", place=place)))
+
+
+def time_after(law: Law, rows: Node) -> Node:
+    """The time [s] after so many rows."""
+    return formula("rows*duration/all", rows=rows, duration=Symbol(law.duration), all=law.rows - 1)
+
+
+def by_time(law: Law, time: Node) -> Node:
+    """The driver's value, as people read it, at a time."""
+    shown = {name: Symbol(SHOWN + name) for name in (law.start, law.stop)} | {TIME: time}
+    return transform(law.value, lambda part: shown.get(part.name, part) if isinstance(part, Symbol) else part)

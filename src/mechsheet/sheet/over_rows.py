@@ -1,0 +1,18 @@
+"""One number of a whole column that leaves out rows without a value."""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Call, Node, Text
+from mechsheet.sheet.quoted import formula
+
+LEAST, MOST, MEAN = "MINIFS", "MAXIFS", "AVERAGEIF"
+
+NUMBERS = "<1E+300"
+"""What numbers are, and errors are not: rows without a position are left out."""
+
+
+def over_rows(function: str, column: Node) -> Node:
+    """The least, the largest or the mean of the numbers of a column."""
+    if function == MEAN:
+        return formula("AVERAGEIF(column,numbers)", column=column, numbers=NUMBERS)
+    return Call(function, (column, column, Text(NUMBERS)))

@@ -1,0 +1,294 @@
+"""The two-way tables whose value is a summary: one dimension down, another across, what the sweep amounts to in the cells.
+
+Right of the chart, folded away, each pair of values has a column: its two values, below them the quantity at the driver's
+values (one formula, filled both ways), and below these probes between the rows, by the same formula, placed as on the sheet
+of extremes. Places count rows from the middle of three neighbours. What is given has been attained.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform
+from mechsheet.model import Dimension, Quantity, Summary, TableRequest
+from mechsheet.sheet import styles
+from mechsheet.sheet.checks.extremes import BESIDE, PROBES, SETTLED, Way, vertex_of
+from mechsheet.sheet.first.blocks import input_validation, shown_unit
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_blocks
+from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
+from mechsheet.sheet.workbook import Area, Axis, Cell, Column, Conditional, Fill, Style
+from mechsheet.units import turn as whole_turn
+
+NUMBERS = "<1E+300"
+"""What numbers are, and errors are not: rows without a position are left out."""
+
+
+class SummaryTable(Table):
+    """One of them while it is being laid out."""
+
+    hint = "table.summary.hint"
+
+    def __init__(self, plan: Plan, request: TableRequest, title: str) -> None:
+        super().__init__(plan, request, title)
+        self.last = FIRST + len(request.row_values) - 1
+        self.row: Dimension = next(dim for dim in plan.mechanism.dimensions if dim.symbol == request.rows)
+        self.summary: Summary = next(each for each in plan.mechanism.summaries if each.symbol == request.value)
+        self.pairs = self.count * len(request.row_values)
+        self.at = self.helpers_at + 1
+        self.rows_end = FIRST + plan.rows - 1
+        self.probed = not plan.mechanism.driver.values and plan.rows >= 4
+
+    def heads(self) -> list[tuple[str, tuple[Quantity, ...], list[tuple[int, int]]]]:
+        """Those of the columns, and of the rows."""
+        down = [(FIRST + index, 0) for index in range(len(self.request.row_values))]
+        return [*super().heads(), ("rows", self.request.row_values, down)]
+
+    def varied(self) -> list[Dimension]:
+        """The dimensions of the heads."""
+        return [self.column, self.row]
+
+    # --- what is written around -------------------------------------------------------------------------------
+
+    def value_words(self) -> str:
+        """The summary and its unit."""
+        return plain(self.request.value) + bracketed(shown_unit(self.plan, self.summary.of))
+
+    def rows_words(self) -> str:
+        """The dimension that goes down, and its unit."""
+        return plain(self.row.symbol) + bracketed(self.row.unit.text)
+
+    def labelled_rows(self) -> str:
+        """The same with its label."""
+        return self.labelled(self.row)
+
+    def x_axis(self) -> Axis:
+        """The chart's axis of that dimension."""
+        return Axis(self.rows_words())
+
+    @cached_property
+    def helpers(self) -> Helpers:
+        """Their columns."""
+        return Helpers(self)
+
+    def body(self) -> Body:
+        """The heads of the rows, the table, and the helpers."""
+        return self.helpers.body()
+
+
+class Helpers:
+    """The cells of the columns of helpers, row by row from the top.
+
+    value, sure  the first cells of the rows with what the table shows, and whether that is of all positions and settled
+    """
+
+    def __init__(self, table: SummaryTable) -> None:
+        self.table, self.plan = table, table.plan
+        blocks = Blocks(FIRST, HEAD_ROW, table.helpers_at, table.at + table.pairs + 1, table.pairs)
+        closing = [group.closes for group in self.plan.equations.groups]
+        of = table.summary.of
+        self.found = CellFormula(self.plan, table.title, of, self._heads(), blocks, closing)
+        decimals = places(self.plan, self.found.unit(of).kind) + 1
+        self.style = styles.decimals(styles.INNER, decimals)
+        self.shown = styles.decimals(styles.COLUMN, decimals)
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.next_row = table.rows_end + 2
+        top = CellRef(FIRST, table.at, row_abs=True)
+        self.column = RangeRef(top, CellRef(table.rows_end, table.at, row_abs=True))
+        self.settled: list[CellRef] = []
+        self._rows()
+        count = self._line("count", "COUNT(column)")
+        self.value = self._value()
+        every = formula("count=rows", count=count, rows=self.plan.rows)
+        self.sure = self._line("sure", "IF(every,1,0)", every=al.all_of([every, *self.settled]))
+
+    def _heads(self) -> dict[str, CellRef]:
+        """The cells of a column's two values."""
+        request = self.table.request
+        return {
+            request.rows: CellRef(NAME_ROW, self.table.at, row_abs=True),
+            request.column: CellRef(HEAD_ROW, self.table.at, row_abs=True),
+        }
+
+    # --- all --------------------------------------------------------------------------------------------------
+
+    def body(self) -> Body:
+        """Everything below the table's heads and beside its chart."""
+        table, plan, request = self.table, self.plan, self.table.request
+        conditionals = [table.missing()]
+        for index in range(len(request.row_values)):
+            row, first = FIRST + index, table.at + index * table.count
+            self.fills.append(Fill(row, 1, CellRef(self.value.row, first), self.shown, cols=table.count))
+            unsure = formula("cell=0", cell=CellRef(self.sure.row, first, row_abs=True))
+            conditionals.append(Conditional(Area(row, 1, row, table.count), unsure, styles.WARN))
+        last = self.found.blocks.col(len(self.found.helpers)) - 2
+        return Body(
+            tuple(self.cells),
+            tuple(self.fills),
+            (
+                Column(table.helpers_at, table.helpers_at, 24, level=1, hidden=True),
+                Column(table.at, last, 11, level=1, hidden=True),
+                Column(last + 1, last + 1, 3, collapsed=True),
+            ),
+            tuple(conditionals),
+            (input_validation(plan, Area(FIRST, 0, table.last, 0), request.rows),),
+        )
+
+    def _rows(self) -> None:
+        """The driver's values, the heads of the columns, and the quantity in every row."""
+        table, plan, found = self.table, self.plan, self.found
+        of = table.summary.of
+        title = rich(of, bracketed(shown_unit(plan, of)))
+        self.cells += [
+            Cell(CORNER_ROW, table.helpers_at, plan.text("table.helpers"), styles.SECTION),
+            Cell(CORNER_ROW, table.at, title, styles.SECTION),
+            *(Cell(CORNER_ROW, table.at + col, None, styles.SECTION) for col in range(1, table.pairs)),
+            Cell(NAME_ROW, table.helpers_at, table.rows_words(), styles.HEAD),
+            Cell(HEAD_ROW, table.helpers_at, table.labelled(table.column), styles.HEAD),
+        ]
+        for index in range(len(table.request.row_values)):
+            first = table.at + index * table.count
+            row_head = CellRef(FIRST + index, 0, True, True)
+            self.fills.append(Fill(NAME_ROW, first, row_head, styles.HEAD, cols=table.count))
+            self.fills.append(Fill(HEAD_ROW, first, CellRef(HEAD_ROW, 1, True), styles.HEAD, cols=table.count))
+        self.fills.append(table.driver_fill(table.helpers_at))
+        self.fills.append(Fill(FIRST, table.at, found.formula, self.style, rows=plan.rows, cols=table.pairs))
+        cells, fills = helper_blocks(found, CORNER_ROW)
+        self.cells += cells
+        self.fills += fills
+
+    def _line(self, key: str, text: str, style: Style | None = None, /, **holes: Node | float | str) -> CellRef:
+        """A row of formulas below, one in each column; its first cell."""
+        if "column" not in holes:
+            holes["column"] = self.column
+        node = self.plan.at.bind(formula(text, **holes), self.table.title)
+        return self._put(self.plan.text(f"table.{key}"), node, style)
+
+    def _put(self, label: str, node: Node, style: Style | None = None) -> CellRef:
+        row = self.next_row
+        self.next_row += 1
+        self.cells.append(Cell(row, self.table.helpers_at, label, styles.LABEL))
+        self.fills.append(Fill(row, self.table.at, node, style or styles.INNER, cols=self.table.pairs))
+        return CellRef(row, self.table.at)
+
+    # --- the summary ------------------------------------------------------------------------------------------
+
+    def _value(self) -> CellRef:
+        """The row of what the table shows."""
+        rows = self.plan.rows
+        match self.table.summary.take:
+            case "mean":
+                return self._line("result", "IFERROR(AVERAGEIF(column,numbers),NA())", self.shown, numbers=NUMBERS)
+            case "first":
+                first = "INDEX(column,rows+1-SUMPRODUCT(MAX(ISNUMBER(column)*(rows+1-ROW(column)+ROW(top)-1))))"
+                return self._line("result", f"IFERROR({first},NA())", self.shown, rows=rows, top=self.column.start)
+            case "last":
+                last = "INDEX(column,SUMPRODUCT(MAX(ISNUMBER(column)*(ROW(column)-ROW(top)+1))))"
+                return self._line("result", f"IFERROR(IF(COUNT(column)=0,NA(),{last}),NA())", self.shown,
+                                  top=self.column.start)  # fmt: skip
+            case "range":
+                wraps = self._wraps()
+                low, high = (self._extreme(way, wraps, self.style) for way in ("min", "max"))
+                return self._line("result", "high-low", self.shown, high=high, low=low)
+            case "min" | "max" as way:
+                return self._extreme(way, self._wraps(), self.shown)
+
+    def _wraps(self) -> CellRef | None:
+        """Whether the rows at the ends are neighbours, as on the sheet of extremes: nothing is missing, and an angle has not
+        gone on by a turn."""
+        if not self.table.probed:
+            return None
+        half = self._half_turn()
+        near = "ABS(start-end)<half" if half else "TRUE"
+        holes: dict[str, Node | float | str] = {"start": self.column.start, "end": self.column.end, "half": half}
+        return self._line("wraps", f"IFERROR(IF(AND(COUNT(column)=rows,{near}),_whole,0),0)", rows=self.plan.rows,
+                          **(holes if half else {}))  # fmt: skip
+
+    def _half_turn(self) -> float:
+        unit = self.found.unit(self.table.summary.of)
+        if unit.kind != "angle" or unit.per:
+            return 0.0
+        return whole_turn(self.plan.at.spots[self.table.summary.of].degrees) / 2.0
+
+    def _extreme(self, way: Way, wraps: CellRef | None, style: Style) -> CellRef:
+        """The rows of the smallest or largest value; the last of them has it."""
+        best = self._line(
+            f"best.{way}", "IF(COUNT(column)=0,NA(),most)", self.style,
+            most=self._over_rows(way),
+        )  # fmt: skip
+        if wraps is None:
+            return self._line("result", "best", style, best=best)
+        here = self._line("row", "MATCH(best,column,0)", best=best)
+        middle = self._line(
+            "middle",
+            'IF(wraps>0,here,IF(ISNUMBER(IF(here>1,INDEX(column,here-1),"")),'
+            'IF(ISNUMBER(IF(here<rows,INDEX(column,here+1),"")),here,here-1),here+1))',
+            wraps=wraps, here=here, rows=self.plan.rows,
+        )  # fmt: skip
+        turn = formula("IF(wraps=1,rows-1,IF(wraps=2,rows,2*rows))", wraps=wraps, rows=self.plan.rows)
+        around = [
+            self._line(key, f"INDEX(column,1+MOD(middle{beside}-1,turn))", self.style, middle=middle, turn=turn)
+            for key, beside in (("before", "-1"), ("at.middle", ""), ("after", "+1"))
+        ]
+        values = self._probes(best, here, middle, around)
+        known = [formula("IFERROR(value,best)", value=value, best=best) for value in values]
+        result = self._line("result", "all", style, all=Call(way.upper(), (best, *known)))
+        # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
+        self.settled.append(
+            self._line(
+                "settled",
+                "IF(AND(here<>middle,result=best),TRUE,ABS(result-last)<=settled*(most-least))",
+                here=here, middle=middle, result=result, best=best, last=known[-1], settled=SETTLED,
+                most=self._over_rows("max"), least=self._over_rows("min"),
+            )
+        )  # fmt: skip
+        return result
+
+    def _over_rows(self, way: Way) -> Node:
+        return Call(f"{way.upper()}IFS", (self.column, self.column, Text(NUMBERS)))
+
+    def _probes(self, best: CellRef, here: CellRef, middle: CellRef, around: Sequence[CellRef]) -> list[CellRef]:
+        """The rows of the probes: each its place, the driver's value there, and the quantity. A place is beside the best row
+        on the side where there are positions."""
+        before, centre, after = around
+        vertex = formula("(before-after)/(2*(before-2*centre+after))", before=before, centre=centre, after=after)
+        best_at = formula("here-middle", here=here, middle=middle)
+        known: list[tuple[Node, Node]] = [(best_at, best)]
+        found: list[CellRef] = []
+        for number in range(1, PROBES + 1):
+            if number == 2:
+                near = formula("at+IF(at>best_at,-beside,beside)", at=known[1][0], best_at=best_at, beside=BESIDE)
+            else:
+                near = vertex if number == 1 else vertex_of(known[-3:])
+            place = formula(
+                "IFERROR(MAX(IF(here>middle,0,-1),MIN(IF(here<middle,0,1),near)),last)",
+                here=here, middle=middle, near=near, last=known[-1][0],
+            )  # fmt: skip
+            at = self._line("place", "place", place=place)
+            driven = self._line("driven", "_start+(middle-1+at)*_step", middle=middle, at=at)
+            found.append(self._probe(driven, middle))
+            known.append((at, found[-1]))
+        return found
+
+    def _probe(self, driven: CellRef, row: CellRef) -> CellRef:
+        """The quantity at another value of the driver, and all its helpers; an angle near what it is in a row."""
+        found, blocks, number = self.found, self.found.blocks, self.next_row
+        there: dict[Node, Node] = {found.driver_cell: driven}
+        for index in range(len(found.helpers)):
+            col = blocks.col(index)
+            column = RangeRef(CellRef(FIRST, col, row_abs=True), CellRef(self.table.rows_end, col, row_abs=True))
+            there[found.helper(index)] = CellRef(number, col)
+            there[found.above(index)] = formula("INDEX(column,row)", column=column, row=row)
+
+        def moved(node: Node) -> Node:
+            return transform(node, lambda part: there.get(part, part) if isinstance(part, CellRef) else part)
+
+        for index, (_, helper) in enumerate(found.helpers):
+            self.fills.append(Fill(number, blocks.col(index), moved(helper), styles.INNER, cols=blocks.count))
+        return self._put(self.plan.text("table.probe"), moved(found.formula), self.style)

@@ -1,0 +1,102 @@
+"""The words of audits, exercises and marks, in both languages."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+Language = Literal["en", "tr"]
+
+HOMEWORK: dict[str, tuple[str, str]] = {
+    # verdicts
+    "right": ("right", "doğru"),
+    "follows": ("right but for an earlier fault", "önceki hata dışında doğru"),
+    "wrong": ("wrong", "yanlış"),
+    "other assembly": ("of the other assembly", "öteki montaja ait"),
+    "not live": ("right, but does not follow the dimensions", "doğru, ama boyutlara bağlı değil"),
+    "missing": ("missing", "yok"),
+    # kinds of faults
+    "term too many": ("a term too many", "fazladan bir terim"),
+    "term missing": ("a term is missing", "bir terim eksik"),
+    "sign": ("the other sign", "işaret ters"),
+    "sign of a square": ("-x^2 is (-x)^2 in a cell", "hücrede -x^2, (-x)^2 demektir"),
+    "factor too many": ("a factor too many", "fazladan bir çarpan"),
+    "factor missing": ("a factor is missing", "bir çarpan eksik"),
+    "operator": ("another operator", "işlem yanlış"),
+    "brackets": ("brackets", "ayraçlar"),
+    "exponent": ("an exponent", "üs"),
+    "square root": ("a square root", "karekök"),
+    "reference": ("another cell is meant", "başka bir hücre gerekli"),
+    "anchor": ("the anchor $", "$ ile sabitleme"),
+    "radians and degrees": ("radians and degrees", "radyan ve derece"),
+    "function": ("another function is meant", "başka bir fonksiyon gerekli"),
+    "order of arguments": ("arguments in the other order", "bağımsız değişkenlerin sırası ters"),
+    "order of a difference": ("a difference the other way round", "çıkarma ters yönde"),
+    "order of a quotient": ("a quotient upside down", "bölme ters"),
+    "quadrant": ("ATAN loses the quadrant", "ATAN çeyreği kaybeder"),
+    "other root": ("the other root or another zero of the angle", "açının öteki kökü veya başka bir başlangıcı"),
+    "value of pi": ("the value of pi", "pi değeri"),
+    "typed number": ("a typed number", "elle yazılmış bir sayı"),
+    "breaks its column": ("not the formula of its column", "sütununun formülü değil"),
+    "no single change mends it": ("no single change mends it", "tek bir değişiklik düzeltmiyor"),
+    "other dimension": ("not the student's own dimension", "öğrencinin kendi boyutu değil"),
+    # the terminal
+    "fault": ("{cells}  {formula}: {kind}", "{cells}  {formula}: {kind}"),
+    "mend": ("{mend} makes {rights} right", "{mend} ile {rights} doğru olur"),
+    "marks": ("{marks} of {of} marks", "{of} üzerinden {marks} puan"),
+    "marks.plain": ("{plain} without follow-through", "hata takibi olmadan {plain}"),
+    "remark": ("remark: {text}", "not: {text}"),
+    # remarks
+    "remark.comma": (
+        "{count} numbers were typed as texts with a decimal comma; they are read as numbers",
+        "{count} sayı ondalık virgüllü metin olarak yazılmış; sayı olarak okundu",
+    ),
+    "remark.large": (
+        "a large workbook: only its first 200,000 formulas were looked at",
+        "büyük bir çalışma kitabı: yalnız ilk 200.000 formülüne bakıldı",
+    ),
+    "remark.clockwise": ("{symbol} is counted clockwise", "{symbol} saat yönünde ölçülmüş"),
+    "remark.backwards": ("{symbol} is counted in the other direction", "{symbol} ters yönde ölçülmüş"),
+    "remark.zero": ("{symbol} is counted from {offset:.4g}°", "{symbol} {offset:.4g}° doğrultusundan ölçülmüş"),
+    "remark.unit": (
+        "{symbol} is written in another unit of length: times {factor:g}",
+        "{symbol} başka bir uzunluk biriminde yazılmış: {factor:g} ile çarpılınca",
+    ),
+    "remark.own": (
+        "the sheet's own dimensions hold: {given}",
+        "sayfanın kendi boyutları geçerlidir: {given}",
+    ),
+    "remark.absent": (
+        "no cell was found for {symbols}: the description's values are taken",
+        "{symbols} için hücre bulunamadı: tanımdaki değerler alındı",
+    ),
+    "remark.dead": ("{symbol} does not follow {dimensions}", "{symbol}, {dimensions} değişince değişmiyor"),
+    "remark.typed": ("{symbol} is typed as numbers", "{symbol} sayı olarak yazılmış"),
+    "remark.zero.driver": (
+        "the driver is counted clockwise or from another zero",
+        "tahrik açısı saat yönünde veya başka bir doğrultudan ölçülmüş",
+    ),
+    "remark.rows": ("{symbol} is right in {right} of {rows} rows", "{symbol} {rows} satırın {right} tanesinde doğru"),
+    "remark.suspect": (
+        "{symbol} in {cell}: {found:.6g} found, {wanted:.6g} wanted",
+        "{symbol}, {cell} hücresinde: bulunan {found:.6g}, olması gereken {wanted:.6g}",
+    ),
+    "remark.first": (
+        "first formula that is nothing of the mechanism though all that it reads is: {cell}",
+        "okuduğu her şey mekanizmaya ait olduğu halde kendisi olmayan ilk formül: {cell}",
+    ),
+    # what cannot be judged
+    "no table": (
+        "no table was found: a column of numbers that formulas read row by row",
+        "tablo bulunamadı: formüllerin satır satır okuduğu bir sayı sütunu yok",
+    ),
+    "no position": (
+        "with the numbers of this sheet the mechanism has no position",
+        "bu sayfadaki sayılarla mekanizmanın hiçbir konumu yok",
+    ),
+}  # fmt: skip
+
+
+def said(language: str, key: str, **parts: object) -> str:
+    """The text of a key in a language, its {parts} filled in."""
+    text = HOMEWORK[key][1 if language == "tr" else 0]
+    return text.format(**parts) if parts else text

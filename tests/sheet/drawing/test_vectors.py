@@ -1,0 +1,116 @@
+"""Velocities, accelerations and forces as a person sees them: arrows in the drawing, hodographs."""
+
+import numpy as np
+import pytest
+from laid import Laid
+
+from in_line import IN_LINE
+from mechsheet import loads
+from mechsheet.diagnostics import MechsheetError
+from mechsheet.formula.nodes import ErrorValue
+from mechsheet.plotting.sampling import sample
+from mechsheet.plotting.scenes import Stage
+from mechsheet.sheet.drawing.arrows import LONGEST
+from mechsheet.sheet.first.mechanism import controls
+
+OUTPUTS = "".join(
+    f'{point}_{part} = {{ formula = "C.{part}", unit = "1" }}\n' for point in "C" for part in ("ax", "ay")
+)
+
+MOVED = (
+    IN_LINE.replace('B = ["l", 0] }', 'B = ["l", 0], C = [80, 40] }\nmass = 0.8\ncenter = [90, 0]\ninertia = 0.003')
+    .replace("step = 15", 'step = 60\nspeed = { value = 300, unit = "rpm" }')
+    .replace('points = { B = [0, 0] }', 'points = { B = [0, 0] }\nmass = 0.5')
+    + f'[[charts]]\nhodographs = ["C"]\n[outputs]\n{OUTPUTS}'
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def laid():
+    return Laid(MOVED)
+
+
+def named(laid, chart, name):
+    """The series of a chart with that name that has a line, as numbers: (n, 2)."""
+    series = next(each for each in chart.series if each.name == name and each.line)
+    columns = []
+    for ref in (series.x, series.y):
+        area = ref.area
+        cells = [laid.values.get(ref.sheet, row, area.first_col) for row in range(area.first_row, area.last_row + 1)]
+        columns.append([cell if isinstance(cell, float) else np.nan for cell in cells])
+    return np.array(columns).T
+
+
+def half_window(laid):
+    return laid.values.get(*(getattr(laid.plan.window["half"], key) for key in ("sheet", "row", "col")))
+
+
+def charts(laid):
+    return laid.workbook.sheets[0].charts
+
+
+def test_the_hodograph_is_the_end_of_the_velocity(laid):
+    motion = loads(MOVED).solve()
+    chart = next(chart for chart in charts(laid) if chart.title == "Hodograph of C")
+    assert chart.x_axis == chart.y_axis
+    assert chart.inner[2] == chart.inner[3]  # a square with equal axes
+    curve, vector = named(laid, chart, "v C"), named(laid, chart, "v_C")
+    velocity = np.column_stack([motion["C.vx"], motion["C.vy"]])
+    scale = np.ptp(curve[:, 0]) / np.ptp(velocity[:, 0])
+    assert (curve - vector[0]) / scale == pytest.approx(velocity, abs=1e-9)
+    assert vector[1] == pytest.approx(curve[0])
+
+
+@pytest.mark.parametrize("row", [0, 2])
+def test_arrows_are_true_to_scale(laid, row):
+    laid.change(_position=row)
+    motion, chart = loads(MOVED).solve(), charts(laid)[0]
+    for wanted, size in (
+        ({"v_C": ("C.vx", "C.vy")}, np.max(motion["C.v"])),
+        ({"a_C": ("C_ax", "C_ay")}, np.max(motion["C.a"])),
+        (
+            {"F₂₃": ("F23.x", "F23.y"), "F₃₄": ("F34.x", "F34.y")},
+            max(np.max(np.abs(motion[name])) for name in ("F12", "F23", "F34", "F14.n")),
+        ),
+    ):
+        for name, parts in wanted.items():
+            arrow = named(laid, chart, name)
+            vector = np.array([motion[part][row] for part in parts])
+            assert arrow[1] - arrow[0] == pytest.approx(vector * LONGEST / size, abs=1e-12)
+            assert arrow[4] == pytest.approx(arrow[1])
+    normal = named(laid, chart, "N₁₄")
+    assert normal[1] - normal[0] == pytest.approx([0, motion["F14.n"][row] * LONGEST / size], abs=1e-12)
+
+
+def test_a_cell_hides_a_kind(laid):
+    laid.change(_show_velocity=0)
+    chart = charts(laid)[0]
+    assert np.isnan(named(laid, chart, "v_C")[1]).all()
+    assert np.isfinite(named(laid, chart, "a_C")).all()
+    labels = [series.name for series in chart.series if not isinstance(series.name, str)]
+    words = [laid.values.get(cell.sheet, cell.row, cell.col) for cell in labels]
+    assert not any(isinstance(word, ErrorValue) for word in words)
+    assert sum(str(word).endswith("mm/s") for word in words) == 0
+
+
+def test_only_where_there_is_something_to_draw():
+    plain = Laid(IN_LINE)
+    assert plain.plan.arrows == ()
+    assert list(plain.plan.blocks["position"].rows) == ["position", "theta12", "status"]
+    with pytest.raises(MechsheetError, match="no velocities and no forces"):
+        sample(loads(IN_LINE), None, None, least=2, vectors=True)
+
+
+@pytest.mark.parametrize("vectors", [False, True])
+def test_a_picture_has_arrows_when_asked(vectors):
+    stage = Stage(sample(loads(MOVED), None, None, least=2, vectors=vectors))
+    assert {"F₃₄", "v_C", "a_C"} & {piece.words for piece in stage.drawing(0)} == (
+        {"F₃₄", "v_C", "a_C"} if vectors else set()
+    )
+
+
+def test_the_speed_has_a_scroll_bar(laid):
+    spot = laid.plan.at.spots["speed"]
+    control = next(each for each in controls(laid.plan) if each.name == "speed scroll bar")
+    assert (control.linked_row, control.linked_col) == (spot.row, spot.col)
+    assert (control.low, control.high) == (0, 1000)
