@@ -14,6 +14,7 @@ import pytest
 
 import mechsheet
 from mechsheet.cli import main as commands
+from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.schema import DESCRIPTION, Either, Items, Kinds, Named, Shape, Table
 from mechsheet.description.templates import template_names
@@ -187,3 +188,58 @@ def test_the_notebook_uses_public_names_only():
     code = "\n".join("".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code")
     assert re.findall(r"^\s*(?:from|import) (mechsheet\S*).*$", code, re.MULTILINE) == ["mechsheet"]
     assert set(re.findall(r"\bmechsheet\.(\w+)", code)) <= set(mechsheet.__all__)
+
+
+BY_HAND = re.compile(r"^\| `(\S+)` \| .* \| (-?[\d.,]+)(?: \S.*)? \|$", re.MULTILINE)
+"""A line of a table: a symbol, how it is found, its value with a unit."""
+
+
+def rows_of(page: str) -> dict[str, str]:
+    return {name: text.replace(",", ".") for name, text in BY_HAND.findall((DOCS / page).read_text(encoding="utf-8"))}
+
+
+def fits(found: float, printed: str) -> bool:
+    """Half of the last printed digit may be missing."""
+    return abs(found - float(printed)) <= 0.5000001 * 10.0 ** -len(printed.partition(".")[2])
+
+
+def loaded(name: str, step: float | None = None) -> Compiled:
+    return Compiled(mechsheet.template(name, step=step))
+
+
+@pytest.mark.parametrize("page", ["positions-to-forces.md", "positions-to-forces.tr.md"])
+def test_the_row_by_hand(page):
+    printed, values = rows_of(page), loaded("engine").values
+    assert len(printed) == 18
+    row = 9
+    assert math.degrees(values["theta12"][row]) == pytest.approx(90)
+    for symbol, text in printed.items():
+        assert fits(float(values[symbol][row]), text), symbol
+    largest = float(np.max(loaded("engine", step=0.5).values["s14.v"])) / 1000
+    assert fits(largest, number_in(DOCS / page, r"([\d.,]+) m/s,?\s(?:some|der)")[0].replace(",", "."))
+    theirs = loaded("four-bar-forces").values
+    assert fits(float(theirs["T12"][6]), number_in(DOCS / page, r"T₁₂ = (\d+[.,]\d+) lbf")[0].replace(",", "."))
+
+
+def test_the_press_that_gets_a_motor_and_a_flywheel():
+    page = DOCS / "motor-sizing.md"
+    printed, press = rows_of(page.name), loaded("toggle-press")
+    wheel, torque = press.flywheel, press.values["T12"]
+    assert fits(wheel.mean, printed["mean_torque"])
+    assert fits(wheel.change, printed["energy_change"])
+    assert fits(wheel.inertia, printed["flywheel"])
+    assert fits(float(torque.max()), printed["largest_effort"])
+    assert np.degrees(press.values["theta12"][torque.argmax()]) == pytest.approx(295)
+    assert fits(max(press.values[name].max() for name in ("F34", "F14", "F56", "F35")), printed["largest_force"])
+    fine = loaded("toggle-press", step=1).values
+    assert fits(float(loaded("toggle-press", step=0.1).values["s16.v"].max()), printed["approach"])
+    assert fits(float(fine["T12"].max()), number_in(page, r"largest torque of (\d+) N m")[0])
+    changes = re.findall(r"^\| `(\w+)` ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|$", page.read_text("utf-8"), re.MULTILINE)
+    assert len(changes) == 4
+    text = (ROOT / "templates" / "toggle-press.toml").read_text(encoding="utf-8")
+    for name, value, mean, inertia in changes:
+        other = text.replace("fluctuation = 0.1", f"fluctuation = {value}") if name == "fluctuation" else text
+        other = other.replace("value = 60,", f"value = {value},") if name == "speed" else other
+        found = Compiled(loads(other, overrides={name: value} if name in ("F", "die") else {})).flywheel
+        assert fits(found.mean, mean), name
+        assert fits(found.inertia, inertia), name

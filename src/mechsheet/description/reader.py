@@ -7,7 +7,18 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, dynamics, flywheel, force_names, joints, links, rates, results
+from mechsheet.description import (
+    dimensions,
+    driver,
+    dynamics,
+    exercise,
+    flywheel,
+    force_names,
+    joints,
+    links,
+    rates,
+    results,
+)
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -155,6 +166,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "dynamics": masses,
         "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
+        "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     name = _name(head, report)

@@ -345,7 +345,7 @@ def _refuse_forces(mechanism: Mechanism, dyads: list[tuple[Dyad, Solved]]) -> No
     """Forces in links that move with a driven pair are a matter of their own."""
     labels = [solved.label.en for dyad, solved in dyads if dyad.frame]
     if labels and mechanism.dynamics is not None:
-        message = f"forces are not found where a joint between two moving links is driven inside a loop that moves: {labels[0]}"
+        message = f"forces are not found where a joint between moving links is driven inside a moving loop: {labels[0]}"
         raise MechanismError(
             Fault(message, key="dynamics", hint="leave masses and loads out; positions and velocities are found")
         )

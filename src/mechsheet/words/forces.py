@@ -55,13 +55,13 @@ FORCES: dict[str, tuple[str, str]] = {
     ),
     "verdict.mean_torque": ("mean torque", "ort. moment"),
     "verdict.mean_torque.words": (
-        "mean over the turn: what a motor with a flywheel gives", "bir turda ortalama: volanlı motorun verdiği"
+        "mean over the turn: a motor with a flywheel", "bir turda ortalama: volanlı motorun verdiği"
     ),
     "verdict.energy_change.slow": ("slowest at", "en yavaş:"),
     "verdict.energy_change.fast": (", fastest at", ", en hızlı:"),
     "verdict.flywheel": ("flywheel", "volan"),
     "verdict.flywheel.words": (
-        "J = ΔE/(fluctuation·ω²): what the driven shaft needs besides", "J = ΔE/(dalgalanma·ω²): tahrik miline eklenecek"
+        "J = ΔE/(fluctuation·ω²), on the driven shaft", "J = ΔE/(dalgalanma·ω²): tahrik miline eklenecek"
     ),
     "verdict.flywheel.missing": (
         "needs a whole turn at constant speed", "sabit hızda tam bir tur gerekir"
