@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import Literal
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
@@ -194,7 +194,7 @@ class Extremes:
         probes.put(row, STATUS, plan.text(f"extremes.{way}"), styles.LABEL)
         probes.put(row + 1, STATUS, name, styles.LABEL)
         of_rows = self._best_row(column, way, block)
-        if plan.mechanism.driver.values or plan.rows < 4:
+        if plan.rows_only:
             probes.work(row, VALUE, "value", value=of_rows)
             probes.work(row + 1, SIDE + 2, "0")
             self._result(symbol, way, block)
@@ -313,7 +313,7 @@ class Extremes:
     def _result(self, symbol: str, way: Way, block: Block) -> None:
         """The best of the row and the probes, where it is, and whether the probes have settled."""
         plan, probes, row = self.plan, self.probes, block.row
-        count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + len(self.ends) + 1
+        count = 1 if plan.rows_only else PROBES + len(self.ends) + 1
         values = probes.cells_down(row, VALUE, count)
         # each stretch would need probes of its own
         known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
@@ -373,6 +373,8 @@ class Extremes:
 
 def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
+    if plan.newton:
+        return Text(plan.text("verdict.rows.only"))
     unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
     return formula('IF(_stretches>1,rows,IF(IFERROR(OR(_unsettled,unsettled),FALSE),about,""))', unsettled=unsettled,
                    about=plan.text("verdict.about"), rows=plan.text("verdict.rows.only"))  # fmt: skip
