@@ -474,6 +474,18 @@ class TableRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class Solution:
+    """How groups are solved that no dyad can be taken from.
+
+    passes  Newton steps a row; None: as many as are needed, at least six
+    force   dyads are solved so, too
+    """
+
+    passes: int | None = None
+    force: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Vary:
     """A dimension that is another one for each student: low, low + step, ... up to high, in its own unit."""
 
@@ -519,6 +531,7 @@ class Mechanism:
     drivers      what is driven besides the driver, each after those that it follows
     rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
     dynamics     masses and loads; None where the description has none
+    solution     how groups without a closed form are solved
     file         the stem of the file that it was read from, "" when it was read from none
     """
 
@@ -544,6 +557,7 @@ class Mechanism:
     dynamics: Dynamics | None = None
     relations: tuple[Relation, ...] = ()
     drivers: tuple[FurtherDriver, ...] = ()
+    solution: Solution = Solution()
     exercise: Exercise | None = None
     text: str = ""
     file: str = field(default="", compare=False)

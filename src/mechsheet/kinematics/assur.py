@@ -1,18 +1,21 @@
-"""The order of solution: the driver first, then one dyad (Assur group of class II) after the other.
+"""The order of solution: the driver first, then one Assur group after the other: dyads (class II) as long as there is one.
 
-A dyad is two bodies joined to each other and each to something already solved. It is found from the graph alone, so any
+Where there is none, the smallest group of class III or higher is next (`newton`). A dyad is two bodies joined to each other
+and each to something already solved. It is found from the graph alone, so any
 number of four-bars, slider-cranks and the rest, in series or in parallel, come out in the order in which a person
 would solve them. Source: L. V. Assur's classification; MeKin2D and others work at the same granularity.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.mobility import listed_names, stiff_faults
+from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
 from mechsheet.kinematics.ties import Tied, next_tied
 from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack
 
@@ -68,8 +71,18 @@ class Dyad:
     frame: tuple[str, ...] = ()
     whole: tuple[str, ...] = ()
 
+    @property
+    def assemblies(self) -> tuple[tuple[str, ...], ...]:
+        """Both of them."""
+        return self.first, self.second
 
-Step = Drive | Tied | Dyad
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """The bodies of both."""
+        return (*self.first, *self.second)
+
+
+Step = Drive | Tied | Dyad | Chain
 Bodies = tuple[str, ...]
 
 
@@ -94,6 +107,11 @@ class Order:
         """The steps that are dyads."""
         return tuple(step for step in self.steps if isinstance(step, Dyad))
 
+    @property
+    def groups(self) -> tuple[Dyad | Chain, ...]:
+        """The steps that are groups, dyads and those that Newton's method solves."""
+        return tuple(step for step in self.steps if isinstance(step, Dyad | Chain))
+
     def pair(self, assembly: tuple[str, ...]) -> Drive:
         """The driven joint inside an assembly of bodies."""
         return next(drive for drive in self.drives if {*drive.bodies} <= {*assembly})
@@ -104,6 +122,7 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     drives = tuple(_drive(mechanism, driver, graph) for driver in mechanism.all_drivers)
     clusters: dict[Drive, Bodies] = {drive: drive.bodies for drive in drives}
     solved = {mechanism.ground.name}
+    force = mechanism.solution.force
     steps: list[Step] = []
     while len(solved) < len(graph.bodies):
         pending = [drive for drive in drives if not {*drive.bodies} <= solved]
@@ -113,13 +132,27 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
             step = next_tied(graph, done, solved, _oriented(graph, pending, solved))
         if step is None:
             assemblies = _assemblies(graph, [clusters[drive] for drive in pending], solved)
-            step = _next_dyad(graph, assemblies, solved) or _grown(graph, assemblies, pending, clusters, solved)
+            if not force:
+                step = _next_dyad(graph, assemblies, solved) or _grown(graph, assemblies, pending, clusters, solved)
         if step is None:
-            faults = stiff_faults(graph) or _tied_too_deep(graph, steps) or [_not_class_two(graph, assemblies, solved)]
-            raise MechanismError(faults)
+            if faults := stiff_faults(graph) or _tied_too_deep(graph, steps):
+                raise MechanismError(faults)
+            step = _next_chain(graph, assemblies, solved, force)
         steps.append(step)
         solved.update(bodies_of(step))
     return Order(drives, tuple(steps))
+
+
+def _next_chain(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str], force: bool) -> Chain:
+    """The smallest group that Newton's method solves; `force` takes dyads so, too."""
+    stiff = stiff_faults(graph)
+    try:
+        chain = None if stiff else next_chain(graph, assemblies, solved, 2 if force else 4)
+    except TooManyUnknownsError as error:
+        raise MechanismError(_too_large(error.assemblies)) from error
+    if chain is None:
+        raise MechanismError(stiff or [_too_large(assemblies)])
+    return chain
 
 
 def _grown(
@@ -148,6 +181,8 @@ def bodies_of(step: Step) -> tuple[str, ...]:
             return step.bodies
         case Tied():
             return tuple(held.body for held in step.bodies)
+        case Chain():
+            return step.bodies
         case Dyad():  # one that moves with a driven pair is known when that is
             return () if step.frame else (*step.first, *step.second)
 
@@ -306,12 +341,10 @@ def _names(bodies: tuple[str, ...]) -> str:
     return " + ".join(f'"{body}"' for body in bodies)
 
 
-def _not_class_two(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str]) -> Fault:
+def _too_large(assemblies: Sequence[tuple[str, ...]]) -> Fault:
     names = ", ".join(_names(bodies) for bodies in assemblies)
-    held = [_names(bodies) for bodies in assemblies if _contacts(graph, bodies, solved)]
     return Fault(
-        f"links {names} form a group of class III or higher: no two of them can be solved before the others",
+        f"links {names} form a group that must be solved all at once, and takes more than {MOST_UNKNOWNS} unknowns",
         key="links",
-        hint="only linkages that split into two-link Assur groups are supported so far; "
-        f"joined to what is known: {', '.join(held) or 'none'}. Driving another link often helps",
+        hint="driving another link often helps",
     )

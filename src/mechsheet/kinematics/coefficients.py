@@ -494,6 +494,8 @@ class _Writer:
             if isinstance(dyad, Tied):
                 motions.tie(dyad, {held.variable: by_time.of(self._symbol(held)) for held in dyad.bodies})
                 continue
+            if not isinstance(dyad, Dyad):  # velocities of a group that Newton's method solves are refused
+                continue
             number += 1
             if dyad.frame:
                 meeting = pairs[self.order.pair(dyad.frame)].meet_within(dyad)
