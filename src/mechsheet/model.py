@@ -11,7 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Call, Node
+from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
 Quantity: TypeAlias = float | Node
@@ -176,6 +177,68 @@ class Joint:
     symbol: str
 
 
+PRESSURE: Node = Call("RADIANS", (NumberNode(20.0),))
+"""The usual angle between a tooth force and the tangent of the pitch circles [rad]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Gear:
+    """Two wheels, or pulleys with a belt, whose axes an arm carries:
+
+        angle(link) - angle(arm) = ratio (angle(on) - angle(arm)) + phase
+
+    kind      "gear" or "belt": the same relation, drawn otherwise, and with other forces
+    arm       the link that carries both axes; it shares a pivot with either wheel
+    ratio     negative where the wheels turn against each other: external gears, crossed belts
+    phase     [rad];  pressure  angle between the tooth force and the tangent of the pitch circles [rad]
+    order     its place among the joints of the file, from 0
+    read_off  True where the description has no phase: it is what the sketch shows, or 0
+    """
+
+    kind: Literal["gear", "belt"]
+    link: str
+    on: str
+    arm: str
+    ratio: Node
+    phase: Node
+    order: int
+    pressure: Node = PRESSURE
+    read_off: bool = False
+
+    @property
+    def turning(self) -> tuple[str, ...]:
+        """The links whose angles it ties."""
+        return (self.link, self.on, self.arm)
+
+
+@dataclass(frozen=True, slots=True)
+class Rack:
+    """A toothed bar and a pinion:
+
+        displacement of the sliding joint = radius (angle(link) - angle(arm)) + phase
+
+    joint  symbol of the displacement;  link  the pinion;  arm  the side of the sliding joint on which the pinion is pivoted
+    phase  in the length unit; the others as in `Gear`
+    """
+
+    joint: str
+    link: str
+    arm: str
+    radius: Node
+    phase: Node
+    order: int
+    pressure: Node = PRESSURE
+    read_off: bool = False
+
+    @property
+    def turning(self) -> tuple[str, ...]:
+        """The links whose angles it ties."""
+        return (self.link, self.arm)
+
+
+Relation: TypeAlias = Gear | Rack
+
+
 @dataclass(frozen=True, slots=True)
 class Mass:
     """What a link weighs.
@@ -323,6 +386,26 @@ class Driver:
 
 
 @dataclass(frozen=True, slots=True)
+class FurtherDriver:
+    """What is driven besides; its value in a row is
+
+    follows  an expression over dimensions, the driver's symbol and those of further drivers; or
+    values   one for each row, in internal units
+
+    The other fields as in `Driver`; `order`: its place among the further drivers of the file, from 0.
+    """
+
+    symbol: str
+    unit: Unit
+    order: int
+    link: str = ""
+    relative_to: str = ""
+    joint: str = ""
+    follows: Node | None = None
+    values: tuple[Quantity, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Sketch:
     """A rough position: points (x, y), and angles or displacements by symbol.
 
@@ -444,6 +527,8 @@ class Exercise:
 class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
+    relations    gears, belts and racks
+    drivers      what is driven besides the driver, each after those that it follows
     rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
     dynamics     masses and loads; None where the description has none
     solution     how groups without a closed form are solved
@@ -471,6 +556,8 @@ class Mechanism:
     rate_points: tuple[str, ...] | None = None
     dynamics: Dynamics | None = None
     solution: Solution = Solution()
+    relations: tuple[Relation, ...] = ()
+    drivers: tuple[FurtherDriver, ...] = ()
     exercise: Exercise | None = None
     text: str = ""
     file: str = field(default="", compare=False)
@@ -501,8 +588,28 @@ class Mechanism:
         return rate_symbols(own, not driver.joint)
 
     @property
+    def all_drivers(self) -> tuple[Driver | FurtherDriver, ...]:
+        """The driver, and what is driven besides."""
+        return (self.driver, *self.drivers)
+
+    @property
+    def driven_symbols(self) -> tuple[str, ...]:
+        """Symbols of what is driven, the driver's first."""
+        return tuple(driver.symbol for driver in self.all_drivers)
+
+    def driver_of(self, symbol: str) -> Driver | FurtherDriver:
+        """What is driven, by its symbol."""
+        return next(each for each in self.all_drivers if each.symbol == symbol)
+
+    @property
+    def listed_symbols(self) -> tuple[str, ...]:
+        """Symbols of further drivers whose values are listed, row by row."""
+        return tuple(driver.symbol for driver in self.drivers if driver.values)
+
+    @property
     def given_by_row(self) -> tuple[str, ...]:
-        """Symbols that have a value in each row beside the driver's: the time of a law, listed speeds and accelerations."""
+        """Symbols that have a value in each row beside the driver's: the time of a law, listed speeds and accelerations,
+        listed values of further drivers."""
         return (TIME,) if self.driver.law is not None else tuple(self.listed)[1:]
 
     @property
@@ -511,13 +618,14 @@ class Mechanism:
         driver = self.driver
         names = (driver.symbol, TIME, *self.driver_rates)
         lists = (driver.values, driver.times, driver.speeds, driver.accelerations)
-        return {name: listed for name, listed in zip(names, lists, strict=True) if listed}
+        besides = {other.symbol: other.values for other in self.drivers if other.values}
+        return {name: listed for name, listed in zip(names, lists, strict=True) if listed} | besides
 
     def given_unit(self, symbol: str) -> Unit | None:
-        """Of the driver, and of what has a value in each row beside it; None for all that equations say."""
+        """Of what is driven, and of what has a value in each row beside it; None for all that equations say."""
         driver = self.driver
-        if symbol == driver.symbol:
-            return driver.unit
+        if symbol == driver.symbol or symbol in self.listed_symbols:
+            return self.driver_of(symbol).unit
         if symbol not in self.given_by_row:
             return None
         if symbol == TIME:

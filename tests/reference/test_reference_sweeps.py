@@ -206,7 +206,7 @@ def test_progress_is_told():
 
 def test_wrong_mobility():
     m = read("fivelink")
-    with pytest.raises(MechanismError, match="mobility is not one"):
+    with pytest.raises(MechanismError, match="mobility is not the number of drivers"):
         solve(replace(m, joints=()))
 
 

@@ -60,7 +60,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
         return tally.result(), [*inputs.remarks, NOWHERE]
     by_law = mechanism.driver.law is not None  # the reference has laws of its own
     solution = reference.solve(
-        _with_listed_rates(mechanism, inputs), inputs.dimensions, start=start,
+        _typed(_with_listed_rates(mechanism, inputs), inputs), inputs.dimensions, start=start,
         values=None if by_law else inputs.given[mechanism.driver.symbol],
     )  # fmt: skip
     beyond = np.zeros(plan.rows, dtype=bool)
@@ -279,12 +279,23 @@ def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array
     tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
 
 
+def _typed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
+    """With the values of further drivers as they are typed, row by row."""
+    drivers = tuple(
+        replace(driver, values=tuple(float(value) for value in inputs.given[driver.symbol]))
+        if driver.values
+        else driver
+        for driver in mechanism.drivers
+    )
+    return replace(mechanism, drivers=drivers) if drivers else mechanism
+
+
 def _changed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
     """The mechanism with what has been typed into the cells."""
     values = tuple(inputs.given[mechanism.driver.symbol].tolist())
     listed = replace(mechanism, driver=replace(mechanism.driver, values=values))
     return replace(
-        mechanism,
+        _typed(mechanism, inputs),
         dimensions=tuple(
             dim if dim.derived else replace(dim, value=inputs.dimensions[dim.symbol]) for dim in mechanism.dimensions
         ),

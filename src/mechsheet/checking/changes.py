@@ -38,6 +38,12 @@ class Change:
                 return f"tolerance of {symbol}"
             case ("driver", "values", int(index)):
                 return f"driver value {index + 1}"
+            case ("drivers", int(order), "values", int(index)):
+                return f"value {index + 1} of driver {order + 2}"
+            case ("drivers", int(order), str(key)):
+                return f"{key} of driver {order + 2}"
+            case ("joints", int(order), str(key)):
+                return f"{key} of joint {order + 1}"
             case ("driver", str(key), int(index)):
                 return f"{key} {index + 1} of the driver"
             case ("tables", int(table), str(heads), int(index)):
@@ -101,13 +107,13 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
             if isinstance(getattr(mechanism.driver, key), float):
                 yield ("driver", key), (plan.main, plan.blocks["sweep"].rows[key], VALUE)
     kept = dict(zip(mechanism.driver_rates, ("speed", "acceleration"), strict=True))
+    besides = {driver.symbol: driver.order for driver in mechanism.drivers}
     for symbol, listed in mechanism.listed.items():
         for index, value in enumerate(listed):
             if isinstance(value, float):
-                yield (
-                    ("driver", kept.get(symbol, "values"), index),
-                    (plan.table, plan.at.first + index, plan.at.spots[symbol].col),
-                )
+                own: Key = ("driver", kept.get(symbol, "values"), index)
+                other: Key = ("drivers", besides[symbol], "values", index) if symbol in besides else own
+                yield other, (plan.table, plan.at.first + index, plan.at.spots[symbol].col)
     yield from _table_places(expected)
 
 

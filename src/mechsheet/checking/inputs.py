@@ -131,5 +131,7 @@ def _given(
         if not np.isfinite(column).all():
             what = "the driver's values" if symbol == driver.symbol else f"the values of {symbol}"
             faults.append(Fault(f"{what} are not all numbers", shown, key=plan.table))
-    found[driver.symbol] = driver.unit.to_internal(found[driver.symbol])
+    for each in plan.mechanism.all_drivers:
+        if each.symbol in found:
+            found[each.symbol] = each.unit.to_internal(found[each.symbol])
     return found

@@ -24,8 +24,10 @@ def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
     }
     units = {mechanism.driver.symbol: unit.text}
     for symbol in mechanism.given_by_row:
-        columns[symbol] = compiled.given[symbol]
-        units[symbol] = mechanism.shown(mechanism.given_unit(symbol) or unit).text
+        own = mechanism.given_unit(symbol) or unit
+        shown = mechanism.shown(own)
+        columns[symbol] = np.array([shown.written(float(value)) for value in compiled.given[symbol]])
+        units[symbol] = shown.text
     for equation in compiled.equations.columns:
         symbol = equation.symbol
         if equation.role not in SHOWN_ROLES or symbol in columns:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, TypeAlias
 
 from mechsheet.description.index import Path
 from mechsheet.description.joints import Ends
@@ -24,7 +24,7 @@ def read(data: Any, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: En
     if data is BAD:
         scope.complete = False
         return None
-    made = _sliding(data, joints, scope) if _slides(data) else _turning(data, links, ends, scope)
+    made = driven(data, ("driver",), links, joints, ends, scope)
     if made is None:
         scope.complete = False
     kind, unit = kind_and_unit(data, scope)
@@ -33,6 +33,17 @@ def read(data: Any, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: En
         return None
     symbol, link, relative_to, joint = made
     return Driver(symbol, unit, link, relative_to, joint, start, stop, step, values)
+
+
+Driven: TypeAlias = tuple[str, str, str, str]
+"""Symbol, link, the one it turns against, joint."""
+
+
+def driven(
+    data: dict[str, Any], path: Path, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: Ends, scope: Scope
+) -> Driven | None:
+    """What the table at `path` drives; None where that is faulty."""
+    return _sliding(data, path, joints, scope) if _slides(data) else _turning(data, path, links, ends, scope)
 
 
 def _slides(data: dict[str, Any]) -> bool:
@@ -46,47 +57,45 @@ def kind_and_unit(data: dict[str, Any], scope: Scope) -> tuple[str, Unit]:
     return ANGLE, scope.angle_unit
 
 
-def _sliding(data: dict[str, Any], joints: tuple[Joint, ...], scope: Scope) -> tuple[str, str, str, str] | None:
+def _sliding(data: dict[str, Any], place: Path, joints: tuple[Joint, ...], scope: Scope) -> Driven | None:
     if "relative_to" in data:
         message = "goes with `link`; a driven joint has its two links already"
-        scope.report.at(("driver", "relative_to"), message)
+        scope.report.at((*place, "relative_to"), message)
     name = data["joint"]
     joint = next((one for one in joints if one.name == name), None)
     if joint is None:
         if name is not BAD and scope.complete:
             hint = suggestion(name, [one.name for one in joints], "sliding joints")
-            scope.report.at(("driver", "joint"), f"no sliding joint is called {quoted(name)}", hint)
+            scope.report.at((*place, "joint"), f"no sliding joint is called {quoted(name)}", hint)
         return None
     symbol = data.get("symbol", joint.symbol)
     if symbol not in (BAD, joint.symbol):
         message = f"the driven displacement is called {quoted(joint.symbol)} already"
         hint = "leave it out here, or give the same symbol to the joint"
-        scope.report.at(("driver", "symbol"), message, hint)
+        scope.report.at((*place, "symbol"), message, hint)
     return joint.symbol, "", "", joint.name
 
 
-def _turning(
-    data: dict[str, Any], links: tuple[Link, ...], ends: Ends, scope: Scope
-) -> tuple[str, str, str, str] | None:
+def _turning(data: dict[str, Any], place: Path, links: tuple[Link, ...], ends: Ends, scope: Scope) -> Driven | None:
     ground = links[0].name
     link, other = data.get("link", BAD), data.get("relative_to", ground)
-    known = ends.has_link(link, ("driver", "link"))
-    known = ends.has_link(other, ("driver", "relative_to")) and known
+    known = ends.has_link(link, (*place, "link"))
+    known = ends.has_link(other, (*place, "relative_to")) and known
     if not known:
         return None
     if link == other:
         message = "it is the ground" if link == ground else "it is `relative_to` as well"
-        scope.report.at(("driver", "link"), f"the link {quoted(link)} cannot turn: {message}")
+        scope.report.at((*place, "link"), f"the link {quoted(link)} cannot turn: {message}")
         return None
     if link == ground:
         message = f"the link {quoted(link)} is the ground"
         hint = f'drive the other one: link = "{other}", with the opposite sign of the values'
-        scope.report.at(("driver", "link"), message, hint)
+        scope.report.at((*place, "link"), message, hint)
         return None
     own = next(one.angle_symbol for one in links if one.name == link)
     default = own if other == ground else ends.pair_symbol("theta", other, link)
     symbol = data.get("symbol", default)
-    path: Path = ("driver", "symbol") if "symbol" in data else ("driver",)
+    path: Path = (*place, "symbol") if "symbol" in data else place
     if symbol is BAD or not scope.symbol_is_good(symbol, path):
         return None
     if symbol != own or other != ground:

@@ -9,7 +9,18 @@ from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANY, LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.scope import Scope
-from mechsheet.model import POINT_RATES, SHAKING, Driver, Joint, Link, center_symbol, pair_symbol
+from mechsheet.model import (
+    POINT_RATES,
+    SHAKING,
+    Driver,
+    FurtherDriver,
+    Joint,
+    Link,
+    Rack,
+    Relation,
+    center_symbol,
+    pair_symbol,
+)
 
 WEIGHTS = ("mass", "center", "inertia")
 """Keys of a link that has a mass."""
@@ -36,13 +47,13 @@ def keys_of(bodies: dict[str, Any], name: str) -> list[str]:
 
 def declare(
     bodies: dict[str, Any], loads: list[Any], links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None,
-    scope: Scope,
+    further: tuple[FurtherDriver, ...], relations: tuple[Relation, ...], scope: Scope,
 ) -> None:  # fmt: skip
     """Enter all these names, which must be free, where there are masses or loads."""
     path = first_key(bodies, loads)
     if path is None:
         return
-    for name, what in _of_joints(links, joints, driver).items():
+    for name, what in _of_joints(links, joints, driver, further, relations).items():
         scope.forces[name] = what
         scope.kinds[name] = ANY
         if "." not in name:
@@ -86,7 +97,13 @@ def _no_point(name: str, message: str, scope: Scope, hint: str = "rename it") ->
         scope.report.at(("links", link, "points", name), message, hint)
 
 
-def _of_joints(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None) -> dict[str, str]:
+def _of_joints(
+    links: tuple[Link, ...],
+    joints: tuple[Joint, ...],
+    driver: Driver | None,
+    further: tuple[FurtherDriver, ...],
+    relations: tuple[Relation, ...],
+) -> dict[str, str]:
     """Name -> what it is: F34, F34.x and F34.y of every pin, F14.n and F14.c of every slide, the driver's effort."""
     numbers = {link.name: link.number for link in links}
     holders: dict[str, list[int]] = {}
@@ -106,4 +123,18 @@ def _of_joints(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Drive
     if driver is not None and driver.link:
         name = pair_symbol("T", numbers[driver.relative_to or links[0].name], numbers[driver.link])
         found |= {name: "driving torque", f"{name}.work": "driving torque"}
+    for besides in further:
+        if besides.link:
+            found[pair_symbol("T", numbers[besides.relative_to], numbers[besides.link])] = "driving torque"
+        else:
+            slide = next(joint for joint in joints if joint.name == besides.joint)
+            found[f"{pair_symbol('F', numbers[slide.on], numbers[slide.link])}.t"] = "driving force"
+    slides = {joint.symbol: (joint.on, joint.link) for joint in joints}
+    for relation in relations:
+        if isinstance(relation, Rack):
+            bar = next(side for side in slides[relation.joint] if side != relation.arm)
+            name = pair_symbol("G", numbers[relation.link], numbers[bar])
+        else:
+            name = pair_symbol("G", numbers[relation.on], numbers[relation.link])
+        found |= {name: "tooth force", f"{name}.t": "tooth force", f"{name}.m": "torque of a belt"}
     return found

@@ -1,4 +1,4 @@
-"""The part [[joints]]: sliding joints between links that exist, at points that exist."""
+"""The part [[joints]]: sliding joints between links that exist, at points that exist. For gears see `gears`."""
 
 from __future__ import annotations
 
@@ -11,6 +11,9 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, Space
 from mechsheet.model import Joint, Link
+
+RELATIONS = ("gear", "belt", "rack")
+"""Types that tie angles and displacements to each other; they join nothing."""
 
 
 class Ends:
@@ -51,6 +54,8 @@ def read(data: list[Any], ends: Ends, scope: Scope) -> tuple[Joint, ...]:
     joints: list[Joint] = []
     names = Space(scope.report)
     for place, entry in enumerate(data):
+        if entry is not BAD and entry["type"] in RELATIONS:
+            continue
         joint = None if entry is BAD else _joint(entry, ("joints", place), ends, scope)
         if joint is None:
             scope.complete = False

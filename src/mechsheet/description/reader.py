@@ -10,10 +10,12 @@ from typing import Any
 from mechsheet.description import (
     dimensions,
     driver,
+    drivers,
     dynamics,
     exercise,
     flywheel,
     force_names,
+    gears,
     joints,
     links,
     rates,
@@ -27,6 +29,7 @@ from mechsheet.description.rewrite import with_value
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import words
 from mechsheet.description.shape import fit
+from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.source import Source, parse_as_meant, read_text
 from mechsheet.description.sweep import with_sweep
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
@@ -124,6 +127,8 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     ends = joints.Ends(bodies, made, scope)
     sliding = joints.read(part(data, "joints", []), ends, scope)
     driven = driver.read(data["driver"], made, sliding, ends, scope) if made else None
+    further, values = drivers.read(part(data, "drivers", []), driven, made, sliding, ends, scope) if made else ((), ())
+    table = (*table, *values)
     if made and report.sound("links", "joints"):
         links.check_connected(made, sliding, scope)
 
@@ -139,9 +144,16 @@ def _read(source: Source, report: Report) -> Mechanism | None:
             accelerations=motion.accelerations,
         )
         table = (*table, *motion.dimensions)
+    drivers.check_speeds(driven, further, scope)
+    driven = drivers.listed(driven, further, scope) if driven else None
+
+    sketch = results.sketch(part(data, "assembly", {}), driven, scope)
+    shown = SketchedAngles(made, sliding, driven, further, sketch, scope)
+    relations, values = gears.read(part(data, "joints", []), ends, made, sliding, shown, scope) if made else ((), ())
+    table = (*table, *values)
 
     loads = part(data, "loads", [])
-    force_names.declare(bodies, loads, made, sliding, driven, scope)
+    force_names.declare(bodies, loads, made, sliding, driven, further, relations, scope)
     masses, cells = dynamics.read(bodies, part(data, "dynamics", {}), loads, made, scope)
     table = (*table, *cells)
 
@@ -155,7 +167,9 @@ def _read(source: Source, report: Report) -> Mechanism | None:
             *flywheel.read(wheel, masses, driven, made, table, choice(workbook, "layout", "sheets"), scope),
         )
     parts: dict[str, Any] = {
-        "sketch": results.sketch(part(data, "assembly", {}), driven, scope),
+        "sketch": sketch,
+        "relations": relations,
+        "drivers": further,
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(part(data, "charts", []), scope),
@@ -169,6 +183,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
+    drivers.check_tables(further, parts["tables"], scope)
     name = _name(head, report)
     if report.faults or driven is None:
         return None

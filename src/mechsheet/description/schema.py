@@ -202,6 +202,30 @@ _THROUGH = Key(
     Either((Text(names="point"), PAIR)), "a point of the line: a point of `on`, or [x, y] in its frame", True
 )
 
+_PRESSURE = Key(
+    Quantity(), "angle of the tooth force from the pitch line's tangent, where there are forces; default 20°"
+)
+
+
+def _wheels(senses: str) -> Table:
+    """A gear or a belt."""
+    return Table(
+        {
+            "type": _TYPE,
+            "link": Key(Text(names="link"), "the wheel whose angle is meant", True),
+            "on": Key(Text(names="link"), "the other wheel; the ground is a wheel that stands", True),
+            "arm": Key(Text(names="link"), "the link that carries both axes; the ground by default"),
+            "ratio": Key(
+                Quantity(),
+                f"angle(link) - angle(arm) = ratio * (angle(on) - angle(arm)) + phase, of {senses}",
+                True,
+            ),
+            "phase": Key(Quantity(), "see `ratio`; default: as the sketch shows, else 0"),
+            "pressure_angle": _PRESSURE,
+        }
+    )
+
+
 JOINT = Kinds(
     "type",
     {
@@ -232,8 +256,27 @@ JOINT = Kinds(
             },
             later=("friction",),
         ),
+        "gear": _wheels("gear wheels: negative where they mesh outside, positive in a ring"),
+        "belt": _wheels("a belt: negative where it is crossed"),
+        "rack": Table(
+            {
+                "type": _TYPE,
+                "joint": Key(Text(names="joint"), "the sliding joint that moves as the pinion turns", True),
+                "link": Key(Text(names="link"), "the pinion", True),
+                "arm": Key(
+                    Text(names="link"),
+                    "the side of the sliding joint on which the pinion is pivoted; found by itself when left out",
+                ),
+                "radius": Key(
+                    Quantity(),
+                    "displacement = radius * (angle of link - angle of arm) + phase; negative for the other sense",
+                    True,
+                ),
+                "phase": Key(Quantity(), "the displacement at angle 0; default: as the sketch shows, else 0"),
+                "pressure_angle": _PRESSURE,
+            }
+        ),
     },
-    later=("gear",),
 )
 
 _SPEED_UNITS = ("rad/s", "deg/s", "rpm")
@@ -277,6 +320,20 @@ DRIVER = Table(
         ),
     },
     ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",), ("start", "stop", "motion"))),
+)
+
+FURTHER_DRIVER = Table(
+    {
+        "link": DRIVER.keys["link"],
+        "relative_to": DRIVER.keys["relative_to"],
+        "joint": DRIVER.keys["joint"],
+        "symbol": DRIVER.keys["symbol"],
+        "value": Key(Quantity(), "one value for all rows: a cell, turned by hand; or an expression over dimensions"),
+        "follows": Key(Text(longest=8000), "an expression over dimensions and the symbols of other drivers"),
+        "values": Key(Items(Quantity(), 1), "one value for each row of [driver]"),
+    },
+    ways=((("link",), ("joint",)), (("value",), ("follows",), ("values",))),
+    later=("speed", "acceleration", "start", "stop", "step"),
 )
 
 RATES = Table(
@@ -434,8 +491,9 @@ DESCRIPTION = Table(
         "mechanism": Key(MECHANISM, "what is described", True),
         "dimensions": Key(Named(Either((Number(), DIMENSION)), "dimension"), "named constants, one cell each"),
         "links": Key(Named(LINK, "link", 2), "rigid links; the first is the ground", True),
-        "joints": Key(Items(JOINT), "sliding joints"),
+        "joints": Key(Items(JOINT), "sliding joints, gears, belts and racks"),
         "driver": Key(DRIVER, "what is driven, and its values", True),
+        "drivers": Key(Items(FURTHER_DRIVER), "what is driven besides: as many as the mobility needs"),
         "rates": Key(RATES, "velocities and accelerations, where the driver has a speed"),
         "dynamics": Key(DYNAMICS, "gravity and units, where links have masses or loads"),
         "loads": Key(Items(LOAD), "forces and torques on links"),
@@ -449,5 +507,5 @@ DESCRIPTION = Table(
         "solution": Key(SOLUTION, "how groups of links are solved that have no closed form"),
         "exercise": Key(EXERCISE, "what is asked of students, and what varies from one to the next"),
     },
-    later=("drivers", "friction"),
+    later=("friction",),
 )

@@ -85,7 +85,12 @@ class ActingForces:
 
     def hang(self, body: str, force: Force, couple: Node = al.ZERO) -> None:
         """What a group solved before exerts on a body whose turn comes later."""
-        hung = self._hung.setdefault(body, Acting())
+        if body == self.poses.mechanism.ground.name:
+            return
+        known = self._bodies.get(body)
+        if known is not None and known.sum is not None:
+            raise ValueError(f"what acts on {body} has been summed up already")
+        hung = self._hung.setdefault(body, Acting()) if known is None else known
         if not all(map(al.is_zero, force.vector)):
             hung.forces.append(force)
         if not al.is_zero(couple):

@@ -11,10 +11,12 @@ from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.assur import bodies_of
+from mechsheet.kinematics.equations import ForceKind
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
-from mechsheet.model import Words, pair_symbol
+from mechsheet.model import Driver, FurtherDriver, Words, pair_symbol
 from mechsheet.words.equations import body_words, phrase
 
 
@@ -35,11 +37,10 @@ class Joints:
 
     def _bearers(self) -> dict[str, str]:
         """The body with which each point is solved first: what hangs on the point is counted to it."""
-        graph, drive = self.poses.graph, self.found.drive
-        ground = self.mechanism.ground.name
-        order = [ground, *((drive.moving,) if drive.base == ground else ())]
-        for dyad in self.found.dyads:
-            order += [*dyad.first, *dyad.second]
+        graph = self.poses.graph
+        order = [self.mechanism.ground.name]
+        for step in self.found.order.steps:
+            order += bodies_of(step)
         found: dict[str, str] = {}
         for body in order:
             for point in graph.points[body]:
@@ -172,7 +173,7 @@ class Joints:
         return force
 
     def _of_one_group(self, one: str, other: str) -> bool:
-        return any({one, other} <= {*dyad.first, *dyad.second} for dyad in self.found.dyads)
+        return any({one, other} <= {*dyad.first, *dyad.second} for dyad in self.found.order.dyads)
 
     def _hold(self, body: str, force: Vector, couple: Node, at: Vector) -> None:
         self.contacts.setdefault(body, []).append(Force(force, at))
@@ -181,14 +182,17 @@ class Joints:
 
     # --- the driven joint -------------------------------------------------------------------------------------
 
-    def driving_torque(self, torque: Node) -> str:
+    def driving_torque(self, driver: Driver | FurtherDriver, torque: Node) -> str:
         """T12: of `relative_to` on the driven link."""
-        driver = self.mechanism.driver
         base = driver.relative_to or self.mechanism.ground.name
         name = pair_symbol("T", self._number(base), self._number(driver.link))
         label = phrase("driving_torque", one=self._words(base), other=self._words(driver.link))
-        self.columns.written(name, torque, self.columns.torque, label, "effort")
+        self.columns.written(name, torque, self.columns.torque, label, self._kind(driver.symbol))
         return name
+
+    def _kind(self, symbol: str) -> ForceKind:
+        """What the effort of a driver is to people who read it."""
+        return "effort" if symbol == self.mechanism.driver.symbol else "besides"
 
     def driven_slide(self, slide: Slide, moving: str, force: Vector, couple: Node) -> str:
         """F14.t along the line of the driven slide, F14.n across it, F14.c about its point: `force` is that on `moving`."""
@@ -197,7 +201,9 @@ class Joints:
         if moving != slide.body:
             force, couple = negative(force), al.neg(couple)
         unit = self.columns.force
-        self.columns.written(f"{name}.t", dot(force, d), unit, phrase("driving_force", **words), "effort")
+        self.columns.written(
+            f"{name}.t", dot(force, d), unit, phrase("driving_force", **words), self._kind(slide.joint.symbol)
+        )
         self.columns.black(f"{name}.n", dot(force, turned(d)), unit, phrase("normal_force", **words), "normal")
         if slide.joint.kind == "prismatic":
             label = phrase("couple", point=slide.joint.point, **words)

@@ -19,14 +19,16 @@ from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
+from mechsheet.dynamics.teeth import Teeth
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Unary
-from mechsheet.kinematics.assur import Dyad, Pin
+from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.motions import Motions
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.solve import Found
-from mechsheet.kinematics.vectors import Vector, cross, dot, minus, negative, plus, times, together, turned
+from mechsheet.kinematics.ties import Tied
+from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
 from mechsheet.words.equations import phrase
 
 
@@ -45,28 +47,33 @@ class Reactions:
     def __init__(self, found: Found) -> None:
         if found.rates.by_driver is None or found.poses.mechanism.dynamics is None:
             raise ValueError("forces need influence coefficients, and masses or loads")
-        self.found, self.poses, self.drive = found, found.poses, found.drive
+        self.found, self.poses = found, found.poses
         self.motions: Motions = found.rates.by_driver
         self.columns = Columns(self.poses, found.poses.mechanism.dynamics)
         self.acting = ActingForces(found, found.poses.mechanism.dynamics, self.columns)
         self.joints = Joints(found, self.acting, self.columns)
-        self.pair: Assembly = ()
-        ground = self.poses.mechanism.ground.name
-        if ground not in (self.drive.base, self.drive.moving):
-            self.pair = (self.drive.base, self.drive.moving)
+        self.teeth = Teeth(found, self.motions, self.acting, self.joints, self.columns)
 
-    def write(self) -> str:
-        """Write all columns down; the symbol of the driver's effort."""
-        effort = ""
-        for number in range(len(self.found.dyads), 0, -1):
-            self.poses.ledger.group = number
-            dyad = self.found.dyads[number - 1]
-            self._dyad(dyad, self.found.rates.determinants[number])
-            if self.pair and self.drive.moving in (*dyad.first, *dyad.second):
-                self._refuse_shared_pin(dyad)
-                effort = self._effort(self.drive.moving)
-        self.poses.ledger.group = 0
-        return effort or self._effort(self.drive.moving)
+    def write(self) -> dict[str, str]:
+        """Write all columns down; the symbols of the efforts, by that of what is driven."""
+        efforts: dict[str, str] = {}
+        ledger = self.poses.ledger
+        ledger.group = len(self.found.order.dyads)
+        for step in reversed(self.found.order.steps):
+            if isinstance(step, Drive):
+                efforts[step.symbol] = self._effort(step, on_known=True)
+            elif isinstance(step, Tied):
+                self.teeth.write(step)
+            elif isinstance(step, Dyad):  # Newton's method: refused before
+                self._dyad(step, self.found.rates.determinants[ledger.group])
+                for assembly in (step.first, step.second):
+                    if len(assembly) > 1:
+                        drive = self.found.order.pair(assembly)
+                        self._refuse_shared_pin(step, drive)
+                        efforts[drive.symbol] = self._effort(drive, on_known=False)
+                ledger.group -= 1
+        ledger.group = 0
+        return efforts
 
     # --- sums over an assembly --------------------------------------------------------------------------------
 
@@ -178,36 +185,48 @@ class Reactions:
 
     # --- the driver -------------------------------------------------------------------------------------------
 
-    def _refuse_shared_pin(self, dyad: Dyad) -> None:
+    def _refuse_shared_pin(self, dyad: Dyad, drive: Drive) -> None:
         pins = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
-        if isinstance(self.drive.joint, Pin) and self.drive.joint.point in pins:
-            point = self.drive.joint.point
+        if isinstance(drive.joint, Pin) and drive.joint.point in pins:
             message = (
-                f"the driver turns two moving links about {point}, where a third one is joined: no forces there yet"
+                f"the driver turns two moving links about {drive.joint.point}, where a third one is joined: "
+                "no forces there yet"
             )
             raise MechanismError(
                 Fault(message, key="driver.link", hint="take masses and loads away, or drive another link")
             )
 
-    def _effort(self, moving: str) -> str:
-        """The driven joint's own forces, from the equilibrium of the moving link alone."""
+    def _effort(self, drive: Drive, on_known: bool) -> str:
+        """The driven joint's own forces, from the equilibrium of the moving link alone.
+
+        on_known  whether its base was known before it; else both its sides are of one group
+        """
+        moving = drive.moving
         held: list[Force] = self.joints.contacts.get(moving, [])
         couples = self.joints.couples.get(moving, [])
-        joint = self.drive.joint
+        joint = drive.joint
         at = self.poses.xy[joint.point if isinstance(joint, Pin) else joint.joint.point]
-        if isinstance(joint, Pin) and not self.pair and not held:
+        ground = self.poses.mechanism.ground.name
+        if isinstance(joint, Pin) and drive.base == ground and not held:
             # alone it holds the link: its force is minus the sum of all others, which needs no columns besides
             acting = self.acting.of(moving)
             force = self.joints.outer(joint.point, moving, negative(together(each.vector for each in acting.forces)))
             acting.sum = negative(force)
-            return self.joints.driving_torque(al.neg(self.acting.moment(moving, at, whole=True)))
-        total = together((force.vector for force in held), self.acting.total(moving))
+            driver = self.poses.mechanism.driver_of(drive.symbol)
+            return self.joints.driving_torque(driver, al.neg(self.acting.moment(moving, at, whole=True)))
+        total = together((*(force.vector for force in held), self.acting.total(moving)))
         arms = al.total(cross(minus(force.at, at), force.vector) for force in held)
         moment = al.total([self.acting.moment(moving, at), al.mul(self.columns.metre, arms), *couples])
         if isinstance(joint, Pin):
-            if self.pair:
-                self.joints.inner_of_pair(joint.point, self.drive.base, moving, total)
-            else:
+            if on_known:
                 self.joints.outer(joint.point, moving, negative(total))
-            return self.joints.driving_torque(al.neg(moment))
+            else:
+                self.joints.inner_of_pair(joint.point, drive.base, moving, total)
+            torque = al.neg(moment)
+            if on_known and drive.base != ground:
+                self.acting.hang(drive.base, Force(NOWHERE, NOWHERE), moment)
+            driver = self.poses.mechanism.driver_of(drive.symbol)
+            return self.joints.driving_torque(driver, torque if driver.link == moving else moment)
+        if on_known and drive.base != ground:
+            self.acting.hang(drive.base, Force(total, at), moment)
         return self.joints.driven_slide(joint, moving, negative(total), al.neg(moment))

@@ -22,6 +22,7 @@ def _add_forces(found: Found) -> None:
     if found.poses.mechanism.dynamics is None:
         return
     reactions = Reactions(found)
-    effort = reactions.write()
-    effort_by_work(reactions.acting, found, effort)
+    efforts = reactions.write()
+    effort = efforts[found.order.drive.symbol]
+    effort_by_work(reactions.acting, found, efforts)
     Wholes(reactions.acting, found).write(effort)

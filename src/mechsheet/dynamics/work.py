@@ -2,15 +2,19 @@
 
     effort = -sum of (F . X' + T theta')        a prime is the derivative by the driver's variable
 
+the efforts of further drivers among the F and T,
+
 over their own places, not over the sums that the reactions are found from: a second way to the same number.
 Source: d'Alembert's principle; Soeylemez, Mechanisms, chapter 5.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from mechsheet.dynamics.acting import ActingForces
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.solve import Found
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
@@ -19,8 +23,11 @@ LONGEST = 4000
 """Characters of the formula; Excel takes 8192."""
 
 
-def effort_by_work(acting: ActingForces, found: Found, effort: str) -> None:
-    """Write the effort down, beside the one from the reactions, whose symbol is `effort`."""
+def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str]) -> None:
+    """Write the driver's effort down, beside the one from the reactions.
+
+    efforts  the symbols of the efforts from the reactions, by that of what is driven: what further drivers do is known
+    """
     motions, columns = found.rates.by_driver, acting.columns
     if motions is None:
         raise ValueError("virtual work needs influence coefficients")
@@ -34,6 +41,11 @@ def effort_by_work(acting: ActingForces, found: Found, effort: str) -> None:
             works += [al.mul(part, way) for part, way in zip(force.vector, moved, strict=True)]
         turning = motions.turning[link.name].first
         turnings += [al.mul(couple, turning) for couple in couples]
+    mechanism = found.poses.mechanism
+    effort = efforts[mechanism.driver.symbol]
+    for driver in mechanism.drivers:
+        other = al.mul(Symbol(efforts[driver.symbol]), motions.rates.of_drive(driver.symbol).first)
+        (works if driver.joint else turnings).append(other)
     slides = bool(found.poses.mechanism.driver.joint)
     if slides:
         turnings = [al.div(turning, columns.metre) for turning in turnings]

@@ -157,6 +157,9 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     given = (driver.symbol, *mechanism.given_by_row)
     lists = dict(zip(mechanism.driver_rates, (driver.speeds, driver.accelerations), strict=True))
     listed = {name: tuple(quantity(each, NUMBER) for each in values) for name, values in lists.items() if values}
+    listed |= {
+        each.symbol: tuple(quantity(one, each.unit) for one in each.values) for each in mechanism.drivers if each.values
+    }
     wanted = [*given, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
     wanted += [column.symbol for column in columns]
     return Program(

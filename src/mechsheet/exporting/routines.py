@@ -92,6 +92,9 @@ class Source:
         ]
         driver = self.mechanism.driver
         given.append(Parameter(driver.symbol, Words("driver", "tahrik"), driver.unit.internal))
+        for symbol in self.mechanism.listed_symbols:
+            besides = self.mechanism.driver_of(symbol)
+            given.append(Parameter(symbol, Words("driven besides", "ayrıca tahrik edilen"), besides.unit.internal))
         words = {group.mode: group.label for group in self.equations.groups if group.mode}
         return (*given, *(Parameter(mode, label, NUMBER) for mode, label in words.items()))
 

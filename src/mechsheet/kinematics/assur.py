@@ -14,9 +14,10 @@ from typing import Literal
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph, Slide
-from mechsheet.kinematics.mobility import stiff_faults
+from mechsheet.kinematics.mobility import listed_names, stiff_faults
 from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
-from mechsheet.model import Driver, Mechanism
+from mechsheet.kinematics.ties import Tied, next_tied
+from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,11 +32,25 @@ Contact = Pin | Slide
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """The driven joint: `moving` against `base` (by angle about `joint`, or along it)."""
+    """A driven joint: `moving` against `base` (by angle about `joint`, or along it).
+
+    symbol  of what is driven;  positive  True where the angle is that of `moving` from `base`, for a slide always
+    """
 
     base: str
     moving: str
     joint: Contact
+    symbol: str = ""
+    positive: bool = True
+
+    @property
+    def bodies(self) -> tuple[str, str]:
+        """Both."""
+        return (self.base, self.moving)
+
+    def reverse(self) -> Drive:
+        """The same, the other body moving."""
+        return Drive(self.moving, self.base, self.joint, self.symbol, not self.positive)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,77 +82,175 @@ class Dyad:
         return (*self.first, *self.second)
 
 
+Step = Drive | Tied | Dyad | Chain
+Bodies = tuple[str, ...]
+
+
 @dataclass(frozen=True, slots=True)
 class Order:
-    """The driven joint, and the dyads in order. When `drive.base` is not the ground both sides move as one assembly, and
-    dyads that are joined to it alone move with it."""
+    """All driven joints, the driver's first, and the steps in order. Dyads that are joined to both sides of a driven joint
+    alone move with these.
 
-    drive: Drive
-    dyads: tuple[Dyad | Chain, ...]
+    A driven joint is a step of its own where one side of it is known before; otherwise both its sides move as one assembly.
+    """
+
+    drives: tuple[Drive, ...]
+    steps: tuple[Step, ...]
+
+    @property
+    def drive(self) -> Drive:
+        """The driver's own."""
+        return self.drives[0]
+
+    @property
+    def dyads(self) -> tuple[Dyad, ...]:
+        """The steps that are dyads."""
+        return tuple(step for step in self.steps if isinstance(step, Dyad))
+
+    def pair(self, assembly: tuple[str, ...]) -> Drive:
+        """The driven joint inside an assembly of bodies."""
+        return next(drive for drive in self.drives if {*drive.bodies} <= {*assembly})
 
 
 def order_of(mechanism: Mechanism, graph: Graph) -> Order:
-    """How the mechanism is solved. MechanismError when the driver drives no joint, or a group is not of class II."""
-    drive = _drive(mechanism, graph)
-    ground = mechanism.ground.name
-    assemblies: list[tuple[str, ...]] = []
-    solved = {ground}
-    if drive.base == ground:
-        solved.add(drive.moving)
-    else:
-        assemblies.append((drive.base, drive.moving))
-    grouped = solved | {drive.base, drive.moving}
-    assemblies += [(body,) for body in graph.bodies if body not in grouped]
-    assemblies.sort(key=lambda bodies: graph.bodies.index(bodies[0]))
-    groups: list[Dyad | Chain] = []
-    driven: tuple[str, ...] = (drive.base, drive.moving)
+    """How the mechanism is solved. MechanismError when a driver drives no joint, or a group takes too many unknowns."""
+    drives = tuple(_drive(mechanism, driver, graph) for driver in mechanism.all_drivers)
+    clusters: dict[Drive, Bodies] = {drive: drive.bodies for drive in drives}
+    solved = {mechanism.ground.name}
+    steps: list[Step] = []
     force = mechanism.solution.force
-    while assemblies:
-        dyad = None if force else _next_dyad(graph, assemblies, solved)
-        moving = dyad is None and not force and driven in assemblies
-        if moving and (inside := _within(graph, assemblies, driven, solved)) is not None:
-            # A closed form, so it comes before any group that must be solved by iteration: pair and dyad are one link now.
-            groups.append(inside)
-            assemblies = [bodies for bodies in assemblies if bodies not in (driven, inside.first, inside.second)]
-            driven = inside.whole
-            assemblies.insert(0, driven)
-            continue
-        group = dyad or _next_chain(graph, assemblies, solved, force)
-        groups.append(group)
-        assemblies = [bodies for bodies in assemblies if bodies not in group.assemblies]
-        solved.update(group.bodies)
-    return Order(drive, tuple(groups))
+    while len(solved) < len(graph.bodies):
+        pending = [drive for drive in drives if not {*drive.bodies} <= solved]
+        step: Step | None = _next_drive(pending, solved)
+        if step is None:
+            done = [relation for step in steps if isinstance(step, Tied) for relation in step.relations]
+            step = next_tied(graph, done, solved, _oriented(graph, pending, solved))
+        if step is None:
+            assemblies = _assemblies(graph, [clusters[drive] for drive in pending], solved)
+            if not force:
+                step = _next_dyad(graph, assemblies, solved) or _grown(graph, assemblies, pending, clusters, solved)
+            step = step or _next_chain(graph, assemblies, steps, solved, force)
+        steps.append(step)
+        solved.update(bodies_of(step))
+    return Order(drives, tuple(steps))
 
 
-def _next_chain(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str], force: bool) -> Chain:
+def _next_chain(graph: Graph, assemblies: list[Bodies], steps: list[Step], solved: set[str], force: bool) -> Chain:
     """The smallest group that Newton's method solves; `force` takes dyads so, too."""
     stiff = stiff_faults(graph)
+    if stiff:
+        raise MechanismError(stiff)
     try:
-        chain = None if stiff else next_chain(graph, assemblies, solved, 2 if force else 4)
+        chain = next_chain(graph, assemblies, solved, 2 if force else 4)
     except TooManyUnknownsError as error:
-        raise MechanismError(_too_large(error.assemblies)) from error
+        raise MechanismError(_tied_too_deep(graph, steps) or [_too_large(error.assemblies)]) from error
     if chain is None:
-        raise MechanismError(stiff or [_too_large(assemblies)])
+        raise MechanismError(_tied_too_deep(graph, steps) or [_too_large(assemblies)])
+    inside = _tied_too_deep(graph, steps, {*solved, *chain.bodies})
+    if inside:
+        raise MechanismError(inside)
     return chain
 
 
-def _drive(mechanism: Mechanism, graph: Graph) -> Drive:
-    driver = mechanism.driver
+def _grown(
+    graph: Graph,
+    assemblies: list[Bodies],
+    pending: list[Drive],
+    clusters: dict[Drive, Bodies],
+    solved: set[str],
+) -> Dyad | None:
+    """A dyad on both sides of a driven joint, which are one link with it from now on.
+
+    A closed form, so it comes before any group that must be solved by iteration.
+    """
+    for drive in pending:
+        inside = _within(graph, assemblies, clusters[drive], solved)
+        if inside is not None:
+            clusters[drive] = inside.whole
+            return inside
+    return None
+
+
+def bodies_of(step: Step) -> tuple[str, ...]:
+    """The bodies that are known after a step."""
+    match step:
+        case Drive():
+            return step.bodies
+        case Tied():
+            return tuple(held.body for held in step.bodies)
+        case Chain():
+            return step.bodies
+        case Dyad():  # one that moves with a driven pair is known when that is
+            return () if step.frame else (*step.first, *step.second)
+
+
+def _next_drive(pending: list[Drive], solved: set[str]) -> Drive | None:
+    """The first driven joint of which one side is known."""
+    for drive in pending:
+        if drive.base in solved:
+            return drive
+        if drive.moving in solved:
+            return drive.reverse()
+    return None
+
+
+def _oriented(graph: Graph, pending: list[Drive], solved: set[str]) -> set[str]:
+    """Bodies whose angle is known: solved ones, those that slide on such a one, those that are driven from such a one."""
+    found = set(solved)
+    ways = [(slide.body, slide.on) for slide in graph.slides if slide.body not in graph.blocks]
+    ways += [drive.bodies for drive in pending]
+    for _ in ways:
+        for one, other in ways:
+            if one in found or other in found:
+                found |= {one, other}
+    return found
+
+
+def _assemblies(graph: Graph, pairs: list[Bodies], solved: set[str]) -> list[Bodies]:
+    """What is not solved, in the description's order: bodies alone, and both sides of a driven joint with what moves with
+    them; of these the larger ones first."""
+    grouped = [body for pair in pairs for body in pair]
+    twice = [body for body in grouped if grouped.count(body) > 1]
+    if twice:
+        message = f'"{twice[0]}" is driven against two links that move with it: such a chain is not supported yet'
+        raise MechanismError(
+            Fault(message, key="drivers", hint="let one of the driven joints be on a link that is known")
+        )
+    found = [*pairs, *((body,) for body in graph.bodies if body not in solved and body not in grouped)]
+    return sorted(found, key=lambda bodies: -1 if len(bodies) > 2 else graph.bodies.index(bodies[0]))
+
+
+def _tied_too_deep(graph: Graph, steps: list[Step], known: set[str] | None = None) -> list[Fault]:
+    """Gears that could not be used: they stand inside a group. `known`: only such as tie nothing but these bodies."""
+    done = [relation for step in steps if isinstance(step, Tied) for relation in step.relations]
+    left = [relation for relation in graph.relations if relation not in done]
+    if known is not None:
+        left = [relation for relation in left if {*graph.tied(relation)} <= known]
+    if not left:
+        return []
+    names = listed_names(graph.tied(left[0]))
+    kind = "rack" if isinstance(left[0], Rack) else left[0].kind
+    message = f"the {kind} between {names} ties links of a group that must be solved all at once: not supported yet"
+    hint = "a gear is solved where all but one of the angles that it ties are known"
+    return [Fault(message, key=f"joints.{left[0].order}", hint=hint)]
+
+
+def _drive(mechanism: Mechanism, driver: Driver | FurtherDriver, graph: Graph) -> Drive:
     ground = mechanism.ground.name
     if driver.joint:
         slide = next(slide for slide in graph.slides if slide.joint.name == driver.joint)
-        base, moving = (slide.body, slide.on) if slide.body == ground else (slide.on, slide.body)
-        return Drive(base, moving, slide)
+        if slide.body == ground:
+            return Drive(slide.body, slide.on, slide, driver.symbol)
+        return Drive(slide.on, slide.body, slide, driver.symbol)
     shared = [point for point in graph.points[driver.link] if point in graph.points[driver.relative_to]]
     if not shared:
         raise MechanismError(_no_pivot(driver, graph))
-    base, moving = driver.relative_to, driver.link
-    if moving == ground:
-        base, moving = moving, base
-    return Drive(base, moving, Pin(shared[0]))
+    if driver.link == ground:
+        return Drive(driver.link, driver.relative_to, Pin(shared[0]), driver.symbol, False)
+    return Drive(driver.relative_to, driver.link, Pin(shared[0]), driver.symbol)
 
 
-def _no_pivot(driver: Driver, graph: Graph) -> Fault:
+def _no_pivot(driver: Driver | FurtherDriver, graph: Graph) -> Fault:
     neighbours = [
         body
         for body in graph.bodies
@@ -146,7 +259,7 @@ def _no_pivot(driver: Driver, graph: Graph) -> Fault:
     return Fault(
         f'link "{driver.link}" and link "{driver.relative_to}" share no point: '
         "a link can only be turned about a revolute joint",
-        key="driver.link",
+        key="driver.link" if isinstance(driver, Driver) else f"drivers.{driver.order}.link",
         hint=f'"{driver.link}" is joined to {", ".join(neighbours) or "no link"}: name one of them as relative_to',
     )
 

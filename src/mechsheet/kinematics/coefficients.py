@@ -19,12 +19,14 @@ from dataclasses import dataclass, field, replace
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
-from mechsheet.kinematics.assur import Drive, Dyad, Pin
+from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cell_lengths import LONGEST, CellLengths
 from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.motions import Meeting, Motions, PointRate, Rate
 from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.ties import Held, Tied, solved_for
 from mechsheet.kinematics.vectors import Vector, cross, minus, plus, size, times
 from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
 from mechsheet.units import LENGTH, NUMBER, RAD, Unit
@@ -32,6 +34,9 @@ from mechsheet.words.equations import link_words, phrase
 
 INLINE = 75
 """Characters of a point's rate that is written where it is read."""
+
+SHORT = 30
+"""Characters of a constant coefficient that is written where it is read."""
 
 _COEFFICIENTS = (".d", ".dd")
 
@@ -90,14 +95,15 @@ def primed(symbol: str) -> Rate:
 
 
 class _ByDriver:
-    """Derivatives by the driver's variable."""
+    """Derivatives by the driver's variable; `driven`: those of what is driven."""
 
-    def __init__(self) -> None:
+    def __init__(self, driver: str) -> None:
         self.points: dict[str, PointRate] = {}
         self.unknown: dict[str, None] = {}
+        self.driven = {driver: Rate(al.ONE, al.ZERO)}
 
-    def of_driver(self) -> Rate:
-        return Rate(al.ONE, al.ZERO)
+    def of_drive(self, symbol: str) -> Rate:
+        return self.driven[symbol]
 
     def of(self, symbol: str) -> Rate:
         self.unknown |= dict.fromkeys(f"{symbol}{part}" for part in _COEFFICIENTS)
@@ -111,15 +117,15 @@ class _ByDriver:
 
 
 class _ByTime:
-    """Derivatives by time, over velocities and accelerations that have columns."""
+    """Derivatives by time, over velocities and accelerations that have columns; `driven`: those of what is driven."""
 
-    def __init__(self, mechanism: Mechanism, points: Mapping[str, PointRate]) -> None:
-        self.driver = Rate(*(Symbol(name) for name in mechanism.driver_rates))
+    def __init__(self, mechanism: Mechanism, points: Mapping[str, PointRate], driven: Mapping[str, Rate]) -> None:
+        self.driven, self.driver = driven, driven[mechanism.driver.symbol]
         self.angles = {link.angle_symbol for link in mechanism.links}
         self.points = points
 
-    def of_driver(self) -> Rate:
-        return self.driver
+    def of_drive(self, symbol: str) -> Rate:
+        return self.driven[symbol]
 
     def of(self, symbol: str) -> Rate:
         return Rate(*(Symbol(name) for name in rate_symbols(symbol, symbol in self.angles)))
@@ -169,35 +175,41 @@ class Written:
     determinants: Mapping[int, Node] = field(default_factory=dict)
 
 
-def add_rates(poses: Poses, drive: Drive, dyads: Sequence[tuple[Dyad, Solved]]) -> Written:
-    """Write all equations of velocities and accelerations down, behind those of positions."""
-    return _Writer(poses, drive, dyads).write()
+def add_rates(poses: Poses, order: Order, solved: Sequence[Solved]) -> Written:
+    """Write all equations of velocities and accelerations down, behind those of positions; `solved`: of each dyad."""
+    return _Writer(poses, order, solved).write()
 
 
 class _Writer:
-    def __init__(self, poses: Poses, drive: Drive, dyads: Sequence[tuple[Dyad, Solved]]) -> None:
-        self.poses, self.drive, self.dyads = poses, drive, dyads
+    def __init__(self, poses: Poses, order: Order, solved: Sequence[Solved]) -> None:
+        self.poses, self.order, self.solved = poses, order, solved
         self.mechanism, self.ledger = poses.mechanism, poses.ledger
         self.timed = self.mechanism.driver.speed is not None
         self.asked = asked(self.mechanism)
         self.points = points_of(self.mechanism)
         self.angles = {link.angle_symbol for link in self.mechanism.links}
-        self.names = _ByDriver()
+        self.names = _ByDriver(self.mechanism.driver.symbol)
         self.determinants: dict[int, Node] = {}
         self.cells = CellLengths(self.mechanism, self.ledger)
         self.shown: set[Node] = {al.ZERO, al.ONE}
         self.ledger.group = 0
-        self.motions = Motions(poses, drive, self.names)
-        self.pair = Motions(poses, drive, self.names, drive.base)
+        self.motions = Motions(poses, order, self.names)
+        self.pairs = {drive: Motions(poses, order, self.names, drive) for drive in _clustered(order)}
         lengths = self.mechanism.driver.joint
         self.per = self.mechanism.length_unit if lengths else ""
 
     def write(self) -> Written:
         self._driver()
-        self._after_group()
-        for number, (dyad, solved) in enumerate(self.dyads, 1):
-            self.ledger.group = number
-            self._dyad(dyad, solved)
+        self._further_drivers()
+        for step in self.order.steps:
+            match step:
+                case Drive():
+                    self.motions.drive(step)
+                case Tied():
+                    self._tie(step)
+                case Dyad():
+                    self.ledger.group += 1
+                    self._dyad(step, self.solved[self.ledger.group - 1])
             self._after_group()
         found = self._by_time_alone() if self.timed else Written({}, {})
         return replace(found, by_driver=self.motions, determinants=self.determinants)
@@ -215,6 +227,55 @@ class _Writer:
                 label = phrase("driver_speed" if order == 1 else "driver_acceleration")
                 self.ledger.define(name, node, self._rate_unit(not driver.joint, order), label, "rate")
 
+    def _further_drivers(self) -> None:
+        """How what is driven besides moves with the driver."""
+        own = self.mechanism.driver.symbol
+        follows: dict[str, Node] = {}
+        for driver in self.mechanism.drivers:
+            if driver.follows is None:
+                continue
+            node = transform(
+                driver.follows, lambda part: follows.get(part.name, part) if isinstance(part, Symbol) else part
+            )
+            follows[driver.symbol] = node
+            first = derivative(node, own)
+            rate = Rate(first, derivative(first, own))
+            self.names.driven[driver.symbol] = self._in_columns(driver.symbol, rate, not driver.joint)
+
+    def _in_columns(self, symbol: str, rate: Rate, turns: bool) -> Rate:
+        """Coefficients in cells of their own where they are no short constants; and the rates by time, that people read."""
+        if all(self.ledger.is_constant(node) and self.length(node) <= SHORT for node in (rate.first, rate.second)):
+            own = rate
+        else:
+            for order, node in enumerate((rate.first, rate.second), 1):
+                self._coefficient(symbol, order, node, turns)
+            own = self.names.of(symbol)
+        if self.timed:
+            for order, node in enumerate(self._by_time(own), 1):
+                name = rate_symbols(symbol, turns)[order - 1]
+                words = self._rate_words(symbol, turns, order)
+                self.ledger.define(name, node, self._rate_unit(turns, order), words, "rate")
+        return own
+
+    def _tie(self, tied: Tied) -> None:
+        """What gears and racks decide: they tie rates as they tie angles and displacements, without the phase."""
+
+        def slid(symbol: str) -> Rate:
+            return self.names.driven.get(symbol) or self.names.of(symbol)
+
+        first = solved_for(tied, lambda name: self.motions.of_tie(name, slid).first, self.ledger.number, False)
+        second = solved_for(tied, lambda name: self.motions.of_tie(name, slid).second, self.ledger.number, False)
+        rates = {}
+        for held in tied.bodies:
+            turns = not isinstance(held.at, Slide)
+            symbol = self._symbol(held)
+            rates[held.variable] = self._in_columns(symbol, Rate(first[held.variable], second[held.variable]), turns)
+        self.motions.tie(tied, rates)
+
+    def _symbol(self, held: Held) -> str:
+        """Of what a gear or a rack decides."""
+        return held.variable if isinstance(held.at, Slide) else self.poses.links[held.body].angle_symbol
+
     def _rate_unit(self, turns: bool, order: int) -> Unit:
         unit = (RAD if turns else LENGTH).per_time()
         return unit if order == 1 else unit.per_time()
@@ -223,7 +284,7 @@ class _Writer:
 
     def _dyad(self, dyad: Dyad, solved: Solved) -> None:
         if dyad.frame:
-            meeting = self.pair.meet_within(dyad)
+            meeting = self.pairs[self.order.pair(dyad.frame)].meet_within(dyad)
             self.angles.update(meeting.unknowns)
             once, twice = (self._cramer(meeting, order) for order in (1, 2))
             self._solve(solved, meeting, once, twice, timed=False)
@@ -318,8 +379,8 @@ class _Writer:
         self.cells.own.add(name)
         return self.ledger.define(name, node, unit, label, "coefficient", exists)
 
-    def _coefficient(self, symbol: str, order: int, node: Node) -> None:
-        turns = symbol in self.angles
+    def _coefficient(self, symbol: str, order: int, node: Node, turns: bool | None = None) -> None:
+        turns = symbol in self.angles if turns is None else turns
         label = phrase("coefficient", symbol=symbol, order=_order(order))
         name = f"{symbol}{_COEFFICIENTS[order - 1]}"
         self.ledger.define(name, node, self._unit(0 if turns else 1, order), label, "coefficient")
@@ -337,7 +398,9 @@ class _Writer:
     def _rate_words(self, symbol: str, turns: bool, order: int) -> Words:
         if not turns:
             return phrase("sliding_velocity" if order == 1 else "sliding_acceleration", symbol=symbol)
-        link = next(link for link in self.mechanism.links if link.angle_symbol == symbol)
+        link = next((link for link in self.mechanism.links if link.angle_symbol == symbol), None)
+        if link is None:  # driven against another link than the ground
+            link = next(self.poses.links[driver.link] for driver in self.mechanism.drivers if driver.symbol == symbol)
         key = "angular_velocity" if order == 1 else "angular_acceleration"
         return phrase(key, number=str(link.number), link=link_words(link))
 
@@ -416,12 +479,26 @@ class _Writer:
 
     def _by_time_alone(self) -> Written:
         """How fast each link turns; of each group by how much its two ways to the closing point differ."""
-        names = _ByTime(self.mechanism, self.names.points)
-        motions, pair = Motions(self.poses, self.drive, names), Motions(self.poses, self.drive, names, self.drive.base)
+        names = {self.mechanism.driver.symbol: Rate(*(Symbol(name) for name in self.mechanism.driver_rates))}
+        for driver in self.mechanism.drivers:
+            names[driver.symbol] = Rate(*(Symbol(name) for name in rate_symbols(driver.symbol, not driver.joint)))
+        by_time = _ByTime(self.mechanism, self.names.points, names)
+        motions = Motions(self.poses, self.order, by_time)
+        pairs = {drive: Motions(self.poses, self.order, by_time, drive) for drive in self.pairs}
         found = {}
-        for number, (dyad, _) in enumerate(self.dyads, 1):
+        number = 0
+        for dyad in self.order.steps:
+            if isinstance(dyad, Drive):
+                motions.drive(dyad)
+                continue
+            if isinstance(dyad, Tied):
+                motions.tie(dyad, {held.variable: by_time.of(self._symbol(held)) for held in dyad.bodies})
+                continue
+            if not isinstance(dyad, Dyad):  # Newton's method: refused before
+                continue
+            number += 1
             if dyad.frame:
-                meeting = pair.meet_within(dyad)
+                meeting = pairs[self.order.pair(dyad.frame)].meet_within(dyad)
             else:
                 pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
                 meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
@@ -432,6 +509,11 @@ class _Writer:
             for link in self.mechanism.links[1:]
         }
         return Written(found, turning, by_time=motions)
+
+
+def _clustered(order: Order) -> list[Drive]:
+    """Driven pairs with which dyads move."""
+    return list(dict.fromkeys(order.pair(dyad.frame) for dyad in order.dyads if dyad.frame))
 
 
 def _order(order: int) -> Words:

@@ -31,6 +31,22 @@ def given_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> dict[
     return {driver.symbol: np.asarray(start + step * np.arange(count), dtype=np.float64)}
 
 
+def listed_values(mechanism: Mechanism, dimensions: Mapping[str, float], driver: Array) -> dict[str, Array]:
+    """What is driven besides and has its values listed, row by row, at values of the driver: its own, or the first of them.
+
+    At other values of the driver it has those of the rows around them.
+    """
+    if not mechanism.listed_symbols:
+        return {}
+    given = given_values(mechanism, dimensions)
+    own = given[mechanism.driver.symbol]
+    besides = {symbol: given[symbol] for symbol in mechanism.listed_symbols}
+    if np.array_equal(driver, own[: len(driver)]):
+        return {symbol: column[: len(driver)] for symbol, column in besides.items()}
+    order = np.argsort(own, kind="stable")
+    return {symbol: np.interp(driver, own[order], column[: len(own)][order]) for symbol, column in besides.items()}
+
+
 def given_at(mechanism: Mechanism, dimensions: Mapping[str, float], places: Array) -> dict[str, Array]:
     """The same of a motion law at places between the rows, which count from 1."""
     driver, law = mechanism.driver, mechanism.driver.law

@@ -34,10 +34,10 @@ FORCES: tuple[Role, ...] = ("dynamic", "force")
 INNER: tuple[Role, ...] = ("intermediate", "coefficient", "dynamic")
 """Roles of columns in quieter ink: nobody but other columns reads them."""
 
-ForceKind = Literal["", "effort", "work", "size", "part", "normal", "couple", "whole", "center"]
-"""What a column of forces is: the driver's effort from the reactions, and by virtual work; of a pin's force the size and the
-parts; of a slide the normal force and the couple; where somebody asks, what holds for the whole mechanism (power, shaking
-force) and the motion of a mass centre."""
+ForceKind = Literal["", "effort", "work", "besides", "size", "part", "normal", "couple", "whole", "center"]
+"""What a column of forces is: the driver's effort from the reactions, and by virtual work; that of a further driver; of a
+pin's force the size and the parts; of a slide, or of teeth along their pitch line, the normal force, and the couple; where
+somebody asks, what holds for the whole mechanism (power, shaking force) and the motion of a mass centre."""
 
 JOINT_FORCES: tuple[ForceKind, ...] = ("size", "normal")
 """With what joints hold the links."""
@@ -244,6 +244,9 @@ class Equations:
     fits       by number of a group what is 0 in every row: how far its velocities (two parts), its accelerations (two parts)
                are from fitting together, over points, velocities and accelerations
     turning    how fast each link turns, by the symbol of its angle: its angular velocity and acceleration
+    listed     further drivers whose values are listed, row by row: each is itself
+    tied       what gears, racks and further drivers decide, by symbol: it turns as fast as they say, and need not repeat
+               itself with every turn of the driver
     """
 
     constants: tuple[Equation, ...]
@@ -254,6 +257,8 @@ class Equations:
     poses: Mapping[str, LinkPose] = field(default_factory=dict)
     fits: Mapping[int, tuple[Node, Node, Node, Node]] = field(default_factory=dict)
     turning: Mapping[str, tuple[Node, Node]] = field(default_factory=dict)
+    listed: tuple[Equation, ...] = ()
+    tied: tuple[str, ...] = ()
 
     @property
     def all(self) -> tuple[Equation, ...]:
@@ -272,11 +277,11 @@ class Equations:
     @property
     def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces: not the parts, nor the effort once more."""
-        return self.forces("effort", *JOINT_FORCES, "couple", "whole", "center")
+        return self.forces("effort", "besides", *JOINT_FORCES, "couple", "whole", "center")
 
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""
-        return next(equation for equation in self.all if equation.symbol == symbol)
+        return next(equation for equation in (*self.all, *self.listed) if equation.symbol == symbol)
 
 
 def validate(equations: Equations, given: tuple[str, ...]) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.model import Joint, Mechanism
+from mechsheet.model import Gear, Joint, Mechanism, Relation
 from mechsheet.words.equations import BLOCK
 
 
@@ -29,13 +29,26 @@ class Slide:
 class Graph:
     """Bodies in order (ground first), the points of each, and the slides between them.
 
-    blocks  names of the bodies that are blocks of pin-slot joints, mapped to their joint
+    blocks     names of the bodies that are blocks of pin-slot joints, mapped to their joint
+    relations  gears, belts and racks: each takes one freedom from the bodies that it ties
     """
 
     bodies: tuple[str, ...]
     points: dict[str, tuple[str, ...]]
     slides: tuple[Slide, ...]
     blocks: dict[str, Joint]
+    relations: tuple[Relation, ...] = ()
+
+    def slide(self, symbol: str) -> Slide:
+        """The sliding joint with this displacement."""
+        return next(slide for slide in self.slides if slide.joint.symbol == symbol)
+
+    def tied(self, relation: Relation) -> tuple[str, ...]:
+        """The bodies whose motion against each other a relation ties."""
+        if isinstance(relation, Gear):
+            return relation.turning
+        slide = self.slide(relation.joint)
+        return tuple(dict.fromkeys((relation.link, slide.body, slide.on)))
 
     def bodies_at(self, point: str) -> tuple[str, ...]:
         """Bodies that share a point."""
@@ -71,4 +84,4 @@ def graph_of(mechanism: Mechanism) -> Graph:
     bodies: list[str] = []
     for link in mechanism.links:
         bodies += [link.name, *after.get(link.name, [])]
-    return Graph(tuple(bodies), points, tuple(slides), blocks)
+    return Graph(tuple(bodies), points, tuple(slides), blocks, mechanism.relations)

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Binary, Node, Number, Symbol, Unary
-from mechsheet.kinematics.assur import Contact, Dyad, Pin
+from mechsheet.kinematics.assur import Contact, Dyad, Pin, Step, bodies_of
 from mechsheet.kinematics.closures import NO_LOOP, Loop, Vector
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.places import Place, angle_of
@@ -35,18 +35,16 @@ class _Step:
         return _Step(self.body, self.end, self.start)
 
 
-def loops_of(poses: Poses, dyads: Iterable[Dyad | Chain]) -> tuple[Loop, ...]:
+def loops_of(poses: Poses, steps: Iterable[Step]) -> tuple[Loop, ...]:
     """The loop of each dyad, in order of solution; none of a group that Newton's method solves."""
     mechanism = poses.mechanism
     driver = mechanism.driver
     solved = {mechanism.ground.name}
-    grouped = {body for dyad in dyads for body in dyad.bodies}
-    solved |= {body for body in poses.graph.bodies if body not in grouped}
     found = []
-    for dyad in dyads:
-        if isinstance(dyad, Chain):
-            found.append(NO_LOOP)
-            solved |= {*dyad.bodies}
+    for dyad in steps:
+        if not isinstance(dyad, Dyad):
+            found += [NO_LOOP] if isinstance(dyad, Chain) else []
+            solved.update(bodies_of(dyad))
             continue
         # a dyad on the driven pair closes over the pair, seen from the link in whose frame it is solved
         angles = {body: poses.members[body].angle if dyad.frame else pose.angle for body, pose in poses.known.items()}

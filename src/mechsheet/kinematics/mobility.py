@@ -1,6 +1,7 @@
 """Gruebler's count, and in words what is wrong when it is not the number of drivers.
 
-M = 3 (n - 1) - 2 (revolute + prismatic) - (pin-slot), a point that k links share counting as k - 1 revolute joints.
+M = 3 (n - 1) - 2 (revolute + prismatic) - (pin-slot) - (gears, belts, racks), a point that k links share counting as k - 1
+revolute joints.
 With the massless block of a pin-slot joint counted as a body the same number comes out of 3 (n - 1) - 2 j.
 Source: Gruebler's criterion for planar mechanisms (any text on mechanisms).
 """
@@ -9,7 +10,7 @@ from __future__ import annotations
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph
-from mechsheet.model import Mechanism
+from mechsheet.model import Gear, Mechanism
 
 LARGEST_PART = 5
 """Parts of up to this many bodies are searched for joints too many: larger rigid parts are rare and slow to find."""
@@ -23,16 +24,19 @@ def mobility(graph: Graph, bodies: tuple[str, ...] | None = None) -> int:
     inside = graph.bodies if bodies is None else bodies
     pins = sum(max(0, sum(point in graph.points[body] for body in inside) - 1) for point, _ in graph.pins)
     slides = sum(slide.body in inside and slide.on in inside for slide in graph.slides)
-    return 3 * (len(inside) - 1) - 2 * pins - 2 * slides
+    ties = sum(all(body in inside for body in graph.tied(relation)) for relation in graph.relations)
+    return 3 * (len(inside) - 1) - 2 * pins - 2 * slides - ties
 
 
 def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
-    """Raise MechanismError, naming links, unless the mechanism has one degree of freedom."""
+    """Raise MechanismError, naming links, unless the mechanism has as many degrees of freedom as drivers."""
     count = mobility(graph)
-    if count == 1:
+    drivers = 1 + len(mechanism.drivers)
+    if count == drivers:
         return
-    faults = [Fault(_count_message(mechanism, graph, count), key="links", hint=_count_hint(count))]
+    faults = [Fault(_count_message(mechanism, graph, count), key="links", hint=_count_hint(count, drivers))]
     faults += stiff_faults(graph)
+    faults += _driven_twice(mechanism) if count < drivers else []
     faults += [
         Fault(
             f'"{body}" is loose: it has too few joints to be held by the rest',
@@ -56,12 +60,21 @@ def _count_message(mechanism: Mechanism, graph: Graph, count: int) -> str:
     slots = len(mechanism.joints) - prismatic
     revolute -= slots  # the block's own pin is part of the pin-slot joint
     terms = f"3 x ({links} - 1) - 2 x {revolute} revolute - 2 x {prismatic} prismatic - {slots} pin-slot"
-    return f"the mobility is {count}, but one driver needs 1: {terms} = {count}"
+    terms += f" - {len(graph.relations)} gear, belt or rack" if graph.relations else ""
+    drivers = 1 + len(mechanism.drivers)
+    need = "one driver needs 1" if drivers == 1 else f"{drivers} drivers need {drivers}"
+    return f"the mobility is {count}, but {need}: {terms} = {count}"
 
 
-def _count_hint(count: int) -> str:
-    if count > 1:
-        return f"{count} drivers would be needed, one is given: join the loose links, or remove {count - 1} of the freedoms"
+def _count_hint(count: int, drivers: int) -> str:
+    if count > drivers:
+        given = "one is given" if drivers == 1 else f"{drivers} are given"
+        return (
+            f"{count} drivers would be needed, {given}: join the loose links, remove {count - drivers} of the freedoms, "
+            "or add [[drivers]]"
+        )
+    if 0 < count < drivers:
+        return f"one driver too many: take {drivers - count} of the drivers away"
     if count == 0:
         return "it is a structure: nothing can move. Remove a joint, or a link with two joints"
     return (
@@ -93,6 +106,22 @@ def _stiff(graph: Graph) -> list[tuple[str, ...]]:
     return [tuple(body for body in graph.bodies if body in part) for part in found]
 
 
+def _driven_twice(mechanism: Mechanism) -> list[Fault]:
+    """Drivers of links that gears tie to what other drivers drive."""
+    driven = {driver.link for driver in mechanism.all_drivers if driver.link}
+    faults = []
+    for relation in mechanism.relations:
+        both = [name for name in relation.turning if name in driven]
+        if isinstance(relation, Gear) and {*relation.turning} <= driven | {mechanism.ground.name} and both:
+            message = (
+                f"a {relation.kind} ties {listed_names(tuple(both))}, and each of them is driven: they cannot all be"
+            )
+            faults.append(
+                Fault(message, key=f"joints.{relation.order}", hint="take the gear or one of the drivers away")
+            )
+    return faults
+
+
 def _neighbours(graph: Graph, body: str) -> tuple[str, ...]:
     pinned = [other for point in graph.points[body] for other in graph.bodies_at(point)]
     sliding = [slide.other(body) for slide in graph.slides_of(body)]
@@ -104,7 +133,7 @@ def _stiff_message(graph: Graph, bodies: tuple[str, ...]) -> str:
     joints = [point for point, at in graph.pins if sum(body in bodies for body in at) > 1]
     joints += [slide.joint.symbol for slide in graph.slides if slide.body in bodies and slide.on in bodies]
     state = "cannot move against each other" if surplus == 0 else "are over-constrained"
-    return f"{_listed(bodies)} {state} (joints {', '.join(joints)}): describe them as one link, or remove a joint"
+    return f"{listed_names(bodies)} {state} (joints {', '.join(joints)}): describe them as one link, or remove a joint"
 
 
 def _loose(graph: Graph) -> tuple[str, ...]:
@@ -114,6 +143,7 @@ def _loose(graph: Graph) -> tuple[str, ...]:
     )
 
 
-def _listed(names: tuple[str, ...]) -> str:
+def listed_names(names: tuple[str, ...]) -> str:
+    """`"crank", "coupler" and "rocker"`."""
     quoted = [f'"{name}"' for name in names]
     return quoted[0] if len(quoted) == 1 else ", ".join(quoted[:-1]) + " and " + quoted[-1]

@@ -13,15 +13,17 @@ Source: Soeylemez, Mechanisms, chapter 4; Uicker, Pennock and Shigley, Theory of
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.assur import Drive, Dyad, Pin
+from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Assembly, Poses
+from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, times, turned
 
 
@@ -57,8 +59,8 @@ FIXED = PointRate(NOWHERE, NOWHERE)
 class Rates(Protocol):
     """What the derivatives are called, and of which points they are known."""
 
-    def of_driver(self) -> Rate:
-        """The driver's own."""
+    def of_drive(self, symbol: str) -> Rate:
+        """Of what is driven, by its symbol."""
 
     def of(self, symbol: str) -> Rate:
         """An unknown angle's or displacement's."""
@@ -111,14 +113,14 @@ def relative_name(poses: Poses, body: str) -> str:
 class Motions:
     """The motion of every solved body; `turning`: how fast each turns."""
 
-    def __init__(self, poses: Poses, drive: Drive, rates: Rates, still: str = "") -> None:
-        """`still`: the body that stands still, the ground by default."""
-        self.poses, self.drive, self.rates = poses, drive, rates
-        still = still or poses.mechanism.ground.name
-        self.turning: dict[str, Rate] = {still: STANDING}
-        self.motion: dict[str, Motion] = {still: lambda _: FIXED}
-        if drive.base == still:
-            self._other_of_pair(drive.base)
+    def __init__(self, poses: Poses, order: Order, rates: Rates, still: Drive | None = None) -> None:
+        """`still`: the driven pair whose base stands still, instead of the ground."""
+        self.poses, self.order, self.rates = poses, order, rates
+        base = still.base if still else poses.mechanism.ground.name
+        self.turning: dict[str, Rate] = {base: STANDING}
+        self.motion: dict[str, Motion] = {base: lambda _: FIXED}
+        if still:
+            self.drive(still)
 
     # --- points -----------------------------------------------------------------------------------------------
 
@@ -145,20 +147,50 @@ class Motions:
             angle = self.poses.known[slide.on].angle + angle_of(joint.angle)
         return al.cos(angle), al.sin(angle)
 
-    def _other_of_pair(self, body: str) -> str:
-        """The other body at the driven joint, when the motion of this one is known."""
-        drive = self.drive
-        other, outwards = (drive.moving, True) if body == drive.base else (drive.base, False)
-        rate = self.rates.of_driver()
+    def drive(self, drive: Drive) -> None:
+        """The moving side of a driven joint, when the motion of its base is known."""
+        rate = self.rates.of_drive(drive.symbol)
         if isinstance(drive.joint, Pin):
-            driver = self.poses.mechanism.driver
-            positive = outwards == (drive.moving == driver.link)
             pin = drive.joint.point
-            turning = self.turning[body] + (rate if positive else -rate)
-            self._turns(other, pin, self.motion[body](self.coordinates(pin)), turning)
+            turning = self.turning[drive.base] + (rate if drive.positive else -rate)
+            self._turns(drive.moving, pin, self.motion[drive.base](self.coordinates(pin)), turning)
         else:
-            self._slides(other, drive.joint, rate)
-        return other
+            self._slides(drive.moving, drive.joint, rate)
+
+    def tie(self, tied: Tied, rates: Mapping[str, Rate]) -> None:
+        """The bodies that gears and racks decide, by the rates of what these decide."""
+        for held in tied.bodies:
+            if isinstance(held.at, Slide):
+                self._slides(held.body, held.at, rates[held.variable])
+                continue
+            at = self.coordinates(held.at)
+            moves = self.rates.of_point(held.at)
+            if moves is None:
+                carrier = next(body for body in self.poses.graph.bodies_at(held.at) if body in self.motion)
+                moves = self.motion[carrier](at)
+            self._turns(held.body, held.at, moves, rates[held.variable])
+
+    def of_tie(self, name: str, slid: Callable[[str], Rate]) -> Rate:
+        """Of what a gear or a rack reads: an angle, by the name of the body, or a displacement."""
+        return self._angular(name, ()) if name in self.poses.graph.bodies else slid(name)
+
+    def _angular(self, body: str, tried: tuple[str, ...]) -> Rate:
+        """Of a body that is solved, or that slides on or is driven from one of which it is known."""
+        if body in self.turning:
+            return self.turning[body]
+        for slide in self.poses.graph.slides_of(body):
+            other = slide.other(body)
+            if other not in tried and slide.body not in self.poses.graph.blocks:
+                with suppress(KeyError):
+                    return self._angular(other, (*tried, body))
+        for drive in self.order.drives:
+            if body in drive.bodies and isinstance(drive.joint, Pin):
+                other, outwards = (drive.base, True) if body == drive.moving else (drive.moving, False)
+                rate = self.rates.of_drive(drive.symbol)
+                if other not in tried:
+                    with suppress(KeyError):
+                        return self._angular(other, (*tried, body)) + (rate if outwards == drive.positive else -rate)
+        raise KeyError(body)
 
     def _turns(self, body: str, pin: str, moves: PointRate, turning: Rate) -> None:
         self.turning[body] = turning
@@ -174,13 +206,15 @@ class Motions:
     def _whole(self, assembly: Assembly, body: str) -> None:
         """The bodies of an assembly, of which one is known."""
         if len(assembly) == 2:
-            self._other_of_pair(body)
+            drive = self.order.pair(assembly)
+            self.drive(drive if drive.base == body else drive.reverse())
         if len(assembly) > 2:
             self._with_pair(assembly, body)
 
     def _with_pair(self, assembly: Assembly, known: str) -> None:
         """The bodies that move with the driven pair: each turns against its base as the driver says, about a shared pin."""
-        base = self.turning[known] + -self.relative(known)
+        drive = self.order.pair(assembly)
+        base = self.turning[known] + -self.relative(known, drive)
         waiting = [body for body in assembly if body != known]
         while waiting:
             body, pin, carrier = next(
@@ -192,26 +226,26 @@ class Motions:
                 if point in self.poses.graph.points[other]
             )
             moves = self.motion[carrier](self.coordinates(pin))
-            self._turns(body, pin, moves, base + self.relative(body))
+            self._turns(body, pin, moves, base + self.relative(body, drive))
             waiting.remove(body)
 
-    def relative(self, body: str) -> Rate:
+    def relative(self, body: str, drive: Drive) -> Rate:
         """How fast a body that moves with the driven pair turns against the pair's base."""
-        drive = self.drive
         if body == drive.base or (body == drive.moving and not isinstance(drive.joint, Pin)):
             return STANDING
         if body == drive.moving:
-            rate = self.rates.of_driver()
-            return rate if drive.moving == self.poses.mechanism.driver.link else -rate
+            rate = self.rates.of_drive(drive.symbol)
+            return rate if drive.positive else -rate
         return self.rates.of_relative(relative_name(self.poses, body))
 
     def meet_within(self, dyad: Dyad) -> Meeting:
         """The two ways to the closing point of a dyad on the driven pair, whose base stands still here."""
+        drive = self.order.pair(dyad.frame)
         pins = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
         ways = []
         for (body,), pin in zip((dyad.first, dyad.second), pins, strict=False):
             moves = self.motion[self.with_point(dyad.frame, pin)](self.coordinates(pin))
-            self._turns(body, pin, moves, self.relative(body))
+            self._turns(body, pin, moves, self.relative(body, drive))
             ways.append(self.motion[body](self.coordinates(pins[2])))
         names = [relative_name(self.poses, body) for (body,) in (dyad.first, dyad.second)]
         return Meeting(self.coordinates(pins[2]), (ways[0], ways[1]), (names[0], names[1]))

@@ -17,8 +17,8 @@ def given_names(mechanism: Mechanism) -> list[str]:
         *(summary.symbol for summary in mechanism.summaries),
         *(link.angle_symbol for link in mechanism.links),
         *(joint.symbol for joint in mechanism.joints),
-        mechanism.driver.symbol,
-        *mechanism.given_by_row,
+        *mechanism.driven_symbols,
+        *(name for name in mechanism.given_by_row if name not in mechanism.driven_symbols),
         *_rates(mechanism),
     ]
 

@@ -7,6 +7,7 @@ shape depends on the driver. `Member` says where a body stands in its assembly's
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,11 +15,12 @@ import numpy as np
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol, symbols
-from mechsheet.kinematics.assur import Dyad
+from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.places import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian, length_node
+from mechsheet.kinematics.ties import Tied, solved_for
 from mechsheet.model import Joint, Link, Mechanism, Words
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import body_words, link_words, listed, phrase
@@ -86,6 +88,8 @@ class Poses:
         self.xy: dict[str, tuple[Node, Node]] = {}
         self.turned: list[tuple[str, Angle]] = []
         self.directions: dict[str, Angle] = {}
+        numbers = {link.name: link.angle_symbol for link in mechanism.links}
+        self.tied_angles = {numbers[name] for relation in mechanism.relations for name in relation.turning}
         self._ground(mechanism.ground)
 
     def _ground(self, ground: Link) -> None:
@@ -151,6 +155,69 @@ class Poses:
     def angle_unknown(self, assembly: Assembly) -> str:
         """The symbol that says how a solved assembly is turned: the angle of its first body."""
         return symbols(self.known[assembly[0]].angle.node)[0]
+
+    # --- driven joints, gears ---------------------------------------------------------------------------------
+
+    def turn_of(self, drive: Drive) -> Angle:
+        """The driven angle, from `base` to `moving`."""
+        return Angle(Symbol(drive.symbol)) if drive.positive else -Angle(Symbol(drive.symbol))
+
+    def drive(self, drive: Drive) -> None:
+        """Solve the moving side of a driven joint whose other side is known."""
+        if isinstance(drive.joint, Slide):
+            self._along(drive.joint, drive.moving, Symbol(drive.symbol))
+            return
+        point = drive.joint.point
+        turn = self.known[drive.base].angle + self.turn_of(drive)
+        self.fix((drive.moving,), turn, self.own_place(drive.moving, point), *self.xy[point])
+
+    def _along(self, slide: Slide, body: str, displacement: Node) -> None:
+        """Solve a body on the guide of a known one, at a known displacement."""
+        guide = self.guide(slide, (body,))
+        step = displacement if guide.sign > 0 else al.neg(displacement)
+        x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
+        y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
+        self.fix((body,), guide.angle, guide.moving, x, y)
+
+    def tie(self, tied: Tied, drives: Sequence[Drive]) -> None:
+        """Solve what gears and racks decide. Whole turns are theirs: none is taken out."""
+        found = solved_for(tied, lambda name: self._of_tie(name, drives), self.ledger.number)
+        for held in tied.bodies:
+            if isinstance(held.at, Slide):
+                self.displacement(held.variable, found[held.variable])
+                self._along(held.at, held.body, Symbol(held.variable))
+            else:
+                place = self.own_place(held.body, held.at)
+                self.fix((held.body,), Angle(found[held.variable]), place, *self.xy[held.at])
+        self.turned.clear()
+
+    def _of_tie(self, name: str, drives: Sequence[Drive]) -> Node:
+        """What a gear or a rack reads: an angle, by the name of the body, or a displacement."""
+        return self._angle(name, drives, ()).expression() if name in self.graph.bodies else Symbol(name)
+
+    def _angle(self, body: str, drives: Sequence[Drive], tried: tuple[str, ...]) -> Angle:
+        """The angle of a body that is solved, or that slides on or is driven from one whose angle is known."""
+        if body in self.known:
+            return self.known[body].angle
+        for other, apart in self._beside(body, drives):
+            if other not in tried:
+                try:
+                    return self._angle(other, drives, (*tried, body)) + apart
+                except KeyError:
+                    continue
+        raise KeyError(body)
+
+    def _beside(self, body: str, drives: Sequence[Drive]) -> Iterator[tuple[str, Angle]]:
+        """Bodies against which this one keeps, or is driven to, an angle that is known."""
+        for slide in self.graph.slides_of(body):
+            kept = angle_of(slide.joint.angle) + angle_of(slide.joint.orientation)
+            if slide.body not in self.graph.blocks:
+                yield (slide.on, kept) if body == slide.body else (slide.body, -kept)
+        for drive in drives:
+            if body in drive.bodies and isinstance(drive.joint, Pin):
+                yield (
+                    (drive.base, self.turn_of(drive)) if body == drive.moving else (drive.moving, -self.turn_of(drive))
+                )
 
     # --- what is solved ---------------------------------------------------------------------------------------
 
@@ -237,8 +304,8 @@ class Poses:
             return self.ledger.hoist_angle("delta", angle, words)
         link = self.links[body]
         symbol = link.angle_symbol
-        if symbol == self.mechanism.driver.symbol or symbol in self.ledger.values:
-            return Angle(Symbol(symbol))  # the driver's, or an unknown of a group solved by Newton's method
+        if symbol in self.mechanism.driven_symbols or symbol in self.ledger.values:
+            return Angle(Symbol(symbol))  # driven, or an unknown of a group solved by Newton's method
         words = phrase("angle_of_link", number=str(link.number), link=link_words(link))
         self.turned.append((symbol, angle))
         return Angle(self.ledger.define(symbol, angle.expression(), ANGLE, words, "variable"))
@@ -275,6 +342,8 @@ class Poses:
                 continue
             # The window leans to positive angles, as the text's tables do: a link that swings about 180 stays there.
             turns = math.ceil((math.degrees(float(found.mean())) - 240) / 360)
+            if symbol in self.tied_angles:  # a gear reads its turns: they are counted from the first position
+                turns = round(math.degrees(float(found[0])) / 360)
             if turns:
                 self.ledger.replace_expression(symbol, (angle - Angle(degrees=360.0 * turns)).expression())
         self.turned.clear()

@@ -24,7 +24,7 @@ from mechsheet.kinematics.places import number
 from mechsheet.kinematics.sketched import assemblies
 from mechsheet.kinematics.solve import dimension_values, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Sketch
+from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Rack, Sketch
 
 HOLDS = 1e-7
 """A condition that is met within this part of the size, in every position, is met by itself."""
@@ -67,9 +67,15 @@ def _candidates(mechanism: Mechanism) -> list[tuple[Part, int]]:
     used = {driver.link, driver.relative_to, mechanism.ground.name}
     for joint in mechanism.joints:
         used |= {joint.link, joint.on}
+    used |= {name for other in mechanism.drivers for name in (other.link, other.relative_to)}
+    used |= {name for relation in mechanism.relations for name in relation.turning}
+    kept = {driver.joint, *(other.joint for other in mechanism.drivers)}
+    kept |= {relation.joint for relation in mechanism.relations if isinstance(relation, Rack)}
     links = [(link, 1) for link in mechanism.links if link.name not in used and len(_shared(mechanism, link)) == 2]
     joints = [
-        (joint, 2 if joint.kind == "prismatic" else 1) for joint in mechanism.joints if joint.name != driver.joint
+        (joint, 2 if joint.kind == "prismatic" else 1)
+        for joint in mechanism.joints
+        if not {joint.name, joint.symbol} & kept
     ]
     return [*reversed(links), *reversed(joints)]  # what was described last was added last
 
@@ -83,7 +89,7 @@ def _moves(mechanism: Mechanism, left_out: list[Part]) -> bool:
     """Whether the rest moves, and keeps the conditions of what was left out over the whole sweep."""
     rest = _without(mechanism, left_out)
     try:
-        if mobility(graph_of(rest)) != 1:
+        if mobility(graph_of(rest)) != 1 + len(rest.drivers):
             return False
         equations = solve_unpicked(rest)
     except MechanismError:
@@ -182,13 +188,21 @@ def _angle(mechanism: Mechanism, link: Link, values: dict[str, Array]) -> Array:
     return values[link.angle_symbol]
 
 
+def _place_in_file(mechanism: Mechanism, joint: Joint) -> int:
+    """The place of a sliding joint among all joints of the file, between which gears stand."""
+    place = mechanism.joints.index(joint)
+    for order in sorted(relation.order for relation in mechanism.relations):
+        place += order <= place
+    return place
+
+
 def _name(part: Part) -> str:
     return part.name
 
 
 def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
     what = "link" if isinstance(part, Link) else "sliding joint"
-    key = f"links.{part.name}" if isinstance(part, Link) else f"joints.{mechanism.joints.index(part)}"
+    key = f"links.{part.name}" if isinstance(part, Link) else f"joints.{_place_in_file(mechanism, part)}"
     together = "".join(f' together with "{other}"' for other in others)
     return Fault(
         f'the {what} "{part.name}" is redundant and may be left out{together}: the rest moves in the same way without it',

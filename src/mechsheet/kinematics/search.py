@@ -212,7 +212,18 @@ class Search:
             return False
         covered, more = (abs(self.step) * rows / TURN for rows in (self.rows - 1, self.rows))
         more = covered if self.mechanism.driver.law is not None else more
+        if self.equations.tied:  # what gears turn is not back with every turn of the driver
+            return abs(round(covered) - covered) < 1e-9 and round(covered) > 0 and self._ties_are_back()
         return any(abs(round(part) - part) < 1e-9 and round(part) > 0 for part in (covered, more))
+
+    def _ties_are_back(self) -> bool:
+        """Whether what gears and further drivers decide is after the last row what it was in the first."""
+        for symbol in self.equations.tied:
+            way = float(self.at[symbol][-1] - self.at[symbol][0])
+            left = way / TURN - round(way / TURN) if self.is_angle(symbol) else way / self.size
+            if not abs(left) < 1e-9:
+                return False
+        return True
 
     @property
     def closes_everywhere(self) -> bool:
@@ -300,7 +311,8 @@ class Search:
         found = {}
         for link in self.mechanism.links[1:]:
             symbol = link.angle_symbol
-            if symbol != self.mechanism.driver.symbol and self.equations.of(symbol).reads:
+            known = (self.mechanism.driver.symbol, *self.equations.tied)
+            if symbol not in known and self.equations.of(symbol).reads:
                 found[symbol] = np.abs(np.diff(self.at[symbol][:: self.fine]))
         return found
 

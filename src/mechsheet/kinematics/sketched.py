@@ -23,7 +23,7 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Mechanism
+from mechsheet.model import Gear, Mechanism
 
 FAR, NOWHERE = 0.25, 0.5
 """A sketch that misses the position by such a part of the mechanism's size (or radians) was not drawn there, or anywhere."""
@@ -45,6 +45,9 @@ ALIKE = 0.02
 
 BESIDE = 0.06
 """Driver values nearer to one another than this part of a turn, or of the sweep, are one position of a rough sketch."""
+
+OUT_OF_PHASE = math.radians(15.0)
+"""A wheel that is sketched farther from the angle that its gear's phase makes was meant with another phase."""
 
 MOST_NAMED = 3
 MOST_ROWS = 400
@@ -98,12 +101,43 @@ def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     values, row = _position(mechanism, equations, shown)
     if row is None:
         return tuple(found)
+    found += _phases(mechanism, entries, values, row)
     size = _size(values, row, mechanism)
     missed = _missed(entries, values, size)
     here = float(missed[row])
     if here > SUSPICIOUS:
         found += _elsewhere(mechanism, equations, entries, _Read(float(shown[row]), here, size, driver, values, row))
     return tuple(found)
+
+
+def _phases(mechanism: Mechanism, entries: Sequence[Entry], values: Mapping[str, Array], row: int) -> list[Fault]:
+    """Gears whose wheel is sketched at another angle than their phase makes."""
+    links = {link.name: link for link in mechanism.links}
+    found = []
+    for gear in (relation for relation in mechanism.relations if isinstance(relation, Gear)):
+        link = links[gear.link]
+        pivot = next(point for point in link.points if point in links[gear.arm].points)
+        for entry in entries:
+            if entry.columns == (link.angle_symbol,):
+                off = entry.wanted[0] - float(values[link.angle_symbol][row])
+            elif entry.name in link.points and entry.name != pivot:
+                here, there = (
+                    math.atan2(y - float(values[f"{pivot}.y"][row]), x - float(values[f"{pivot}.x"][row]))
+                    for x, y in (tuple(float(values[column][row]) for column in entry.columns), entry.wanted)
+                )
+                off = there - here
+            else:
+                continue
+            off = math.remainder(off, math.tau)
+            if abs(off) > OUT_OF_PHASE:
+                unit = mechanism.angle_unit
+                written = unit.to_shown(number(gear.phase, dimension_values(mechanism)) + off)
+                message = (
+                    f"{entry.name} is sketched {abs(math.degrees(off)):.3g} degrees away from where the phase puts it"
+                )
+                hint = f"write phase = {written:.4g}, or sketch {entry.name} elsewhere"
+                found.append(Fault(message, key=f"joints.{gear.order}", hint=hint))
+    return found
 
 
 @dataclass(frozen=True, slots=True)

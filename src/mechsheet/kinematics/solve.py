@@ -14,12 +14,12 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
-from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
+from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.driving import driver_values, given_values
 from mechsheet.kinematics.dyads import Determinant, Solved
-from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
+from mechsheet.kinematics.equations import Equation, Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.lines import solve_prp, solve_rpp
@@ -33,13 +33,14 @@ from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
 from mechsheet.kinematics.newton.tracing import cannot_follow, way
 from mechsheet.kinematics.places import angle_of, cartesian, number
-from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
+from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.within import member, sketched_mode, solve_within
-from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
-from mechsheet.units import LENGTH
+from mechsheet.model import Cartesian, Dimension, Distances, FurtherDriver, Mechanism, Polar, Quantity
+from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import phrase, same
 
 PROBED_ROWS = 200
@@ -77,8 +78,7 @@ class Found:
     """
 
     poses: Poses
-    drive: Drive
-    dyads: tuple[Dyad, ...]
+    order: Order
     rates: Written
 
 
@@ -126,11 +126,18 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     dimensions = dimension_values(mechanism)
     ledger = _ledger(mechanism, dimensions)
     poses = Poses(mechanism, graph, ledger)
-    _drive(poses, order.drive)
+    _further_drivers(mechanism, ledger)
+    _pairs(poses, order)
     found: list[tuple[Dyad | Chain, Solved, int, bool]] = []
     given = modes or {}
-    for index, dyad in enumerate(order.dyads, 1):
-        ledger.group = index
+    for dyad in order.steps:
+        if isinstance(dyad, Drive):
+            poses.drive(dyad)
+            continue
+        if isinstance(dyad, Tied):
+            poses.tie(dyad, order.drives)
+            continue
+        ledger.group += 1
         start = len(ledger.columns)
         if isinstance(dyad, Chain):
             found.append((dyad, *_solve_chain(poses, dyad, start, dimensions, given, modes is None)))
@@ -156,10 +163,9 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
         _refuse_rates(mechanism, found)
         closed = [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)]
         _refuse_forces(mechanism, closed)
-        rates = add_rates(poses, order.drive, closed)
+        rates = add_rates(poses, order, [solved for _, solved in closed])
     if further is not None:
-        dyads = tuple(dyad for dyad in order.dyads if isinstance(dyad, Dyad))
-        further(Found(poses, order.drive, dyads, rates))
+        further(Found(poses, order, rates))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     law = mechanism.driver.law
@@ -167,12 +173,14 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
-        _groups(found, loops_of(poses, order.dyads)),
+        _groups(found, loops_of(poses, order.steps)),
         tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
         rates.fits,
         rates.turning,
+        tuple(_listed(driver) for driver in mechanism.drivers if driver.values),
+        _tied(poses, order),
     )
     validate(result, (*dimensions, mechanism.driver.symbol, *mechanism.given_by_row))
     return result
@@ -185,7 +193,7 @@ def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
     except MechanismError as error:
         from mechsheet.kinematics.redundancy import redundancy_faults  # which needs this module
 
-        missing = 1 - mobility(graph)
+        missing = 1 + len(mechanism.drivers) - mobility(graph)
         found = redundancy_faults(mechanism, missing) if missing > 0 else []
         if not found:
             raise
@@ -202,6 +210,27 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
         message = f"the sketch cannot show this position: there {error.links} cannot be joined"
         hint = "check `at`, which is in the driver's unit, and the lengths of these links"
         raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
+
+
+def _further_drivers(mechanism: Mechanism, ledger: Ledger) -> None:
+    """The values of what is driven besides, where they follow from the driver or are the same in every row."""
+    for driver in mechanism.drivers:
+        if driver.follows is not None:
+            unit = LENGTH if driver.joint else ANGLE
+            ledger.define(driver.symbol, driver.follows, unit, phrase("further_driver"), "variable")
+
+
+def _tied(poses: Poses, order: Order) -> tuple[str, ...]:
+    """Symbols of what further drivers and ties decide."""
+    held = [held for step in order.steps if isinstance(step, Tied) for held in step.bodies]
+    links = poses.links
+    angles = [links[each.variable].angle_symbol if each.variable in links else each.variable for each in held]
+    return (*(driver.symbol for driver in poses.mechanism.drivers), *angles)
+
+
+def _listed(driver: FurtherDriver) -> Equation:
+    unit = LENGTH if driver.joint else ANGLE
+    return Equation(driver.symbol, Symbol(driver.symbol), "driver", unit, phrase("further_driver"))
 
 
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
@@ -362,36 +391,27 @@ def _groups(found: list[tuple[Dyad | Chain, Solved, int, bool]], loops: tuple[Lo
     )  # fmt: skip
 
 
-def _drive(poses: Poses, drive: Drive) -> None:
-    """The driven joint: its moving body is solved at once, or (away from the ground) takes its place in an assembly."""
-    driver = poses.mechanism.driver
-    symbol = Symbol(driver.symbol)
-    on_ground = drive.base in poses.known
+def _pairs(poses: Poses, order: Order) -> None:
+    """Both sides of a driven joint that is on nothing known move as one assembly: where they are in it."""
+    alone = {step.bodies for step in order.steps if isinstance(step, Drive)}
+    for drive in order.drives:
+        if drive.bodies not in alone and drive.reverse().bodies not in alone:
+            poses.members[drive.moving] = _in_pair(poses, drive)
+
+
+def _in_pair(poses: Poses, drive: Drive) -> Member:
+    """Where the moving side of a driven joint is in the frame of the other."""
     if isinstance(drive.joint, Pin):
         point = drive.joint.point
-        # the driver is angle(link) - angle(relative_to); `moving` may be either of the two
-        turn = Angle(symbol) if drive.moving == driver.link else -Angle(symbol)
-        own = poses.own_place(drive.moving, point)
-        if on_ground:
-            poses.fix((drive.moving,), turn, own, *poses.xy[point])
-            return
-        base = poses.own_place(drive.base, point)
-        poses.members[drive.moving] = member(turn, base, own)
-        return
+        base, own = poses.own_place(drive.base, point), poses.own_place(drive.moving, point)
+        return member(poses.turn_of(drive), base, own)
     joint = drive.joint.joint
-    if on_ground:
-        guide = poses.guide(drive.joint, (drive.moving,))
-        step = symbol if guide.sign > 0 else al.neg(symbol)
-        x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
-        y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
-        poses.fix((drive.moving,), guide.angle, guide.moving, x, y)
-        return
     line = angle_of(joint.angle)
-    along = cartesian(symbol, al.ZERO).turned(line)
+    along = cartesian(Symbol(drive.symbol), al.ZERO).turned(line)
     start = poses.through(joint)
-    end = cartesian(symbol, al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
+    end = cartesian(Symbol(drive.symbol), al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
     turn = line + angle_of(joint.orientation)
-    poses.members[drive.moving] = member(turn, end, poses.own_place(drive.moving, joint.point))
+    return member(turn, end, poses.own_place(drive.moving, joint.point))
 
 
 def _note_lengths(poses: Poses) -> None:

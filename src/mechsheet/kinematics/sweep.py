@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from mechsheet.formula.nodes import Root
-from mechsheet.kinematics.driving import driver_values
+from mechsheet.kinematics.driving import driver_values, listed_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.system import CLOSED, followed, refined
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
@@ -35,7 +35,10 @@ def sweep(mechanism: Mechanism, equations: Equations, given: Array | Mapping[str
     rows = len(rowwise[mechanism.driver.symbol])
     known: dict[str, Array] = {symbol: np.array(number) for symbol, number in dimension_values(mechanism).items()}
     known |= {group.mode: np.array(float(group.mode_value)) for group in equations.groups if group.mode}
-    known |= dict.fromkeys(mechanism.given_by_row, np.full(rows, np.nan)) | dict(rowwise)
+    known |= dict.fromkeys(mechanism.given_by_row, np.full(rows, np.nan))
+    if not isinstance(given, Mapping):
+        known |= listed_values(mechanism, dimension_values(mechanism), given)
+    known |= dict(rowwise)
     seen: dict[Any, Any] = {}
     for equation in equations.constants:
         known[equation.symbol] = evaluate_equation(equation, known, 1)[0]

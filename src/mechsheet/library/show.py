@@ -16,13 +16,14 @@ from mechsheet.formula.references import cell_name
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
+from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.library.verdicts import verdict
-from mechsheet.model import TIME, Mechanism, energy_unit, inertia_unit
+from mechsheet.model import TIME, Mechanism, Rack, Relation, energy_unit, inertia_unit
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
-from mechsheet.units import NUMBER
+from mechsheet.units import NUMBER, unit_of
 from mechsheet.words.workbook import words
 
 
@@ -33,8 +34,9 @@ def overview_text(mechanism: Mechanism) -> str:
     lines = [
         mechanism.title.of(mechanism.language),
         f"links: {', '.join(f'{link.number} {link.name}' for link in mechanism.links)}",
-        f"mobility {mobility(graph_of(mechanism))}, driver {mechanism.driver.symbol}",
+        f"mobility {mobility(graph_of(mechanism))}, driver {' and '.join(mechanism.driven_symbols)}",
     ]
+    lines += [_tie(mechanism, relation) for relation in mechanism.relations]
     for group in equations.groups:
         mode = f"  {group.mode} = {group.mode_value:+d} ({group.mode_words.en})" if group.mode else ""
         if group.system is not None:
@@ -62,6 +64,22 @@ def overview_text(mechanism: Mechanism) -> str:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
     lines.append(verdict(compiled))
     return "\n".join(lines)
+
+
+def _tie(mechanism: Mechanism, relation: Relation) -> str:
+    """`gear wheel on crank: ratio -0.5, phase 30 deg (as sketched, or 0: the description gives none)`."""
+    values = dimension_values(mechanism)
+    rack = isinstance(relation, Rack)
+    unit = unit_of(mechanism.length_unit, mechanism.length_unit) if rack else mechanism.angle_unit
+    phase = unit.to_shown(number(relation.phase, values))
+    if isinstance(relation, Rack):
+        what, own = f"rack {relation.joint} on {relation.link}", f"radius {number(relation.radius, values):.6g}"
+    else:
+        what = f"{relation.kind} {relation.link} on {relation.on}"
+        own = f"ratio {number(relation.ratio, values):.6g}"
+    arm = "" if relation.arm == mechanism.ground.name else f", arm {relation.arm}"
+    read = " (as sketched, or 0: the description gives none)" if relation.read_off else ""
+    return f"{what}{arm}: {own}, phase {phase:.6g} {unit.symbol}{read}"
 
 
 def _stands(mechanism: Mechanism) -> bool:

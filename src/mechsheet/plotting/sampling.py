@@ -19,7 +19,7 @@ from mechsheet.kinematics.driving import given_at, place_of, rates_at
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_values
-from mechsheet.model import TIME, Driver, Mechanism
+from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.sheet.drawing.frames import CHART_X
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
@@ -106,6 +106,7 @@ def sample(
     drawn = replace(
         mechanism,
         driver=_listed(compiled, values, places, shown, least),
+        drivers=tuple(_besides(driver, compiled, values, shown, least) for driver in mechanism.drivers),
         language=language or mechanism.language,
         layout="sheets",
         tables=(),
@@ -130,7 +131,8 @@ def _listed(
     mechanism, driver = compiled.mechanism, compiled.mechanism.driver
     names = dict(zip(mechanism.driver_rates, ("speeds", "accelerations"), strict=True))
     if driver.law is None:
-        columns = {name: _as_driver(compiled.given[name], values, row, least) for name in mechanism.given_by_row}
+        own = [name for name in mechanism.given_by_row if name not in mechanism.listed_symbols]
+        columns = {name: _as_driver(compiled.given[name], values, row, least) for name in own}
     else:
         given = given_at(mechanism, dimension_values(mechanism), np.array(places))
         rates = rates_at(mechanism, dimension_values(mechanism), given)
@@ -151,6 +153,15 @@ def _listed(
         speeds=lists.get("speeds", ()),
         accelerations=lists.get("accelerations", ()),
     )
+
+
+def _besides(
+    driver: FurtherDriver, compiled: Compiled, values: Sequence[float], row: int | None, least: int
+) -> FurtherDriver:
+    """A further driver at these values of the driver, where its own are listed."""
+    if not driver.values:
+        return driver
+    return replace(driver, values=tuple(_as_driver(compiled.given[driver.symbol], values, row, least)))
 
 
 def _as_driver(listed: Array, values: Sequence[float], row: int | None, least: int) -> list[float]:

@@ -23,6 +23,7 @@ from .geometry import ROUNDING, Array, link_places
 from .poses import Solution, reached
 from .rates import by_time, gradients, of_poses, solved
 from .system import Equation, System, residual
+from .teeth import along_poses, tooth_forces
 
 
 def forces(solution: Solution) -> dict[str, Array]:
@@ -40,13 +41,24 @@ def forces(solution: Solution) -> dict[str, Array]:
     applied = Applied(solution, dynamics, rows)
     jacobian, _ = gradients(equations, state, np.zeros_like(state))
     jacobian = jacobian[:, :, unknown]
-    multipliers = solved(np.swapaxes(jacobian, 1, 2), -applied.along_poses()[:, unknown, None])
-    named = _named(solution.mechanism, built, equations, multipliers, applied)
+    acting = applied.along_poses()
+    multipliers = solved(np.swapaxes(jacobian, 1, 2), -acting[:, unknown, None])
+    ties = {each.of: value for each, value in zip(equations, multipliers.T, strict=True) if _is_tie(each)}
+    at_teeth, contacts = tooth_forces(solution.mechanism, applied, ties)
+    if contacts:  # with these the ties hold nothing any more, and the pins what they hold in truth
+        acting = acting + along_poses(applied, contacts)
+        multipliers = solved(np.swapaxes(jacobian, 1, 2), -acting[:, unknown, None])
+    named = _named(solution.mechanism, built, equations, multipliers, applied) | at_teeth
     found = {}
     for name, values in named.items():
         found[name] = np.full(len(solution.driver), np.nan)
         found[name][rows] = values
     return found
+
+
+def _is_tie(equation: Equation) -> bool:
+    """Whether it is the condition of a gear, a belt or a rack."""
+    return equation.of.startswith("relation ")
 
 
 class Applied:
@@ -70,7 +82,7 @@ class Applied:
         moves = driver.speed is not None
         names = solution.mechanism.driver_rates
         self.speed, self.acceleration = ((self.known[name] if moves else np.zeros(len(rows))) / per for name in names)
-        self.first, self.second = of_poses(self.built, self.state)
+        self.first, self.second = of_poses(self.built, self.state, solution.driver[rows])
 
     def along_poses(self) -> Array:
         """Q (m, columns), as torques."""
@@ -167,7 +179,9 @@ def _named(
     for equation, value in zip(equations, multipliers.T, strict=True):
         if equation.kind in ("meet x", "meet y"):
             on_pin.setdefault((equation.of, equation.body), {})[equation.kind[-1]] = value / unit
-        elif equation.of:
+        elif _is_tie(equation):
+            continue
+        elif equation.of in joints:
             joint = joints[equation.of]
             name = pair_symbol("F", numbers[built.bodies[joint.on]], numbers[built.bodies[joint.link]])
             part = {"line": "n", "angle": "c", "displacement": "t"}[equation.kind]
@@ -178,7 +192,8 @@ def _named(
                 handed = value / unit * np.array([np.cos(direction), np.sin(direction)])
                 through_pin[key] = through_pin.get(key, 0.0) + handed
         else:
-            driver = mechanism.driver
+            symbol = equation.of.removeprefix("driver ") or mechanism.driver.symbol
+            driver = mechanism.driver_of(symbol)
             base = built.bodies[driver.relative_to or mechanism.ground.name]
             found[pair_symbol("T", numbers[base], numbers[built.bodies[driver.link]])] = value
     for point, owner, other in _pins(mechanism, built):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..formula.nodes import symbols
 from ..model import Mechanism
-from . import assembly, branches, geometry
+from . import assembly, branches, further, geometry
 from .branches import Mask, Rows
 from .expressions import column
 from .geometry import Array
@@ -81,6 +81,9 @@ def _variables(
         found[link.angle_symbol] = poses[link.name][:, 2]
     found.update(displacements)
     driver = solution.mechanism.driver
+    for place, other in zip(solution.system.prescribed, solution.mechanism.drivers, strict=True):
+        scale = solution.system.scale if other.joint else 1.0
+        found.setdefault(other.symbol, solution.state[:, place] * scale)
     found[driver.symbol] = solution.driver
     for point, places in points.items():
         found[f"{point}.x"], found[f"{point}.y"] = places[:, 0], places[:, 1]
@@ -130,10 +133,10 @@ def solve(
     if sketched.at is not None:  # a row of its own before the others: it need not be one of them
         scaled = np.concatenate([[sketched.at], scaled])
     path, asked = _with_steps_between(built, scaled)
-    asked = asked[len(scaled) - len(driver) :]
-    state = np.full((len(path), built.columns), np.nan)
-    state[:, :3] = 0.0
-    state[:, 3 * len(built.bodies) + 2 :: 3] = 0.0
+    before = len(scaled) - len(driver)
+    rows_of_path = np.maximum(np.interp(np.arange(len(path)), asked, np.arange(len(asked))) - before, 0.0)
+    asked = asked[before:]
+    state = _unsolved(built, path, rows_of_path)
     alive = np.isfinite(path) & built.finite
     undetermined = np.zeros(len(path), dtype=bool)
     for i in range(len(built.blocks)):
@@ -144,6 +147,7 @@ def solve(
             undetermined[rows] = found.undetermined
             alive[rows] = found.exists
             state[np.ix_(rows[~found.exists], np.array(built.blocks[i].columns))] = np.nan
+            _count_turns(built, sketched, i, state, path, rows[found.exists])
         if progress is not None:
             progress(i + 1, len(built.blocks))
     state, alive, undetermined, path = state[asked], alive[asked], undetermined[asked], path[asked]
@@ -152,6 +156,36 @@ def solve(
     _continuous(built, sketched, state, path, alive)
     reached[alive] = state[alive]
     return _solution(built, driver, path, state, reached, alive, undetermined)
+
+
+def _unsolved(built: System, value: Array, rows: Array | None = None) -> Array:
+    """States (m, columns) at driver values as the system has them: what is given, NaN else."""
+    state = np.full((len(value), built.columns), np.nan)
+    state[:, :3] = 0.0
+    state[:, 3 * len(built.bodies) + 2 : built.columns - built.given : 3] = 0.0
+    scale = built.scale if built.mechanism.driver.joint else 1.0
+    state[:, list(built.prescribed)] = further.columns(built, value * scale, rows)
+    return state
+
+
+def _count_turns(
+    built: System, sketched: Sketched, index: int, state: Array, value: Array, rows: NDArray[np.int_]
+) -> None:
+    """Angles of a block that a gear reads, without jumps and from the right turn on, in place: half a turn of it counts.
+
+    The first is within half a turn of zero, or of the rough poses where they are.
+    """
+    block = built.blocks[index]
+    columns = [block.columns[i] for i in block.angles if block.columns[i] in built.read_by_ties]
+    if block.linear or not columns or not len(rows):
+        return
+    first = 1 if sketched.at is not None else 0
+    own = rows[rows >= first] if len(rows[rows >= first]) else rows
+    place = int(np.argmin(sketched.away(value[own]))) if sketched.started else 0
+    for turning in columns:
+        angle = np.unwrap(state[own, turning])
+        target = (sketched.turn(turning) or 0.0) if sketched.started else 0.0
+        state[own, turning] = angle - 2 * np.pi * np.round((angle[place] - target) / (2 * np.pi))
 
 
 def _with_steps_between(built: System, driver: Array) -> tuple[Array, NDArray[np.int_]]:
@@ -200,8 +234,8 @@ def assemblies(
     built = system(mechanism, geometry.dimension_values(mechanism, dimensions))
     if not built.finite:
         return []
-    state = np.zeros((1, built.columns))
     scaled = value / built.scale if mechanism.driver.joint else value
+    state = np.nan_to_num(_unsolved(built, np.array([scaled])))
     depth, states = assembly.assembled(built, state, scaled, 0, len(built.blocks), None, 4096)
     if depth < len(built.blocks):
         return []
@@ -238,6 +272,8 @@ def _continuous(built: System, sketched: Sketched, state: Array, value: Array, a
             continue
         for i in block.angles:
             column_index = block.columns[i]
+            if column_index in built.read_by_ties:
+                continue
             angle = np.unwrap(state[rows, column_index])
             target = sketched.turn(column_index) or 0.0
             state[rows, column_index] = angle - turn * np.round((angle[0] - target) / turn)

@@ -17,7 +17,7 @@ import numpy as np
 
 from ..formula.nodes import symbols
 from ..model import Mechanism, rate_symbols
-from . import geometry
+from . import further, geometry
 from .driving import driver_rates
 from .expressions import number
 from .geometry import Array
@@ -36,7 +36,7 @@ def rates(solution: Solution) -> dict[str, tuple[Array, Array]]:
     built, mechanism = solution.system, solution.mechanism
     rows = np.flatnonzero(solution.exists)
     state = solution.state[rows]
-    first, second = of_poses(built, state)
+    first, second = of_poses(built, state, solution.driver[rows])
     driver_unit = built.scale if mechanism.driver.joint else 1.0
     found: dict[str, tuple[Array, Array]] = {}
     for symbol, quantity in _quantities(built, mechanism).items():
@@ -51,6 +51,12 @@ def rates(solution: Solution) -> dict[str, tuple[Array, Array]]:
             columns[order - 1, rows] = column * unit / driver_unit**order
         found[symbol] = (columns[0], columns[1])
     found[mechanism.driver.symbol] = (np.ones(len(solution.driver)), np.zeros(len(solution.driver)))
+    for column, other in zip(built.prescribed, mechanism.drivers, strict=True):
+        unit = built.scale if other.joint else 1.0
+        both = np.full((2, len(solution.driver)), np.nan)
+        for order, found_column in enumerate((first[:, column], second[:, column]), 1):
+            both[order - 1, rows] = found_column * unit / driver_unit**order
+        found.setdefault(other.symbol, (both[0], both[1]))
     return found
 
 
@@ -88,17 +94,23 @@ def by_time(solution: Solution) -> dict[str, Array]:
     return found
 
 
-def of_poses(built: System, state: Array) -> tuple[Array, Array]:
-    """First and second derivatives (m, columns) of the state by the driver, in the system's own lengths."""
+def of_poses(built: System, state: Array, driver: Array) -> tuple[Array, Array]:
+    """First and second derivatives (m, columns) of the state by the driver (m,), in the system's own lengths.
+
+    A further driver whose values are listed says nothing of its motion: it counts as one that stands.
+    """
     equations = [equation for block in built.blocks for equation in block.equations]
     unknown = [column for block in built.blocks for column in block.columns]
     driven = np.array([[float(equation.driven)] for equation in equations])
     first, second = np.zeros_like(state), np.zeros_like(state)
-    jacobian, _ = gradients(equations, state, first)
-    jacobian = jacobian[:, :, unknown]
-    first[:, unknown] = solved(jacobian, np.broadcast_to(driven, (*jacobian.shape[:2], 1)))
+    given = list(built.prescribed)
+    first[:, given], second[:, given] = further.derivatives(built, driver)
+    whole, _ = gradients(equations, state, first)
+    jacobian, besides = whole[:, :, unknown], whole[:, :, given]
+    right = np.broadcast_to(driven, (*jacobian.shape[:2], 1))
+    first[:, unknown] = solved(jacobian, right - besides @ first[:, given, None])
     _, turning = gradients(equations, state, first)
-    second[:, unknown] = solved(jacobian, -turning @ first[:, :, None])
+    second[:, unknown] = solved(jacobian, -turning @ first[:, :, None] - besides @ second[:, given, None])
     return first, second
 
 
@@ -121,7 +133,8 @@ def gradients(equations: Sequence[Equation], state: Array, along: Array) -> tupl
     for i, equation in enumerate(equations):
         _, gradient = residual(equation, moved, np.zeros(len(state)))
         for slot, entry in enumerate(gradient):
-            found[:, i, 3 * (equation.body if slot < 3 else equation.on) + slot % 3] += entry
+            column = 3 * (equation.body if slot < 3 else equation.on) + slot % 3
+            found[:, i, column if slot < 6 else equation.terms[slot - 6][0]] += entry
     return found.real, found.imag / _STEP
 
 

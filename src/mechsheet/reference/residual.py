@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..model import Joint, Link, Mechanism
+from ..model import Driver, FurtherDriver, Joint, Link, Mechanism, Rack, Relation
 from . import geometry
 from .expressions import number
 from .geometry import Array
@@ -26,7 +26,8 @@ def residuals(
     angle of coupler at B       distance of a point from where the link's angle and first point put it
     ground point A0             distance from its fixed place
     guide: on the line, angle, displacement
-    driver                      angle of the driven link against the driver's value, times the size
+    driver                      angle of the driven link against the driver's value, times the size; further drivers likewise
+    gear of planet              what the angles that it ties miss it by, times the size; a rack: as a length
 
     Angles are compared modulo a turn. Rows with NaN have NaN. Raises KeyError when a variable is missing.
     """
@@ -41,7 +42,10 @@ def residuals(
         found.update(judge.link(link))
     for joint in mechanism.joints:
         found.update(judge.joint(joint))
-    found.update(judge.driver())
+    for driver in mechanism.all_drivers:
+        found.update(judge.driver(driver))
+    for relation in mechanism.relations:
+        found.update(judge.relation(relation))
     return found
 
 
@@ -127,13 +131,24 @@ class _Judge:
         between = local - geometry.through(leader, self.located, self.numbers)
         return np.asarray(base + _turned(between, self.angle(joint.on)))
 
-    def driver(self) -> dict[str, Array]:
-        driver = self.mechanism.driver
+    def driver(self, driver: Driver | FurtherDriver) -> dict[str, Array]:
+        name = "driver" if driver is self.mechanism.driver else f"driver {driver.symbol}"
         if driver.joint:
             joint = next(joint for joint in self.mechanism.joints if joint.name == driver.joint)
-            return {"driver": self.variables[joint.symbol] - self.variables[driver.symbol]}
+            return {name: self.variables[joint.symbol] - self.variables[driver.symbol]}
         turned = self.angle(driver.link) - self.angle(driver.relative_to) - self.variables[driver.symbol]
-        return {"driver": self.size * _within_half_turn(turned)}
+        return {name: self.size * _within_half_turn(turned)}
+
+    def relation(self, relation: Relation) -> dict[str, Array]:
+        phase = number(relation.phase, self.numbers)
+        if isinstance(relation, Rack):
+            turned = self.angle(relation.link) - self.angle(relation.arm)
+            way = self.variables[relation.joint] - number(relation.radius, self.numbers) * turned - phase
+            return {f"rack and {relation.link}": way}
+        arm = self.angle(relation.arm)
+        meant = number(relation.ratio, self.numbers) * (self.angle(relation.on) - arm) + phase
+        miss = _within_half_turn(self.angle(relation.link) - arm - meant)
+        return {f"{relation.kind} of {relation.link} on {relation.on}": self.size * miss}
 
 
 def _norm(vectors: Array) -> Array:

@@ -31,10 +31,14 @@ class Entry:
 
 
 class Sketched:
-    """A sketch, or rough poses, asked block by block. `at`: the driver value that the sketch shows, as the system has it."""
+    """A sketch, or rough poses, asked block by block.
+
+    at       the driver value that the sketch shows, as the system has it;  started  True for rough poses
+    """
 
     def __init__(self, system: System, start: Mapping[str, Pose] | None) -> None:
         self.system = system
+        self.started = start is not None
         self._done = _deciding_blocks(system)
         self.entries = tuple(self._poses(start) if start else self._sketch())
         at = None if start else system.mechanism.sketch.at
@@ -71,7 +75,7 @@ class Sketched:
                 joint = joints[symbol]
                 block = max(self._settled(self._owner(joint.point)), self._settled(joint.on))
                 found.append(Entry("displacement", symbol, (value / system.scale,), block))
-            elif symbol != mechanism.driver.symbol:
+            elif symbol not in mechanism.driven_symbols:
                 raise MechanismError(f'the sketch names "{symbol}", which is no variable')
         return found
 

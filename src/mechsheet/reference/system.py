@@ -1,7 +1,8 @@
 """The constraints of a mechanism on its link poses, as numbers: residuals and Jacobian, block by block.
 
-The state of m positions is an array (m, columns): x, y, theta of every body. Bodies are the links in the order of the
-model, the ground (fixed at zero) first, then one massless point for each multiple joint. Lengths are divided by `scale`
+The state of m positions is an array (m, columns): x, y, theta of every body, then the values of further drivers, which are
+given. Bodies are the links in the order of the model, the ground (fixed at zero) first, then one massless point for each
+multiple joint. Lengths are divided by `scale`
 and counted from `origin`, so that everything is of the order of one.
 """
 
@@ -9,13 +10,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
 import numpy as np
 
 from ..diagnostics import MechanismError
-from ..model import Joint, Mechanism
+from ..model import FurtherDriver, Gear, Joint, Mechanism, Rack
 from . import geometry
 from .expressions import number
 from .geometry import Array
@@ -39,8 +40,10 @@ class Equation:
 
     meet x, meet y  `point` of the body coincides with `place` of `on`
     line            `point` lies on the line of `on` through `place` in the direction `angle`
-    displacement    signed distance along that line from `place` to `point` = driver value
+    displacement    signed distance along that line from `place` to `point` = `offset` (+ driver value when `driven`)
     angle           angle of the body - angle of `on` = `angle` (+ driver value when `driven`)
+
+    terms   (column of the state, factor): what is added to the right side, of gears, racks and further drivers
     """
 
     kind: Kind
@@ -51,6 +54,8 @@ class Equation:
     angle: float = 0.0
     driven: bool = False
     of: str = field(default="", compare=False)
+    offset: float = 0.0
+    terms: tuple[tuple[int, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +97,17 @@ class System:
     scale: float
     origin: Array
     finite: bool
+    given: int = 0
+
+    @property
+    def prescribed(self) -> range:
+        """Columns of the values of further drivers."""
+        return range(self.columns - self.given, self.columns)
+
+    @property
+    def read_by_ties(self) -> frozenset[int]:
+        """Columns that gears, racks and further drivers read: there whole turns of an angle count."""
+        return frozenset(column for block in self.blocks for each in block.equations for column, _ in each.terms)
 
     def column(self, link: str) -> int:
         """First column (x) of a link in the state."""
@@ -113,13 +129,14 @@ def system(mechanism: Mechanism, dimensions: Mapping[str, float]) -> System:
     scale = 2.0 ** round(math.log2(size))  # a power of two: dividing by it rounds nothing
     origin = _origin(mechanism, dimensions, located)
     builder = _Builder(mechanism, dimensions, located, bodies, scale, origin)
-    equations = builder.equations()
+    builder.count_points()
     count = len(bodies) + builder.points
+    equations = builder.equations(3 * count)
     unknown = [c for c in range(3, 3 * count) if c < 3 * len(bodies) or c % 3 != 2]
     if len(equations) != len(unknown):
         raise MechanismError(
-            f"{len(unknown)} unknown coordinates of links and {len(equations)} conditions from joints and driver: "
-            "the mobility is not one"
+            f"{len(unknown)} unknown coordinates of links and {len(equations)} conditions from joints and drivers: "
+            "the mobility is not the number of drivers"
         )
     pattern = [[c for c in _columns(e) if c in set(unknown)] for e in equations]
     parts = blocks(pattern)
@@ -131,10 +148,14 @@ def system(mechanism: Mechanism, dimensions: Mapping[str, float]) -> System:
         places=located,
         bodies=bodies,
         blocks=tuple(_block([equations[i] for i in rows], columns) for rows, columns in parts),
-        columns=3 * count,
+        columns=3 * count + len(mechanism.drivers),
+        given=len(mechanism.drivers),
         scale=scale,
         origin=origin,
-        finite=all(np.all(np.isfinite([*e.point, *e.place, e.angle])) for e in equations),
+        finite=all(
+            np.all(np.isfinite([*e.point, *e.place, e.angle, e.offset, *(factor for _, factor in e.terms)]))
+            for e in equations
+        ),
     )
 
 
@@ -170,15 +191,54 @@ class _Builder:
         self.points = 0
         self._holders: dict[str, tuple[int, tuple[float, float]]] = {}
 
-    def equations(self) -> list[Equation]:
-        found = self._meetings()
+    def count_points(self) -> None:
+        """Find out which points need bodies of their own."""
+        self._met = self._meetings()
+
+    def equations(self, given: int) -> list[Equation]:
+        """All of them; `given`: the first column of the values of further drivers."""
+        found = self._met
         driver = self.mechanism.driver
         for joint in self.mechanism.joints:
             found += self._sliding(joint, driven=joint.name == driver.joint)
         if driver.link:
             on = driver.relative_to or self.mechanism.ground.name
             found.append(Equation("angle", self.bodies[driver.link], self.bodies[on], driven=True))
+        for column, other in enumerate(self.mechanism.drivers, given):
+            found.append(self._further(other, column))
+        for order, relation in enumerate(self.mechanism.relations):
+            found.append(self._rack(relation, order) if isinstance(relation, Rack) else self._gear(relation, order))
         return found
+
+    def _further(self, driver: FurtherDriver, column: int) -> Equation:
+        """A further driver's condition, its value in a column of the state."""
+        if driver.joint:
+            joint = next(joint for joint in self.mechanism.joints if joint.name == driver.joint)
+            return replace(self._along(joint), of=joint.name, terms=((column, 1.0),))
+        on = driver.relative_to or self.mechanism.ground.name
+        name = f"driver {driver.symbol}"
+        return Equation("angle", self.bodies[driver.link], self.bodies[on], of=name, terms=((column, 1.0),))
+
+    def _gear(self, gear: Gear, order: int) -> Equation:
+        """angle(link) - angle(arm) = phase + ratio (angle(on) - angle(arm))"""
+        link, on, arm = (self.bodies[name] for name in gear.turning)
+        ratio, phase = (number(node, self.dimensions) for node in (gear.ratio, gear.phase))
+        terms = ((3 * on + 2, ratio), (3 * arm + 2, -ratio))
+        return Equation("angle", link, arm, angle=phase, of=f"relation {order}", terms=terms)
+
+    def _rack(self, rack: Rack, order: int) -> Equation:
+        """displacement = phase + radius (angle(link) - angle(arm))"""
+        joint = next(joint for joint in self.mechanism.joints if joint.symbol == rack.joint)
+        radius, phase = (number(node, self.dimensions) / self.scale for node in (rack.radius, rack.phase))
+        terms = tuple((3 * self.bodies[name] + 2, sign * radius) for name, sign in ((rack.link, 1), (rack.arm, -1)))
+        return replace(self._along(joint), of=f"relation {order}", offset=phase, terms=terms)
+
+    def _along(self, joint: Joint) -> Equation:
+        """The displacement of a sliding joint."""
+        body, point = self._holders[joint.point]
+        on = self.bodies[joint.on]
+        place = self._local(on, geometry.through(joint, self.located, self.dimensions))
+        return Equation("displacement", body, on, point, place, number(joint.angle, self.dimensions), of=joint.name)
 
     def _local(self, body: int, xy: Array) -> tuple[float, float]:
         return _local(body, xy, self.scale, self.origin)
@@ -221,13 +281,24 @@ class _Builder:
             kept = angle + number(joint.orientation, self.dimensions)
             found.append(Equation("angle", self.bodies[joint.link], on, angle=kept, of=joint.name))
         if driven:
-            found.append(Equation("displacement", body, on, point, place, angle, driven=True, of=joint.name))
+            found.append(replace(self._along(joint), driven=True))
         return found
 
 
 def _columns(equation: Equation) -> list[int]:
     starts = (3 * equation.body, 3 * equation.on)
-    return [starts[slot // 3] + slot % 3 for slot in _SLOTS[equation.kind]]
+    return [starts[slot // 3] + slot % 3 for slot in _SLOTS[equation.kind]] + [column for column, _ in equation.terms]
+
+
+def _slots(equation: Equation) -> tuple[int, ...]:
+    """The entries of its gradient that belong to its columns."""
+    return (*_SLOTS[equation.kind], *range(6, 6 + len(equation.terms)))
+
+
+def _is_linear(equation: Equation, columns: Sequence[int]) -> bool:
+    """Whether the unknown `columns` stand in it linearly: no unknown angle turns a place."""
+    own = _columns(equation)[: len(_SLOTS[equation.kind])]
+    return equation.kind == "angle" or not any(column % 3 == 2 and column in columns for column in own)
 
 
 def _block(equations: Sequence[Equation], columns: Sequence[int]) -> Block:
@@ -235,7 +306,7 @@ def _block(equations: Sequence[Equation], columns: Sequence[int]) -> Block:
     slots = tuple(
         tuple(
             (slot, place[column])
-            for slot, column in zip(_SLOTS[equation.kind], _columns(equation), strict=True)
+            for slot, column in zip(_slots(equation), _columns(equation), strict=True)
             if column in place
         )
         for equation in equations
@@ -250,7 +321,7 @@ def _block(equations: Sequence[Equation], columns: Sequence[int]) -> Block:
         coordinates=tuple(sorted({3 * b + i for e in equations for b in (e.body, e.on) for i in (0, 1)})),
         slots=slots,
         reach=tuple(_reach(equations, column) for column in columns),
-        linear=angles == 0 or set(kinds) == {"angle"},
+        linear=all(_is_linear(equation, columns) for equation in equations),
         large=loop_unknowns > 2,
     )
 
@@ -274,9 +345,18 @@ def residual(equation: Equation, state: Array, value: Array) -> tuple[Array, tup
     meet    p - p'                  by theta: z x rho,        by theta_on: -z x rho'
     line    n . v                   by theta: n . (z x rho),  by theta_on: -t . v - n . (z x rho')
     displacement  t . v - value     by theta: t . (z x rho),  by theta_on:  n . v - t . (z x rho')
+    Behind these the gradient by each of the equation's terms.
     """
-    a, b = 3 * equation.body, 3 * equation.on
     given: Array | float = value if equation.driven else 0.0
+    for column, factor in equation.terms:
+        given = given + factor * state[:, column]
+    found, gradient = _own_residual(equation, state, given)
+    return found, (*gradient, *(-factor for _, factor in equation.terms))
+
+
+def _own_residual(equation: Equation, state: Array, given: Array | float) -> tuple[Array, tuple[Array | float, ...]]:
+    """Without the gradient by its terms; `given`: the driver's value and the terms."""
+    a, b = 3 * equation.body, 3 * equation.on
     if equation.kind == "angle":
         return state[:, a + 2] - state[:, b + 2] - equation.angle - given, (0.0, 0.0, 1.0, 0.0, 0.0, -1.0)
     rx, ry = _turned(equation.point, state[:, a + 2])
@@ -292,7 +372,7 @@ def residual(equation: Equation, state: Array, value: Array) -> tuple[Array, tup
     along, across = tx * vx + ty * vy, tx * vy - ty * vx
     if equation.kind == "line":
         return across, (-ty, tx, ty * ry + tx * rx, ty, -tx, -along - ty * qy - tx * qx)
-    return along - given, (tx, ty, ty * rx - tx * ry, -tx, -ty, across - ty * qx + tx * qy)
+    return along - equation.offset - given, (tx, ty, ty * rx - tx * ry, -tx, -ty, across - ty * qx + tx * qy)
 
 
 def _turned(point: tuple[float, float], angle: Array) -> tuple[Array | float, Array | float]:
@@ -311,5 +391,5 @@ def linearised(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
     for i, (equation, slots) in enumerate(zip(block.equations, block.slots, strict=True)):
         residuals[:, i], gradient = residual(equation, state, value)
         for slot, position in slots:
-            jacobian[:, i, position] = gradient[slot]
+            jacobian[:, i, position] += gradient[slot]
     return residuals, jacobian

@@ -308,13 +308,14 @@ def _plan_names_and_blocks(plan: Plan) -> None:
             _spot(plan, f"#{key}_at", row, False, safe_name(f"{key}_at", taken), taken, TOLERANCE)
 
 
-INPUT_BLOCKS = ("motion", "masses", "loads")
+INPUT_BLOCKS = ("motion", "drivers", "gears", "masses", "loads")
 """Blocks of what the description gives elsewhere than among its dimensions."""
 
 
 def block_of(dim: Dimension) -> str:
     """The block of the first sheet in which such a dimension stands; "" for one of the description's own."""
     places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
+    places |= {"joints": "gears", "drivers": "drivers"}
     return places[str(dim.place[0])] if dim.place else ""
 
 
@@ -346,7 +347,9 @@ def _plan_columns(plan: Plan) -> None:
     _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
     _add_column(plan, "#status", "status", 0, False)
     for symbol in plan.mechanism.given_by_row:
-        _add_column(plan, symbol, "time" if driver.law else "listed", 0, False)
+        own = plan.mechanism.given_unit(symbol)
+        in_degrees = symbol in plan.mechanism.listed_symbols and own is not None and own.in_degrees
+        _add_column(plan, symbol, "time" if driver.law else "listed", 0, in_degrees)
     for equation in plan.equations.columns:
         if equation.role in (*RATES, *FORCES, "iteration"):
             continue

@@ -40,6 +40,14 @@ PHRASES = {
     "right_of": ("{point} right of {start}→{end}", "{point}, {start}→{end} sağında"),
     "larger_of_two": ("{symbol} the larger of two", "{symbol} ikisinden büyüğü"),
     "smaller_of_two": ("{symbol} the smaller of two", "{symbol} ikisinden küçüğü"),
+    "tooth_tangent": (
+        "tooth force of {one} on {other}, along the pitch line", "{one} → {other} diş kuvveti, yuvarlanma doğrusu boyunca"
+    ),
+    "tooth_part": ("tooth force of {one} on {other}, {axis} part", "{one} → {other} diş kuvveti, {axis} bileşeni"),
+    "tooth_force": ("tooth force of {one} on {other}", "{one} → {other} diş kuvveti"),
+    "belt_torque": ("torque of {one} on {other}", "{one} → {other} momenti"),
+    "pitch_point": ("pitch point of {one} and {other}, {axis}", "{one} ile {other} yuvarlanma noktası, {axis}"),
+    "further_driver": ("driven besides", "ayrıca tahrik edilen"),
     # lengths and places
     "tolerance": ("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır"),
     "fixed_point": ("{point}, fixed, {axis}", "{point}, sabit, {axis}"),

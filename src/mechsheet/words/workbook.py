@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from mechsheet.words.forces import FORCES
+from mechsheet.words.gears import GEARS
 from mechsheet.words.newton import NEWTON
 from mechsheet.words.notes import NOTES
 from mechsheet.words.page import PAGE
@@ -185,6 +186,7 @@ WORDS: dict[str, tuple[str, str]] = {
     **RATES,
     **FORCES,
     **NEWTON,
+    **GEARS,
     **PAGE,
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.near": ("the first row within half a turn of:", "ilk satır bundan en çok yarım tur uzaktadır:"),

@@ -311,7 +311,8 @@ def _leaps(plan: Plan, sheet: str) -> list[Node]:
     """1 in a row that some link reaches by turning more than `LEAP` since the row before; written for the first row."""
     driver = plan.mechanism.driver.symbol
     angles = (link.angle_symbol for link in plan.mechanism.links[1:])
-    symbols = [name for name in angles if name != driver and plan.equations.of(name).reads]
+    tied = plan.equations.equations.tied
+    symbols = [name for name in angles if name not in (driver, *tied) and plan.equations.of(name).reads]
     first = plan.at.first
     turned = [
         formula("ABS(here-before)", here=plan.at.cell(name, sheet, first), before=plan.at.cell(name, sheet, first - 1))

@@ -151,9 +151,19 @@ class Extremes:
             probes.work(self.whole_row, 1, "0")
             return
         turn = whole_turn(driver.unit.in_degrees)
+        covered = formula("ABS(_step)*(rows-1)/turn", rows=plan.rows, turn=turn)
         if driver.law is not None:
             covered = formula("ABS(last-first)/turn", first=Symbol(SHOWN + driver.law.start),
                               last=Symbol(SHOWN + driver.law.stop), turn=turn)  # fmt: skip
+        if tied := plan.equations.equations.tied:
+            back = Call("AND", tuple(self._is_back(symbol) for symbol in tied))
+            probes.work(
+                self.whole_row, 1,
+                "IF(AND(ABS(ROUND(covered,0)-covered)<1E-9,ROUND(covered,0)>0),IFERROR(IF(back,1,0),0),0)",
+                covered=covered, back=back,
+            )  # fmt: skip
+            return
+        if driver.law is not None:
             probes.work(
                 self.whole_row, 1, "IF(AND(covered>0.5,ABS(ROUND(covered,0)-covered)<1E-9),1,0)", covered=covered
             )
@@ -162,9 +172,20 @@ class Extremes:
             self.whole_row, 1,
             "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
             "IF(ABS(ROUND(more,0)-more)<1E-9,2,0))",
-            covered=formula("ABS(_step)*(rows-1)/turn", rows=plan.rows, turn=turn),
+            covered=covered,
             more=formula("ABS(_step)*rows/turn", rows=plan.rows, turn=turn),
         )  # fmt: skip
+
+    def _is_back(self, symbol: str) -> Node:
+        """Whether what a gear or a further driver decides is in the last row what it was in the first."""
+        spot = self.plan.at.spots[symbol]
+        last, first = (
+            CellRef(row, spot.col, True, True, spot.sheet) for row in (self.plan.at.last, self.plan.at.first)
+        )
+        if self.plan.equations.of(symbol).unit.kind != "angle":
+            return formula("ABS(last-first)<1E-9*size", last=last, first=first, size=self.plan.size)
+        way = formula("(last-first)/turn", last=last, first=first, turn=whole_turn(spot.degrees))
+        return formula("ABS(ROUND(way,0)-way)<1E-9", way=way)
 
     def _inputs_are_fine(self) -> Node:
         """Whether the yellow cells hold what can be, there is such a position, and all that is derived is a number."""

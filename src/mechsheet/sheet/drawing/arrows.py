@@ -97,6 +97,8 @@ def _forces(page: Page) -> tuple[list[Arrow], list[Node]]:
     pins, slides = _pins(mechanism), {f"{_pair(mechanism, each.on, each.link)}.n": each for each in mechanism.joints}
     arrows, sizes = [], []
     for name in plan.held_columns:
+        if name not in pins and name not in slides:  # at teeth: their place is no point of the drawing
+            continue
         column = plan.at.column(name, page.title)
         most = over_rows(MOST, column)
         if name in pins:

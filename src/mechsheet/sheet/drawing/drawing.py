@@ -47,6 +47,7 @@ from mechsheet.sheet.drawing.shapes import (
     support,
     write_guide,
 )
+from mechsheet.sheet.drawing.wheels import Wheels, racks
 from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
@@ -91,7 +92,8 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     page.row += 1
     page.put(NAME, text("drawing.note"), styles.SUBTITLE)
     page.row += 1
-    frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN)
+    wheels = Wheels(page, dimension_values(plan.mechanism))
+    frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN, wheels)
     for key, cell in (("x", frame.x), ("y", frame.y), ("half", frame.half)):
         plan.window[key] = Spot(page.title, cell.row, cell.col)
     cells = write_points(page, frame)
@@ -99,7 +101,8 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     shown = _shown(page, requests, cells)
     place_names(page, cells, guides)
     first, last = marks(page, cells)
-    behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *_shapes(page, cells, guides)]
+    toothed = _toothed(page, frame, cells, guides, wheels)
+    behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *toothed, *_shapes(page, cells, guides)]
     before = [*frame.series, _caption(page), *last, *arrows_of(page, cells)]
     names = names_of(page, cells)[: max(0, MOST_SERIES - len(behind) - len(before))]
     series = [*behind, *names, *before]
@@ -134,8 +137,8 @@ def _all_points(plan: Plan) -> tuple[str, ...]:
     return moving_points(plan.mechanism) + fixed
 
 
-def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame:
-    """A window around the points at all positions of the sweep."""
+def _frame(page: Page, title: str, names: Sequence[str], margin: float, wheels: Wheels | None = None) -> Frame:
+    """A window around the points at all positions of the sweep, and the wheels about them."""
     moving = [name for name in names if name in moving_points(page.plan.mechanism)]
     fixed = [name for name in names if name not in moving]
     page.section(page.plan.text("drawing.reach"), [page.plan.text("drawing.from"), page.plan.text("drawing.to")])
@@ -144,6 +147,11 @@ def _frame(page: Page, title: str, names: Sequence[str], margin: float) -> Frame
         constants = tuple(page.at_position(f"{name}.{axis}") for name in fixed)
         low, high = page.extremes(axis, [f"{name}.{axis}" for name in moving])
         lows, highs = ([low], [high]) if moving else ([], [])  # a disk alone turns
+        for name in names if wheels is not None else ():
+            for radius in wheels.around(name) if wheels is not None else ():
+                ends = (page.at_position(f"{name}.{axis}"),) * 2 if name in fixed else (low, high)
+                lows.append(al.sub(ends[0], radius))
+                highs.append(al.add(ends[1], radius))
         extremes.append((al.smallest((*lows, *constants)), al.largest((*highs, *constants))))
     return write_frame(page, title, extremes[0], extremes[1], margin)
 
@@ -256,6 +264,18 @@ def _shapes(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Guide]
         else:  # a massless block, smaller, so that it is seen inside another one at the same point
             found.append(block(page, name, at.chart_x, at.chart_y, guide, INK, 0.7))
     return found
+
+
+def _toothed(
+    page: Page, frame: Frame, cells: Mapping[str, PointCells], guides: Sequence[Guide], wheels: Wheels
+) -> list[Series]:
+    """Wheels, belts and racks."""
+    mechanism = page.plan.mechanism
+    if not mechanism.relations:
+        return []
+    driven = mechanism.driver.link or _joint(page.plan, mechanism.driver.joint).link
+    colors = {link.name: link_color(link, driven) for link in mechanism.links}
+    return [*wheels.series(frame, cells, colors), *racks(page, frame, guides, cells, colors)]
 
 
 def _joint(plan: Plan, name: str) -> Joint:

@@ -88,35 +88,35 @@ def outline(page: Page, name: str, points: Mapping[str, PointCells], order: Sequ
         page.formula(CHART_X, points[point].chart_x)
         page.formula(CHART_Y, points[point].chart_y)
         page.row += 1
-    return _series(page, name, start, color, 3.0)
+    return series_of(page, name, start, color, 3.0)
 
 
 def support(page: Page, name: str, pin: PointCells) -> Series:
     """The hatched support of a fixed pin."""
     start = page.row
-    _local(page, name, SUPPORT)
+    local_path(page, name, SUPPORT)
     a, b = CellRef(start, FIRST, col_abs=True), CellRef(start, SECOND, col_abs=True)
-    _filled(page, start, al.add(pin.chart_x, a), al.add(pin.chart_y, b))
-    return _series(page, name, start, INK, 1.0)
+    filled(page, start, al.add(pin.chart_x, a), al.add(pin.chart_y, b))
+    return series_of(page, name, start, INK, 1.0)
 
 
 def block(page: Page, name: str, x: CellRef, y: CellRef, guide: Guide, color: str, size: float = 1.0) -> Series:
     """A rectangle that turns with its guide."""
     start = page.row
-    _local(page, name, tuple((a * size, b * size) for a, b in BLOCK))
-    _filled(page, start, *_turned(page, start, x, y, guide, CellRef(start, FIRST, col_abs=True)))
-    return _series(page, name, start, color, 2.0)
+    local_path(page, name, tuple((a * size, b * size) for a, b in BLOCK))
+    filled(page, start, *_turned(page, start, x, y, guide, CellRef(start, FIRST, col_abs=True)))
+    return series_of(page, name, start, color, 2.0)
 
 
 def rail(page: Page, name: str, guide: Guide, below: bool) -> Series:
     """A guide fixed to the ground: a hatched line under the block, as long as the stroke and a little more."""
     start = page.row
     side = -1.0 if below else 1.0
-    _local(page, name, tuple((a, side * (BLOCK_HEIGHT - b)) for a, b in comb(1.0, 11, 0.03, 0.0)))
+    local_path(page, name, tuple((a, side * (BLOCK_HEIGHT - b)) for a, b in comb(1.0, 11, 0.03, 0.0)))
     reach = al.sub(guide.end, guide.start)
     along = al.add(guide.start, al.mul(CellRef(start, FIRST, col_abs=True), reach))
-    _filled(page, start, *_turned(page, start, guide.x, guide.y, guide, along))
-    return _series(page, name, start, INK, 1.0)
+    filled(page, start, *_turned(page, start, guide.x, guide.y, guide, along))
+    return series_of(page, name, start, INK, 1.0)
 
 
 def slot(page: Page, name: str, guide: Guide, base: PointCells, color: str) -> Series:
@@ -130,7 +130,7 @@ def slot(page: Page, name: str, guide: Guide, base: PointCells, color: str) -> S
         page.formula(CHART_X, x)
         page.formula(CHART_Y, y)
         page.row += 1
-    return _series(page, name, start, color, 2.0)
+    return series_of(page, name, start, color, 2.0)
 
 
 def write_guide(
@@ -171,7 +171,7 @@ def _turned(page: Page, row: int, x: CellRef, y: CellRef, guide: Guide, along: N
     )
 
 
-def _local(page: Page, name: str, path: Sequence[Local]) -> None:
+def local_path(page: Page, name: str, path: Sequence[Local]) -> None:
     """The shape in its own frame, one corner a row."""
     for n, (a, b) in enumerate(path):
         page.put(NAME, name if n == 0 else "")
@@ -180,12 +180,14 @@ def _local(page: Page, name: str, path: Sequence[Local]) -> None:
         page.row += 1
 
 
-def _filled(page: Page, start: int, x: Node, y: Node) -> None:
+def filled(page: Page, start: int, x: Node, y: Node) -> None:
+    """The places of the rows from `start` on in the chart."""
     rows = page.row - start
     page.fills.append(Fill(start, CHART_X, x, NUMBER_STYLE, rows=rows))
     page.fills.append(Fill(start, CHART_Y, y, NUMBER_STYLE, rows=rows))
 
 
-def _series(page: Page, name: str, start: int, color: str, width: float) -> Series:
+def series_of(page: Page, name: str, start: int, color: str, width: float) -> Series:
+    """The rows from `start` on as one line."""
     x, y = (page.reference(start, col, page.row - 1) for col in (CHART_X, CHART_Y))
     return Series(name, x, y, line=color, width=width, in_legend=False)

@@ -108,9 +108,11 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
     driver = mechanism.driver
     loops = (_four_bar(mechanism, group, pivoted) for group in equations.groups if group.kind == "RRR")
     names = {equation.symbol for equation in equations.columns}
-    swings = tuple(link for link in pivoted if link.name != driver.link and equations.of(link.angle_symbol).reads)
+    driven = mechanism.driven_symbols
+    turning = [link for link in pivoted if link.name != driver.link and link.angle_symbol not in driven]
+    swings = tuple(link for link in turning if equations.of(link.angle_symbol).reads)
     on_ground = (joint for joint in mechanism.joints if ground.name in (joint.on, joint.link))
-    strokes = tuple(joint for joint in on_ground if joint.symbol != driver.symbol)
+    strokes = tuple(joint for joint in on_ground if joint.symbol not in driven)
     return Classification(
         tuple(loop for loop in loops if loop is not None),
         swings,

@@ -1,9 +1,10 @@
-"""What stands behind the input cells of the driver's motion, of masses and of loads."""
+"""What stands behind the input cells of the driver's motion, of gears, of masses and of loads."""
 
 from __future__ import annotations
 
-from mechsheet.model import Dimension
+from mechsheet.model import Dimension, Rack
 from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.symbols import plain
 from mechsheet.words.equations import link_words
 
 
@@ -19,6 +20,13 @@ def given_words(plan: Plan, dim: Dimension) -> str:
             return plan.text(f"motion.{key}")
         case ("driver", str(key)):
             return plan.text(f"motion.{key}{'.own' if dim.symbol == key else ''}")  # in a unit of its own
+        case ("drivers", int(), "value"):
+            return plan.text("drivers.value")
+        case ("joints", int(order), str(key)):
+            relation = next(relation for relation in plan.mechanism.relations if relation.order == order)
+            kind, on = ("rack", relation.joint) if isinstance(relation, Rack) else (relation.kind, relation.on)
+            links = {link.name: link_words(link).of(plan.language) for link in plan.mechanism.links}
+            return plan.text(f"gears.{kind}.{key}", link=links[relation.link], on=links.get(on, plain(on)))
         case ("flywheel", _):
             return plan.text("motion.fluctuation")
         case ("dynamics", "gravity"):
@@ -42,6 +50,8 @@ def words_of(plan: Plan, symbol: str) -> str:
     mechanism = plan.mechanism
     if symbol not in mechanism.given_by_row:
         return plan.equations.of(symbol).label.of(plan.language)
+    if symbol in mechanism.listed_symbols:
+        return plan.text("drivers.listed")
     keys = dict(zip(mechanism.driver_rates, ("speed", "acceleration"), strict=True))
     return plan.text(f"given.{keys.get(symbol, symbol)}")
 

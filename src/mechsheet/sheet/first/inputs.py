@@ -53,8 +53,8 @@ class Input:
 
 
 def inputs_of(plan: Plan) -> list[Input]:
-    """Dimensions, start and step (of a motion law start, stop and duration), modes, in the order in which they stand: what
-    positions depend on.
+    """Dimensions, gears, start and step (of a motion law start, stop and duration), modes, in the order in which they stand:
+    what positions depend on.
 
     The driver's listed values are not among them.
     """
@@ -62,8 +62,11 @@ def inputs_of(plan: Plan) -> list[Input]:
     of_law = (law.start, law.stop, law.duration) if law else ()
     found = []
     for dim in plan.mechanism.dimensions:
-        if isinstance(dim.value, float) and (not dim.place or dim.symbol in of_law):
+        of_ties = dim.place[:1] in (("joints",), ("drivers",))
+        if isinstance(dim.value, float) and (not dim.place or of_ties or dim.symbol in of_law):
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
+            if dim.place[-1:] in (("ratio",), ("radius",)):
+                kind = "step"  # not 0
             found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.at.spots[dim.symbol].row))
     driver = plan.mechanism.driver
     ways: tuple[tuple[Literal["start", "step"], Kind], ...] = (("start", "number"), ("step", "step"))

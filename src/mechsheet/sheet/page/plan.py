@@ -215,6 +215,7 @@ def _plan_table(plan: PagePlan) -> None:
     degrees = {driver.symbol: driver.unit.in_degrees}
     for symbol in plan.mechanism.given_by_row:
         columns.append(TableColumn(len(columns), symbol, "time" if driver.law else "listed", 0, False))
+        degrees[symbol] = symbol in plan.mechanism.listed_symbols and plan.mechanism.driver_of(symbol).unit.in_degrees
     for col, equation in enumerate(plan.equations.columns, len(columns)):
         inner = equation.role in INNER
         group = -1 if equation.symbol in outputs else equation.group

@@ -18,7 +18,13 @@ from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import degrees_together, first_open, group_headings, places, places_of
+from mechsheet.sheet.table.positions import (
+    degrees_together,
+    first_open,
+    group_headings,
+    places,
+    places_of,
+)
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
 from mechsheet.units import SECONDS
 

@@ -89,6 +89,11 @@ class Assignments:
     margins: Mapping[int, str]
 
     @property
+    def listed(self) -> tuple[Assignment, ...]:
+        """What is given row by row: nothing computes it."""
+        return tuple(_given(equation) for equation in self.equations.listed)
+
+    @property
     def all(self) -> tuple[Assignment, ...]:
         """Constants and columns."""
         return self.constants + self.columns
@@ -110,7 +115,7 @@ class Assignments:
 
     def of(self, symbol: str) -> Assignment:
         """The assignment of a symbol."""
-        return next(each for each in self.all if each.symbol == symbol)
+        return next(each for each in (*self.all, *self.listed) if each.symbol == symbol)
 
 
 def lowered(mechanism: Mechanism, equations: Equations) -> Assignments:
@@ -280,6 +285,12 @@ def _step(system: System, unknown: str) -> Node:
 def _next(system: System, unknown: str, number: int) -> Node:
     """An unknown after the pass of that number: x - (J^-1 F)."""
     return in_this_pass(system, _step(system, unknown), number)
+
+
+def _given(equation: Equation) -> Assignment:
+    return Assignment(
+        equation.symbol, equation.expression, equation.expression, equation.role, equation.unit, equation.label
+    )
 
 
 def pins_apart(equations: Equations, direction: Equation) -> tuple[Condition, ...]:

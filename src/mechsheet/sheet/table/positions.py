@@ -261,6 +261,8 @@ def mathematics(plan: Plan, column: TableColumn) -> Rich | str:
         return written(time if column.kind == "time" else driver.law.value, plan.language)
     if column.kind == "driver" and driver.stepped:
         return f"{plan.text('name.start')} + n·{plan.text('name.step')}"
+    if column.symbol in plan.mechanism.listed_symbols:
+        return plan.text("drivers.listed")
     return "" if column.equation is None else written(column.equation.says, plan.language)
 
 
@@ -288,7 +290,8 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     if column.kind in ("time", "listed"):
         return _decimals(styles.COLUMN, places_of(plan, plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT))
     if column.equation is None:
-        return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit.in_degrees else "length"))
+        in_degrees = plan.mechanism.driver_of(column.symbol).unit.in_degrees
+        return _decimals(styles.COLUMN, places(plan, "angle" if in_degrees else "length"))
     unit = column.equation.unit
     if column.symbol in plan.residuals:
         return styles.numbered(styles.INNER, styles.ERROR.number_format)

@@ -1,0 +1,131 @@
+"""Gears, belts, racks and further drivers against closed forms, and in random linkages against the reference."""
+
+import math
+
+import numpy as np
+import pytest
+
+from judging import judged
+from mechsheet import reference
+from mechsheet.description import loads
+from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.sweep import sweep
+
+FIVE_BAR = """
+format = 1
+mechanism = {{ name = "five-bar", length_unit = "m" }}
+[links.ground]
+points = {{ A0 = [{x1!r}, 0], B0 = [{x2!r}, 0] }}
+[links.left]
+points = {{ A0 = [0, 0], A = [{a!r}, 0] }}
+[links.left-rod]
+points = {{ A = [0, 0], P = [{b!r}, 0] }}
+[links.right-rod]
+points = {{ B = [0, 0], P = [{c!r}, 0] }}
+[links.right]
+points = {{ B0 = [0, 0], B = [{u!r}, 0] }}
+{rest}
+"""
+
+NORTON = {"x1": 0.0, "x2": 3.0, "a": 5.0, "b": 7.0, "c": 8.0, "u": 4.0}
+"""Norton, Design of Machinery, problem 4-4: f 3, a 5, b 7, c 8, d 4."""
+
+TRAIN = """
+format = 1
+mechanism = { name = "train" }
+dimensions = { zs = { value = 20, unit = "1" }, zp = { value = 15, unit = "1" } }
+links.ground.points = { O = [0, 0] }
+links.sun.points = { O = [0, 0] }
+links.planet.points = { A = [0, 0], P = [10, 0] }
+links.arm.points = { O = [0, 0], A = [50, 0] }
+joints = [
+    { type = "gear", link = "planet", on = "sun", arm = "arm", ratio = "-zs/zp", phase = 7 },
+    { type = "gear", link = "planet", on = "ground", arm = "arm", ratio = "(zs+2*zp)/zp", phase = 7 },
+]
+driver = { link = "sun", start = 0, stop = 720, step = 40 }
+"""
+
+
+def positions(text):
+    mechanism = loads(text)
+    return sweep(mechanism, solve(mechanism), driver_values(mechanism, dimension_values(mechanism)))
+
+
+@pytest.mark.parametrize(("mode", "rods"), [("P = [10, 6]", (17.6, 64.0)), ("P = [-1.3, -1.5]", (-133.7, 180.0))])
+def test_geared_five_bar_of_the_text(mode, rods):
+    gear = '[[joints]]\ntype = "gear"\nlink = "right"\non = "left"\nratio = -0.5\nphase = 0\n'
+    drive = f'[driver]\nlink = "left"\nvalues = [45]\n[assembly]\n{mode}\n'
+    found = positions(FIVE_BAR.format(**NORTON, rest=gear + drive))
+    angles = [math.degrees(found[name][0]) for name in ("theta13", "theta14")]
+    assert np.remainder(np.subtract(angles, rods) + 180, 360) - 180 == pytest.approx(0, abs=0.07)
+
+
+def test_epicyclic_train_driven_by_its_sun():
+    """Willis: the arm turns zs / (zs + zr) as fast as the sun, the planet so that it rolls on the ring."""
+    found = positions(TRAIN)
+    sun, arm = found["theta12"], found["theta14"]
+    assert arm == pytest.approx(sun * 20 / 70, abs=1e-12)
+    assert found["theta13"] - arm == pytest.approx(math.radians(7) - 50 / 15 * arm, abs=1e-12)
+
+
+def test_both_drivers_of_a_robot():
+    """A public example: both motors given, the tool at (0, 0.3)."""
+    rest = (
+        '[driver]\nlink = "left"\nvalues = ["0.52040625"]\n[[drivers]]\nlink = "right"\nvalues = ["1.30998849"]\n'
+        "[assembly]\nP = [0, 0.3]\n"
+    )
+    found = positions(FIVE_BAR.format(x1=-0.125, x2=0.125, a=0.205, b=0.205, c=0.205, u=0.205, rest=rest))
+    assert (found["P.x"][0], found["P.y"][0]) == pytest.approx((0, 0.3), abs=1e-8)
+
+
+def random_five_bar(seed):
+    """A five-bar with a gear, a belt, or a second driver of one of the three ways; some rows do not exist."""
+    random = np.random.default_rng(seed)
+    sizes = {"x1": 0.0, "x2": random.uniform(2, 6), "a": random.uniform(1, 3), "u": random.uniform(1, 3)}
+    sizes |= {"b": random.uniform(4, 8), "c": random.uniform(4, 8)}
+    phase, ratio = random.uniform(-180, 180), random.choice([-2.0, -1.0, -0.5, 0.7, 1.5, 3.0])
+    start, rows = random.uniform(0, 360), 9
+    values = [float(value) for value in np.cumsum(random.uniform(5, 20, rows))]
+    ways = [
+        f'[[joints]]\ntype = "gear"\nlink = "right"\non = "left"\nratio = {ratio}\nphase = {phase!r}\n',
+        f'[[joints]]\ntype = "belt"\nlink = "right"\non = "left"\nratio = {ratio}\nphase = {phase!r}\n',
+        f'[[drivers]]\nlink = "right"\nvalues = {values}\n',
+        f'[[drivers]]\nlink = "right"\nfollows = "{abs(ratio)}*theta12 + sin(theta12) + {phase / 60!r}"\n',
+        f'[[drivers]]\nlink = "right"\nvalue = {phase!r}\n',
+    ]
+    drive = f'[driver]\nlink = "left"\nstart = {start!r}\nstop = {start + 40 * (rows - 1)!r}\nstep = 40\n'
+    return FIVE_BAR.format(**{key: float(value) for key, value in sizes.items()}, rest=ways[seed % 5] + drive)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_random_ties_against_the_reference(seed):
+    mechanism = loads(random_five_bar(seed))
+    try:
+        solve(mechanism)
+    except MechanismError:
+        pytest.skip("closes nowhere")
+    comparison = judged(mechanism)
+    assert comparison.agrees and comparison.worst < 1e-9, comparison
+
+
+@pytest.mark.parametrize("kind", ["gear", "belt"])
+def test_wheels_turn_on_and_on(kind):
+    """Angles of wheels pass many turns, and are shown so."""
+    text = TRAIN.replace('"gear", link = "planet", on = "sun"', f'"{kind}", link = "planet", on = "sun"')
+    assert positions(text)["theta13"][-1] == pytest.approx(math.radians(7) - 35 / 15 * 720 * 20 / 70 * math.pi / 180)
+
+
+def test_rates_of_a_second_driver_by_the_chain_rule():
+    rest = (
+        '[driver]\nlink = "left"\nstart = 80\nstop = 105\nstep = 5\nspeed = 2\nacceleration = 3\n'
+        '[[drivers]]\nlink = "right"\nfollows = "pi - theta12 + 0.2*sin(2*theta12)"\n[assembly]\nP = [0, 0.3]\n'
+        '[outputs]\nq = { formula = "theta13.d", unit = "1" }\n'
+    )
+    mechanism = loads(FIVE_BAR.format(x1=-0.125, x2=0.125, a=0.205, b=0.205, c=0.205, u=0.205, rest=rest))
+    found = sweep(mechanism, solve(mechanism), driver_values(mechanism, {}))
+    theirs = reference.rates(reference.solve(mechanism))
+    for name, tail in (("theta13", "13"), ("theta14", "14"), ("theta15", "15")):
+        once, twice = theirs[name]
+        assert found[f"omega{tail}"] == pytest.approx(2 * once, rel=1e-9)
+        assert found[f"alpha{tail}"] == pytest.approx(4 * twice + 3 * once, rel=1e-8, abs=1e-9)
