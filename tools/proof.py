@@ -2,7 +2,9 @@
 
 python tools/proof.py perturb 12 [TEMPLATE...] [--with libreoffice,gnumeric,ironcalc] [--seed S]
 python tools/proof.py mutate 8 [TEMPLATE...] [--seed S]
+python tools/proof.py mutate-forces 20 [CASE...] [--seed S]
 
+`mutate-forces` damages the sheets of velocities and forces alone, of published cases.
 Prints a table in Markdown, and puts it between its marks in docs/proof.md when all templates were run. --jobs N runs N
 templates at a time.
 """
@@ -12,6 +14,8 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+import tempfile
+import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -19,11 +23,12 @@ from functools import partial
 from pathlib import Path
 
 from mechsheet.checking import Mutation, Perturbation, mutate, perturb
-from mechsheet.checking.mutate import by_kind
+from mechsheet.checking.mutate import by_kind, by_sheet
 from mechsheet.description import load
 
 HERE = Path(__file__).parent.parent
 TEMPLATES = HERE / "templates"
+CASES = HERE / "tests" / "cases" / "published"
 DOCUMENT = HERE / "docs" / "proof.md"
 PLACES = ("positions", "mechanism", "checks", "extremes", "drawing", "tables")
 
@@ -36,6 +41,42 @@ def perturbed(count: int, seed: int, programs: tuple[str, ...], name: str) -> Pe
 def mutated(count: int, seed: int, name: str) -> Mutation:
     """One template with damaged formulas."""
     return mutate(TEMPLATES / f"{name}.toml", count, seed)
+
+
+def forces_mutated(count: int, seed: int, name: str) -> Mutation:
+    """One published case with masses or loads, formulas of velocities and forces damaged."""
+    case = tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"{name}.toml"
+        path.write_text(case["description"], encoding="utf-8")
+        return mutate(path, count, seed, sheets=("rates", "forces"))
+
+
+def with_forces() -> list[str]:
+    """The published cases that have forces."""
+    texts = {path.stem: path.read_text(encoding="utf-8") for path in sorted(CASES.glob("*.toml"))}
+    return [name for name, text in texts.items() if "mass =" in text or "[[loads]]" in text]
+
+
+def forces_table(found: dict[str, Mutation]) -> Iterator[str]:
+    """A row for each case, and their sums: by the sheet of the damage what the workbook's own checks notice."""
+    yield "| case | damages | check | reference alone | sheet alone | velocities | forces |"
+    yield "|---|---|---|---|---|---|---|"
+    whole: Counter[str] = Counter()
+    for name, one in found.items():
+        sums = Counter({by: one.caught(by) for by in ("check", "reference", "sheet")}, damages=len(one.damages))
+        for title, (number, caught) in one.tally(by_sheet).items():
+            key = "velocities" if title in ("Rates", "Hızlar") else "forces"
+            sums.update({f"{key} of": number, key: caught})
+        whole += sums
+        yield _forces_row(name, sums)
+    yield _forces_row("**all**", whole)
+
+
+def _forces_row(name: str, sums: Counter[str]) -> str:
+    shares = " | ".join(f"{sums[by] / max(1, sums['damages']):.0%}" for by in ("check", "reference", "sheet"))
+    parts = " | ".join(f"{sums[key]}/{sums[f'{key} of']}" for key in ("velocities", "forces"))
+    return f"| {name} | {sums['damages']} | {shares} | {parts} |"
 
 
 def perturb_table(found: dict[str, Perturbation]) -> Iterator[str]:
@@ -113,27 +154,31 @@ def put(mark: str, lines: list[str]) -> None:
 def main() -> None:
     """Run, print, and put in its place."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["perturb", "mutate"])
+    parser.add_argument("what", choices=["perturb", "mutate", "mutate-forces"])
     parser.add_argument("count", type=int)
     parser.add_argument("templates", nargs="*")
     parser.add_argument("--with", dest="programs", default="")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=1)
     given = parser.parse_args()
-    names = given.templates or sorted(path.stem for path in TEMPLATES.glob("*.toml"))
+    forces = given.what == "mutate-forces"
+    every = with_forces() if forces else sorted(path.stem for path in TEMPLATES.glob("*.toml"))
+    names = given.templates or every
     programs = tuple(part for part in given.programs.split(",") if part)
     job: Callable[[str], object] = (
         partial(perturbed, given.count, given.seed, programs)
         if given.what == "perturb"
-        else partial(mutated, given.count, given.seed)
+        else partial(forces_mutated if forces else mutated, given.count, given.seed)
     )
     found = {}
     with ProcessPoolExecutor(given.jobs) as pool:
         for name, one in zip(names, pool.map(job, names), strict=True):
             found[name] = one
             print(name, file=sys.stderr, flush=True)
-    table = perturb_table if given.what == "perturb" else mutate_table
-    head = f"{given.count} {'sets' if given.what == 'perturb' else 'damages'} for each template, seed {given.seed}."
+    tables = {"perturb": perturb_table, "mutate": mutate_table, "mutate-forces": forces_table}
+    table = tables[given.what]
+    what = f"{'sets' if given.what == 'perturb' else 'damages'} for each {'case' if forces else 'template'}"
+    head = f"{given.count} {what}, seed {given.seed}."
     lines = [head, "", *table(found)]  # type: ignore[arg-type]
     print("\n".join(lines))
     if not given.templates:

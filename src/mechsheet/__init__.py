@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from mechsheet.diagnostics import MechsheetError
     from mechsheet.exporting import export
     from mechsheet.homework.audit import Audit, audit
+    from mechsheet.homework.exercise import exercise
+    from mechsheet.homework.marks import Marks, mark
     from mechsheet.library.building import build, compile_workbook
     from mechsheet.library.linkage import Linkage, Motion, load, loads, template
     from mechsheet.library.recalculation import Result, recalc
@@ -28,6 +30,9 @@ if TYPE_CHECKING:
 _HOMES = {
     "audit": "homework.audit",
     "Audit": "homework.audit",
+    "exercise": "homework.exercise",
+    "mark": "homework.marks",
+    "Marks": "homework.marks",
     "build": "library.building",
     "compile_workbook": "library.building",
     "check": "checking",
@@ -53,6 +58,7 @@ __all__ = [
     "Audit",
     "Comparison",
     "Linkage",
+    "Marks",
     "Mechanism",
     "MechsheetError",
     "Motion",
@@ -64,9 +70,11 @@ __all__ = [
     "build",
     "check",
     "compile_workbook",
+    "exercise",
     "export",
     "load",
     "loads",
+    "mark",
     "open_book",
     "plot",
     "recalc",

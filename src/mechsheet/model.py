@@ -391,6 +391,44 @@ class TableRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class Vary:
+    """A dimension that is another one for each student: low, low + step, ... up to high, in its own unit."""
+
+    symbol: str
+    low: float
+    high: float
+    step: float
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """What drawn dimensions must fulfil: `left operator right` over summaries in their units; that every row exists."""
+
+    left: Node | None = None
+    operator: str = ""
+    right: Node | None = None
+    text: str = "all rows"
+
+
+@dataclass(frozen=True, slots=True)
+class Exercise:
+    """What is asked of students.
+
+    asked      marks by variable, coordinate, output or summary; empty: a mark for every link angle, displacement, output
+    tolerance  of the mechanism's size; radians for angles
+    follow_through  whether what is right but for an earlier fault has its marks;  not_live  the share of a mark for what
+               does not follow the dimensions
+    """
+
+    asked: Mapping[str, float] = field(default_factory=dict)
+    vary: tuple[Vary, ...] = ()
+    need: tuple[Need, ...] = ()
+    tolerance: float = 1e-4
+    follow_through: bool = True
+    not_live: float = 0.5
+
+
+@dataclass(frozen=True, slots=True)
 class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
@@ -419,6 +457,7 @@ class Mechanism:
     drawn: bool = True
     rate_points: tuple[str, ...] | None = None
     dynamics: Dynamics | None = None
+    exercise: Exercise | None = None
     text: str = ""
     file: str = field(default="", compare=False)
 

@@ -113,3 +113,19 @@ def test_a_workbook_without_description(tmp_path):
     path = saved(replace(workbook, sheets=workbook.sheets[:-1]), tmp_path / "foreign.xlsx")
     with pytest.raises(MechsheetError, match="carries no description"):
         mutate(path, 1)
+
+
+def test_formulas_of_forces_alone_are_damaged_and_the_sheet_asks_both_ways_to_the_torque(tmp_path):
+    text = (
+        'format = 1\n[mechanism]\nname = "crank"\n[links.ground]\npoints = { A0 = [0, 0] }\n[links.crank]\n'
+        "points = { A0 = [0, 0] }\nmass = 2\ncenter = [30, 4]\ninertia = 1e-3\n"
+        '[driver]\nlink = "crank"\nstart = 0\nstop = 90\nstep = 30\nspeed = 5\nacceleration = 2\n'
+        "[dynamics]\ngravity = 9.81\n"
+    )
+    path = tmp_path / "crank.toml"
+    path.write_text(text, encoding="utf-8")
+    found = mutate(path, 8, sheets=("forces",))
+    assert found.clear
+    assert found.agrees
+    assert {damage.where.partition("!")[0] for damage in found.damages} == {"Forces"}
+    assert 0 < found.caught("sheet") < 8  # the size of a joint force is read by nobody

@@ -17,6 +17,7 @@ from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, update_values, write
+from mechsheet.formula.references import cell_name
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 
@@ -117,19 +118,24 @@ def test_heads_of_tables_and_listed_driver_values(tmp_path):
     text = template("adjustable-pump").replace(
         "start = 0\nstop = 360\nstep = 20\n", 'values = [0, 20.0, "pi/4", 100] # by hand\n'
     )
+    table = '[[tables]]\nrows = { a2 = [35, "a2"] }\ncolumns = { s1 = [20] }\nvalue = "kurs"\n\n[workbook]'
+    text = text.replace("[workbook]", table)
     mechanism = loads(text)
     workbook, plan = lay_out(mechanism, solve(mechanism))
-    table = next(sheet.title for sheet in workbook.sheets if sheet.title.startswith("Tablo"))
+    table = next(sheet.title for sheet in workbook.sheets if sheet.title.startswith("Tablo s15"))
     (row, col) = min(
         (cell.row, cell.col)
         for cell in next(s for s in workbook.sheets if s.title == table).cells
         if cell.content == 50.0
     )
     changes = {f"{table}_{chr(65 + col)}{row + 1}": 60.0, f"Konumlar_B{plan.at.first + 2}": 25.0}
+    changes |= {"Tablo kurs_A8": 40.0, "Tablo kurs_B7": 30.0}
     path = saved(edited(workbook, **changes), tmp_path / "e.xlsx")
     assert changed_lines(text, pull(path).text) == [
         'values = [0, 25.0, "pi/4", 100] # by hand',
         "columns = { s1 = [20, 60, 100, 150, 200, 250] }",
+        'rows = { a2 = [40, "a2"] }',
+        "columns = { s1 = [30] }",
     ]
 
 
@@ -272,3 +278,23 @@ def test_the_speed_of_the_driver(tmp_path):
     assert 'speed = { value = 90, unit = "rpm" }' in found.text
     assert loads(found.text).driver_rates == ("omega12", "alpha12")
     assert held(found.text, path) == []
+
+
+def test_a_duration_and_listed_speeds(tmp_path):
+    """What stands in the driver's own cells, deep in an inline table or in a list."""
+    head, _, tail = template("scotch-yoke").partition("[driver]\n")
+    link, rest = tail.split("\n", 1)
+    rest = "\n".join(line for line in rest.split("\n") if not line.startswith(("start", "stop", "step", "speed")))
+    law = 'start = 0\nstop = 90\nmotion = { law = "harmonic", duration = 2, rows = 3 }  # s\n'
+    lists = "values = [0, 10, 5]\nspeed = [1, 0, -1]\n"
+    for driver, cell, wanted in (
+        (law, "duration", "duration = 3.5, rows = 3 }  # s"),
+        (lists, "omega12", "[1, 0, 3.5]"),
+    ):
+        mechanism = loads(f"{head}[driver]\n{link}\n{driver}{rest}")
+        workbook, plan = lay_out(mechanism, solve(mechanism))
+        spot = plan.at.spots[cell]
+        place = f"{spot.sheet}_{cell_name(plan.at.last if spot.column else spot.row, spot.col)}"
+        found = pull(saved(edited(workbook, **{place: 3.5}), tmp_path / "typed.xlsx"))
+        assert len(found.changes) == 1
+        assert wanted in found.text

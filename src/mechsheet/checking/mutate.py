@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from mechsheet.formula.nodes import shifted
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
 from mechsheet.formula.slips import Damage, damages
+from mechsheet.sheet.checks.efforts import AGREES
 
 TRIES = 60
 """Damages that change no value are drawn again so often for each one wanted."""
@@ -117,7 +119,13 @@ def by_sheet(damage: Damaged) -> str:
     return damage.where.rpartition("!")[0]
 
 
-def mutate(path: str | Path, count: int, seed: int = 0, progress: Callable[[str], None] | None = None) -> Mutation:
+def mutate(
+    path: str | Path,
+    count: int,
+    seed: int = 0,
+    progress: Callable[[str], None] | None = None,
+    sheets: Collection[str] = (),
+) -> Mutation:
     """Damage `count` formulas of a workbook (or of what a description builds), one at a time, each so that a value changes.
 
     Each sheet gets about as many as any other; on it every formula (a filled range is one), and every kind of damage that it
@@ -126,24 +134,27 @@ def mutate(path: str | Path, count: int, seed: int = 0, progress: Callable[[str]
     Stored values are those that a spreadsheet program would store: they fit the damage, and give nothing away. A value is
     changed when it differs by more than TOLERANCE (angles modulo a turn, as everywhere). The same seed gives the same
     damages. Raises MechsheetError when the file cannot be read or carries no description.
+
+    sheets  keys of the only sheets that are damaged ("rates", "forces"); all where none is named
     """
     path = Path(path)
     say = progress or (lambda _: None)
     with workbook_of(path) as built:
-        return _Run(built, readable_name(path), seed).over(count, say)
+        return _Run(built, readable_name(path), seed, sheets).over(count, say)
 
 
 class _Run:
     """One file."""
 
-    def __init__(self, path: Path, shown: str, seed: int) -> None:
+    def __init__(self, path: Path, shown: str, seed: int, sheets: Collection[str] = ()) -> None:
         self.shown, self.seed = shown, seed
         self.book = read(path)
         self.expected: Expected = expected_for(description_or_fault(self.book, shown), inside(shown))
         self.values = compile_book(self.book).evaluate()
         self.angles = angles_in(self.expected.plan)
         self.names = sorted(name.name for name in self.book.names if name.sheet is None)
-        self.sheets = [sheet for sheet in self.book.sheets if sheet.blocks]
+        titles = {title for key, title in self.expected.plan.at.titles.items() if key in sheets}
+        self.sheets = [sheet for sheet in self.book.sheets if sheet.blocks and (not sheets or sheet.title in titles)]
         self.kinds: dict[tuple[str, int], dict[str, list[Damage]]] = {}
         self.harmless = self.circular = 0
 
@@ -216,13 +227,17 @@ class _Run:
         )
 
     def _is_clear(self, values: Any) -> bool:
-        """Whether the first sheet finds no gap, and no cell of the table without a formula."""
-        at = self.expected.plan.at
-        gap, rounding, typed = (
-            values.get(spot.sheet, spot.row, spot.col)
-            for spot in (at.spots[key] for key in ("#largest_gap", "#rounding", "#typed"))
-        )
-        return isinstance(gap, float) and isinstance(rounding, float) and gap <= rounding and typed == 0.0
+        """Whether the first sheet finds no gap, no cell without a formula, and all that is found twice alike."""
+        spots = self.expected.plan.at.spots
+
+        def found(key: str) -> float:
+            value = values.get(spots[key].sheet, spots[key].row, spots[key].col)
+            return value if isinstance(value, float) else math.nan
+
+        rounding = found("#rounding")
+        least = {"#largest_gap": rounding, "#velocities_fit": rounding, "#accelerations_fit": rounding}
+        least["#effort_fits"] = AGREES
+        return found("#typed") == 0.0 and all(found(key) <= most for key, most in least.items() if key in spots)
 
 
 def _around(block: Block, down: int, right: int) -> Iterator[Block]:

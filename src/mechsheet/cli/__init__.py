@@ -16,7 +16,9 @@ from .audit import audit
 from .build import build
 from .check import check
 from .common import in_options
+from .exercise import exercise
 from .export import export
+from .mark import mark
 from .new import new
 from .plot import plot
 from .pull import pull
@@ -74,5 +76,5 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show, export, schema, pull, audit):
+for command in (new, build, check, recalc, plot, show, export, schema, pull, audit, exercise, mark):
     main.add_command(command)

@@ -7,7 +7,18 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, driver, dynamics, flywheel, force_names, joints, links, rates, results
+from mechsheet.description import (
+    dimensions,
+    driver,
+    dynamics,
+    exercise,
+    flywheel,
+    force_names,
+    joints,
+    links,
+    rates,
+    results,
+)
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -154,6 +165,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "drawn": workbook.get("drawing", True) is not False,
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "dynamics": masses,
+        "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     name = _name(head, report)

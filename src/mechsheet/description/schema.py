@@ -398,6 +398,26 @@ ASSEMBLY = Named(
     keys={"at": Key(Quantity(), "the driver value that the sketch shows; by default the first")},
 )
 
+EXERCISE = Table(
+    {
+        "asked": Key(
+            Named(Number(0), "variable, coordinate, output or summary"),
+            "marks for each; default: a mark for every link angle, displacement and output",
+        ),
+        "vary": Key(
+            Named(Items(Number(), 3, 3, "from, to, step"), "dimension"),
+            "dimensions that differ from student to student, in their own units",
+        ),
+        "need": Key(
+            Text(longest=1000),
+            '"all rows", or a comparison of summaries in their units ("mu_min > 30"); several with "and"',
+        ),
+        "tolerance": Key(Number(0), "of the mechanism's size, radians for angles; default 1e-4"),
+        "follow_through": Key(YesNo(), "false: what is right but for an earlier fault has no marks; default true"),
+        "not_live": Key(Number(0), "share of a mark for what does not follow the dimensions; default 0.5"),
+    }
+)
+
 DESCRIPTION = Table(
     {
         "format": Key(Integer(FORMAT, FORMAT), "version of this format", True),
@@ -416,6 +436,7 @@ DESCRIPTION = Table(
         "charts": Key(Items(CHART), "charts; sensible ones are chosen when left out"),
         "tables": Key(Items(TABLE), "two-way tables"),
         "workbook": Key(WORKBOOK, "how the workbook is written"),
+        "exercise": Key(EXERCISE, "what is asked of students, and what varies from one to the next"),
     },
     later=("drivers", "friction"),
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from mechsheet.diagnostics import WorkbookError, readable_name
 from mechsheet.formats import read
 from mechsheet.homework.faults import Mend, Suspect, first_wrong, many
+from mechsheet.homework.marking_rules import AskedFor, asked_of
 from mechsheet.homework.remarks import Judged, remarks_of
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
 from mechsheet.homework.understanding import Understanding, understand
@@ -19,19 +20,6 @@ from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.verdicts import Finding, Sheet, Verdict, findings, with_liveness
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import HOMEWORK, said
-
-TOLERANCE = 1e-4
-NOT_LIVE = 0.5
-
-
-@dataclass(frozen=True, slots=True)
-class AskedFor:
-    """What is asked of a workbook, and how it is marked."""
-
-    marks: Mapping[str, float]
-    tolerance: float = TOLERANCE
-    follow_through: bool = True
-    not_live: float = NOT_LIVE
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,8 +43,20 @@ class FaultFound:
 
 
 @dataclass(frozen=True, slots=True)
+class Given:
+    """A dimension that the sheet has: its cell, and its value in the description's own unit."""
+
+    cell: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
 class Audit:
-    """What was found in one workbook."""
+    """What was found in one workbook.
+
+    of, plain, follow_through  marks: of how many, without and with those for what is right but for an earlier fault
+    given   the dimensions that were found in its cells;  earned  the marks of each quantity, with follow-through
+    """
 
     file: str
     asked: Mapping[str, AskedResult]
@@ -66,6 +66,8 @@ class Audit:
     follow_through: float
     remarks: tuple[str, ...]
     language: str = "en"
+    given: Mapping[str, Given] = field(default_factory=dict)
+    earned: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def right(self) -> bool:
@@ -98,13 +100,6 @@ def audit(book: str | Path, mechanism: Mechanism, assembly: str = "") -> Audit:
     return audited(upright(read(path)), mechanism, asked_of(mechanism), readable_name(path), assembly == "any")
 
 
-def asked_of(mechanism: Mechanism) -> AskedFor:
-    """What is asked without a word in the description: every link angle, displacement and output, a mark each."""
-    names = [link.angle_symbol for link in mechanism.links[1:]]
-    names += [joint.symbol for joint in mechanism.joints] + [output.symbol for output in mechanism.outputs]
-    return AskedFor({name: 1.0 for name in names if name != mechanism.driver.symbol})
-
-
 def audited(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, any_assembly: bool = False) -> Audit:
     """The audit of a workbook that has been read; `shown` is what messages call it."""
     judged = _judged(work, mechanism, wanted, shown)
@@ -119,16 +114,30 @@ def audited(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, any_
     faults = [_fault(judged.found, mend) for mend in mends]
     if judged.suspect is not None and not mends:
         faults.append(_unmended(judged.found, judged.suspect))
+    plain = _earned(asked, wanted, {symbol: one.plain for symbol, one in results.items()})
+    earned = _earned(asked, wanted, {symbol: one.verdict for symbol, one in results.items()})
     return Audit(
         shown,
         results,
         tuple(faults),
         sum(asked.values()),
-        _marks(asked, wanted, {symbol: one.plain for symbol, one in results.items()}),
-        _marks(asked, wanted, {symbol: one.verdict for symbol, one in results.items()}),
+        round(sum(plain.values()), 6),
+        round(sum(earned.values()), 6),
         tuple(remarks_of(judged, mechanism.language)),
         mechanism.language,
+        _given(judged.found),
+        earned,
     )
+
+
+def _given(found: Understanding) -> dict[str, Given]:
+    units = {dim.symbol: dim.unit for dim in found.mechanism.dimensions}
+    return {
+        one.symbol: Given(
+            found.work.where(*one.place), float(units[one.symbol].to_shown(found.truth.dimensions[one.symbol]))
+        )
+        for one in found.inputs
+    }
 
 
 def _judged(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, unusual: bool = False) -> Judged:
@@ -166,11 +175,15 @@ def _holes(sheet: Sheet) -> bool:
 
 
 def _moving(found: Understanding, wanted: AskedFor) -> dict[str, float]:
-    """What is asked, without what does not move."""
+    """What is asked, without what does not move and nobody has asked for by name."""
+    exercise = found.mechanism.exercise
+    explicit = exercise.asked if exercise is not None else {}
     return {
         symbol: marks
         for symbol, marks in wanted.marks.items()
-        if symbol in found.truth.columns and found.truth.quantity(symbol).moves(found.truth.size)
+        if symbol not in found.truth.columns
+        or symbol in explicit
+        or found.truth.quantity(symbol).moves(found.truth.size)
     }
 
 
@@ -209,9 +222,10 @@ def _holds(places: Sequence[tuple[str, int, int]], mend: Mend) -> bool:
     return not set(places).isdisjoint(mend.strip.places())
 
 
-def _marks(asked: Mapping[str, float], wanted: AskedFor, verdicts: Mapping[str, Verdict]) -> float:
+def _earned(asked: Mapping[str, float], wanted: AskedFor, verdicts: Mapping[str, Verdict]) -> dict[str, float]:
+    """The marks of each quantity by its verdict."""
     parts = {"right": 1.0, "follows": 1.0 if wanted.follow_through else 0.0, "not live": wanted.not_live}
-    return round(sum(marks * parts.get(verdicts[symbol], 0.0) for symbol, marks in asked.items()), 6)
+    return {symbol: marks * parts.get(verdicts[symbol], 0.0) for symbol, marks in asked.items()}
 
 
 def _fault(found: Understanding, mend: Mend) -> FaultFound:

@@ -56,10 +56,14 @@ def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Se
     goals = [
         (symbol, finding.series)
         for symbol, finding in results.items()
-        if finding.verdict == "wrong" and finding.series is not None
+        if finding.verdict == "wrong" and finding.series is not None and symbol in sheet.found.truth.columns
     ]
     claimed = {finding.series.key for finding in results.values() if finding.series is not None}
-    lost = [symbol for symbol, finding in results.items() if finding.verdict == "missing"]
+    lost = [
+        symbol
+        for symbol, finding in results.items()
+        if finding.verdict == "missing" and symbol in sheet.found.truth.columns
+    ]
     if lost:
         loose = [series for series in sheet.found.series if series.key not in claimed and series.main is not None]
         goals += [(symbol, series) for symbol in lost for series in loose]

@@ -64,7 +64,7 @@ def remarks_of(judged: Judged, language: str) -> Iterator[str]:
             dead = ", ".join(finding.dead)
             key = "remark.dead" if dead else "remark.typed"
             yield said(language, key, symbol=symbol, dimensions=dead)
-        if finding.verdict == "wrong" and finding.series is not None:
+        if finding.verdict == "wrong" and finding.series is not None and symbol in found.truth.columns:
             yield from _of_rows(symbol, finding, judged, language)
     if judged.suspect is not None:
         yield _of_suspect(judged, judged.suspect, language)
@@ -91,7 +91,7 @@ def _shown(mechanism: Mechanism, symbol: str, value: float) -> str:
 
 def _of_reading(symbol: str, finding: Finding, found: Understanding, language: str) -> Iterator[str]:
     reading = finding.reading
-    if reading is None:
+    if reading is None or symbol not in found.truth.columns:
         return
     quantity = found.truth.quantity(symbol)
     if reading.sense < 0:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -216,20 +217,52 @@ def _reads_along(graph: Graph, number: int, run: Run) -> bool:
 
 
 def _stepped(graph: Graph) -> list[Run]:
-    """A first cell, and below it formulas that read the cell above and single cells: start + step, filled down."""
+    """Formulas that step from cell to cell: from the cell above (with the first cell), or by their own row's number."""
     found = []
     for number, strip in enumerate(graph.work.strips):
-        if strip.length < SHORTEST - 1:
+        if strip.length < SHORTEST - 1 or _reads_rows(graph, number):
             continue
-        own = False
-        for sheet, low, _, left, right in graph.areas(number):
-            if (sheet, left, right) == (strip.sheet, strip.line, strip.line) and low == strip.start - 1:
-                own = True
-            elif any(other != number and graph.work.strips[other].length > 1 for other in graph.reads[number]):
-                own = False
-                break
-        if own and not math.isnan(graph.work.number((strip.sheet, strip.start - 1, strip.line))):
+        own = [
+            start.row - strip.start
+            for start, end in references(graph.formulas[number])
+            if start is end and not start.row_abs and start.col == strip.line
+        ]
+        first = (strip.sheet, strip.start - 1, strip.line)
+        if own == [-1] * len(own) and own and not math.isnan(graph.work.number(first)):
             found.append(Run(strip.sheet, strip.line, strip.start - 1, strip.length + 1))
+        elif not own and _linear(graph.work, strip) is not None:
+            found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
+    return found
+
+
+def _reads_rows(graph: Graph, number: int) -> bool:
+    """Whether a strip reads another one cell by cell."""
+    strip = graph.work.strips[number]
+    return any(not start.row_abs and start.col != strip.line for start, _ in references(graph.formulas[number]))
+
+
+def _linear(work: Work, strip: Strip) -> float | None:
+    """The step of a strip whose numbers go on by equal steps, None where they do not."""
+    column = np.array([work.number(place) for place in strip.places()])
+    steps = np.diff(column)
+    if len(steps) < SHORTEST - 2 or not np.isfinite(column).all() or not steps[0]:
+        return None
+    return float(steps[0]) if np.allclose(steps, steps[0], rtol=1e-6, atol=1e-9) else None
+
+
+def counted(graph: Graph, run: Run) -> list[Run]:
+    """Where a run only counts the rows (0, 1, 2 ...), what is computed from it by equal steps: start + number * step."""
+    work = graph.work
+    column = [work.number(place) for place in run.places()]
+    if column[0] not in (0.0, 1.0) or any(one + 1 != other for one, other in itertools.pairwise(column)):
+        return []
+    found = []
+    for number in sorted(graph.readers_of(run.sheet, run.line, run.start, run.end)):
+        strip = work.strips[number]
+        step = _linear(work, strip) if strip.length >= SHORTEST and _reads_along(graph, number, run) else None
+        rows = {(start.sheet, start.col) for start, _ in references(graph.formulas[number]) if not start.row_abs}
+        if step is not None and len(rows) == 1 and abs(abs(step) - math.pi / 180) > 1e-6:
+            found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
     return found
 
 
@@ -295,7 +328,12 @@ def _origin(graph: Graph, number: int, driver: Run, origins: dict[int, int]) -> 
             continue
         for other in graph.lines.get((sheet or "", start.col), ()):
             target = graph.work.strips[other]
-            if other in origins and other != number and target.start <= start.row < target.end:
+            if (
+                other in origins
+                and other != number
+                and target.start < start.row + strip.length
+                and start.row < target.end
+            ):
                 seen[strip.start - (start.row - origins[other])] += 1
     if not seen:
         return None

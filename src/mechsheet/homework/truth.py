@@ -74,15 +74,13 @@ def truth_of(
     try:
         solution = reference.solve(mechanism, dimensions, start=start, values=driver)
         columns = reference.variables(solution)
-        if mechanism.driver.speed is not None:
-            columns |= {
-                symbol: values for symbol, values in reference.by_time(solution).items() if symbol not in columns
-            }
     except (MechanismError, FloatingPointError, np.linalg.LinAlgError):
         return None
     rows = np.flatnonzero(solution.exists)
     if not len(rows):
         return None
+    if mechanism.driver.speed is not None and not mechanism.driver.speeds:
+        columns |= {symbol: values for symbol, values in reference.by_time(solution).items() if symbol not in columns}
     poses = {name: tuple(map(float, pose[rows[0]])) for name, pose in solution.poses.items()}
     return Truth(
         mechanism,

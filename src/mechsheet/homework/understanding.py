@@ -13,7 +13,7 @@ from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, reading_of
 from mechsheet.homework.headings import heading, names_over
 from mechsheet.homework.inputs import Input, inputs_of
-from mechsheet.homework.series import Graph, Run, Series, aligned, drivers
+from mechsheet.homework.series import Graph, Run, Series, aligned, counted, drivers
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
@@ -79,7 +79,7 @@ def understand(
         raise WorkbookError(Fault("no table", about="no table"))
     best: tuple[tuple[int, int], Understanding] | None = None
     given = reference.dimension_values(mechanism)
-    for run in runs[:3]:
+    for run in [one for likely in runs[:3] for one in (likely, *counted(graph, likely))]:
         series = aligned(graph, run)
         for by_words in (True, False):
             inputs = inputs_of(graph, mechanism, given, run, by_words)
@@ -153,6 +153,8 @@ def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
     for symbol in asked:
         if symbol in found.truth.columns:
             quantity = found.truth.quantity(symbol)
+            if not quantity.moves(found.truth.size):
+                continue  # anything that stands still would be it
             allowed = found.allowed(quantity)
             right += any(reading_of(column, quantity, allowed, found.zeros) for column in columns)
     if right >= min(ENOUGH, len(asked)):

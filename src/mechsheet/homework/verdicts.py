@@ -12,11 +12,13 @@ import numpy as np
 from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
 from mechsheet.homework.agreement import Reading, gaps, reading_of
-from mechsheet.homework.headings import contains, labels, says
+from mechsheet.homework.headings import around, contains, labels, names_over, says
 from mechsheet.homework.series import Series
+from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.understanding import Understanding, retyped
-from mechsheet.homework.upright import Place
+from mechsheet.homework.upright import Place, Strip
+from mechsheet.model import Summary
 
 Verdict: TypeAlias = Literal["right", "follows", "wrong", "other assembly", "not live", "missing"]
 
@@ -65,19 +67,25 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
     found = sheet.found
     truth = found.truth if truth is None else truth
     results: dict[str, Finding] = {}
-    for symbol in sheet.asked:
+    wanted = [symbol for symbol in sheet.asked if symbol in truth.columns]
+    for symbol in wanted:
         best = _agreeing(sheet, truth, symbol)
         if best is not None:
             results[symbol] = Finding(symbol, "right", best[0], best[1])
     taken = {finding.series.key for finding in results.values() if finding.series is not None}
     spare = [series for series in found.series if series.key not in taken]
-    for symbol in sheet.asked:
+    for symbol in wanted:
         if symbol not in results:
             series = _headed(sheet, symbol, spare)
             if series is not None:
                 results[symbol] = Finding(symbol, "wrong", series)
                 spare = [other for other in spare if other.key != series.key]
     _left_over(sheet, truth, results, spare)
+    for summary in found.mechanism.summaries:
+        if summary.symbol in sheet.asked:
+            single = _single(sheet, truth, summary)
+            if single is not None:
+                results[summary.symbol] = single
     return {symbol: results.get(symbol, Finding(symbol, "missing")) for symbol in sheet.asked}
 
 
@@ -121,13 +129,42 @@ def _headed(sheet: Sheet, symbol: str, spare: Sequence[Series]) -> Series | None
 
 def _left_over(sheet: Sheet, truth: Truth, results: dict[str, Finding], spare: Sequence[Series]) -> None:
     """One quantity and one unexplained last column: they belong together. `spare` are series that nothing has claimed."""
-    open_symbols = [symbol for symbol in sheet.asked if symbol not in results]
+    open_symbols = [symbol for symbol in sheet.asked if symbol not in results and symbol in truth.columns]
     if len(open_symbols) != 1 or not spare:
         return
     ends = [series for series in unexplained(sheet, truth, spare) if not _read_on(sheet.found, series)]
     ends = [series for series in ends if not _called_otherwise(sheet, series, open_symbols[0])]
     if len(ends) == 1:
         results[open_symbols[0]] = Finding(open_symbols[0], "wrong", ends[0], certain=False)
+
+
+def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
+    """The formula of a single cell that is a summary, one that is called so first; else one that is called so."""
+    found = sheet.found
+    work = found.work
+    span = span_of(truth, summary)
+    called = labels(found.mechanism, summary.symbol)
+    best: tuple[tuple[bool, bool], Finding] | None = None
+    for strip in work.strips:
+        if strip.length > 2 or any(_stands_in(series, strip) for series in found.series):
+            continue
+        for place in strip.places():
+            words = [*around(work, place), *names_over(work, [place])]
+            told = any(says(text, summary.symbol) or any(contains(text, label) for label in called) for text in words)
+            number = work.number(place, sheet.values)
+            reading = reading_of_number(number, span, truth.size, found.tolerance)
+            series = Series(strip.sheet, strip.line, place[1], 1, strip, 0, 0)
+            verdict: Verdict = "wrong" if reading is None else "right"
+            rank = reading is not None, told
+            if any(rank) and (best is None or rank > best[0]):
+                best = rank, Finding(summary.symbol, verdict, series, reading)
+    return None if best is None else best[1]
+
+
+def _stands_in(series: Series, strip: Strip) -> bool:
+    return (series.sheet, series.line) == (strip.sheet, strip.line) and (
+        series.origin <= strip.start < series.origin + series.rows
+    )
 
 
 def _called_otherwise(sheet: Sheet, series: Series, symbol: str) -> bool:
@@ -173,10 +210,10 @@ class Retyped:
         return replace(self, values=found.work.plan.evaluate(self.cells))
 
 
-def retype(found: Understanding, symbols: Sequence[str], turn: int) -> Retyped | None:
+def retype(found: Understanding, symbols: Sequence[str], turn: int, steps: Sequence[float] = STEPS) -> Retyped | None:
     """Some dimensions retyped, all at once, by +3 % and -2 % in turn; less where rows would vanish."""
     base = found.truth
-    for part in STEPS:
+    for part in steps:
         changes = {}
         for number, symbol in enumerate(symbols):
             value = base.dimensions[symbol]
@@ -205,6 +242,8 @@ def _typed(found: Understanding, changes: Mapping[str, float]) -> Retyped | None
 def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     """Whether a series that is right goes on being right, but for a small part of what the change makes."""
     assert finding.series is not None and finding.reading is not None
+    if finding.symbol not in found.truth.columns:
+        return _summary_follows(found, finding, after)
     before, now = found.truth.quantity(finding.symbol), after.truth.quantity(finding.symbol)
     now = replace(now, values=np.where(np.isfinite(before.values), now.values, np.nan))
     reading = finding.reading
@@ -215,6 +254,14 @@ def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     allowed = 10 * found.allowed(now) + SHARE * float(np.nanmax(change, initial=0.0))
     apart = gaps(column, now, reading)
     return bool(apart.max() <= allowed)
+
+
+def _summary_follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
+    assert finding.series is not None and finding.reading is not None
+    summary = next(one for one in found.mechanism.summaries if one.symbol == finding.symbol)
+    before, now = span_of(found.truth, summary), span_of(after.truth, summary)
+    number = found.work.number(finding.series.places()[0], after.values)
+    return now.holds(number, finding.reading, SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high))
 
 
 def _turns(values: Array, quantity: Quantity) -> Array:
@@ -233,11 +280,11 @@ def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[
     ]
     dead: dict[str, list[str]] = {}
     for symbol in symbols if doubtful else ():
-        after = retype(found, [symbol], 0)
-        if after is not None:
-            for finding in doubtful:
-                if not follows(found, finding, after):
-                    dead.setdefault(finding.symbol, []).append(symbol)
+        # by much and by little: a row at which the mechanism comes apart in between says nothing of the sheet
+        sizes = [retype(found, [symbol], 0, STEPS[:3]), retype(found, [symbol], 0, STEPS[1:3])]
+        for finding in doubtful:
+            if all(after is not None and not follows(found, finding, after) for after in sizes):
+                dead.setdefault(finding.symbol, []).append(symbol)
     changed = dict(results)
     for finding in doubtful:
         if finding.symbol in dead:

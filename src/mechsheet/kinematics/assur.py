@@ -77,7 +77,7 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     assemblies += [(body,) for body in graph.bodies if body not in grouped]
     assemblies.sort(key=lambda bodies: graph.bodies.index(bodies[0]))
     dyads = []
-    driven = (drive.base, drive.moving)
+    driven: tuple[str, ...] = (drive.base, drive.moving)
     while assemblies:
         dyad = _next_dyad(graph, assemblies, solved)
         if dyad is None and driven in assemblies and (inside := _within(graph, assemblies, driven, solved)) is not None:
@@ -155,9 +155,7 @@ def _next_dyad(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str]
     return None
 
 
-def _within(
-    graph: Graph, assemblies: list[tuple[str, ...]], driven: tuple[str, ...], solved: set[str]
-) -> Dyad | None:
+def _within(graph: Graph, assemblies: list[tuple[str, ...]], driven: tuple[str, ...], solved: set[str]) -> Dyad | None:
     """Two links that are joined to each other and each to the driven pair, by three pins; None where there are none.
 
     A link that is joined to what is solved comes first, if there is one: in its frame the whole is read best.

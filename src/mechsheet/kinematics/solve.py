@@ -27,7 +27,7 @@ from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
-from mechsheet.kinematics.places import Place, angle_of, cartesian, number
+from mechsheet.kinematics.places import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
@@ -271,7 +271,7 @@ def _refuse_forces(mechanism: Mechanism, found: list[tuple[Dyad, Solved, int, bo
     """Forces in links that move with a driven pair are a matter of their own."""
     labels = [solved.label.en for dyad, solved, _, _ in found if dyad.frame]
     if labels and mechanism.dynamics is not None:
-        message = f"forces are not found where a joint between two moving links is driven inside a loop that moves: {labels[0]}"
+        message = f"forces are not found where a joint between moving links is driven inside a moving loop: {labels[0]}"
         raise MechanismError(
             Fault(message, key="dynamics", hint="leave masses and loads out; positions and velocities are found")
         )

@@ -1,7 +1,7 @@
 """A dyad RRR on the driven pair, away from the ground: a cylinder between two links that move, say, with both its links.
 
-The driver's value and the lengths make pair and dyad one triangle P, Q, R, which moves as a whole. So the dyad is solved in the
-frame of its first link, or of the pair (the one that is joined to what is known), by the law of cosines; the others are
+The driver's value and the lengths make pair and dyad one triangle P, Q, R, which moves as a whole. So the dyad is solved in
+the frame of its first link, or of the pair (the one that is joined to what is known), by the law of cosines; the others are
 members of that frame, and the groups that follow see one link.
 
     s         from P to Q, over the pair (a cylinder: its length from pin to pin)
@@ -102,7 +102,7 @@ def member(turn: Angle, at: Place, own: Place, pin: str = "") -> Member:
 
 
 def sketched_mode(sketch: Sketch, dyad: Dyad, dimensions: Mapping[str, float]) -> int | None:
-    """On which side of P->Q the sketch has the inner pin: the triangle is the same wherever it is. None if it does not say."""
+    """On which side of P->Q the sketch has the inner pin; None where it does not say. The triangle is the same anywhere."""
     points = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
     if not all(point in sketch.points for point in points):
         return None

@@ -9,7 +9,8 @@ import math
 
 from mechsheet.compiled import compiled_of
 from mechsheet.compiled.motion import motion_of
-from mechsheet.formula.nodes import ErrorValue, Scalar, Symbol
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import ErrorValue, Node, Scalar, Symbol
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
 from mechsheet.kinematics.equations import FORCES, RATES
@@ -18,9 +19,11 @@ from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.library.verdicts import verdict
-from mechsheet.model import Mechanism, energy_unit, inertia_unit
+from mechsheet.model import TIME, Mechanism, energy_unit, inertia_unit
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
+from mechsheet.units import NUMBER
+from mechsheet.words.workbook import words
 
 
 def overview_text(mechanism: Mechanism) -> str:
@@ -72,6 +75,10 @@ def equations_text(mechanism: Mechanism) -> str:
     lines = ["constants"]
     lines += [_line(equation) for equation in equations.constants]
     part: tuple[int, str] | None = None
+    if given := given_by_law(mechanism):
+        lines += ["", _group_heading(equations, 0)]
+        lines += [f"  {symbol} = {print_formula(node, 'text')}" for symbol, node in given.items()]
+        part = (0, "")
     for equation in equations.columns:
         what = ", velocities and accelerations" if equation.role in RATES else ""
         what = ", forces" if equation.role in FORCES else what
@@ -82,6 +89,15 @@ def equations_text(mechanism: Mechanism) -> str:
         if equation.first is not None:
             lines[-1] += f"    (first row: {print_formula(equation.first, 'text')})"
     return "\n".join(lines)
+
+
+def given_by_law(mechanism: Mechanism) -> dict[str, Node]:
+    """The time of a motion law in row n, and the driver's value then; nothing where it moves by none."""
+    law = mechanism.driver.law
+    if law is None:
+        return {}
+    time = al.div(al.mul(Symbol("n"), Symbol(law.duration)), al.number(law.rows - 1.0))
+    return {TIME: time, mechanism.driver.symbol: law.value}
 
 
 def _group_heading(equations: Assignments, number: int) -> str:
@@ -99,7 +115,20 @@ def _line(equation: Assignment) -> str:
 
 def equations_json(mechanism: Mechanism) -> str:
     """The equations as a JSON list."""
-    rows = [
+    rows: list[dict[str, object]] = [
+        {
+            "symbol": symbol,
+            "expression": print_formula(node, "text"),
+            "kind": "driver",
+            "unit": (mechanism.given_unit(symbol) or NUMBER).kind,
+            "group": 0,
+            "label": {
+                language: words(language, "given.t" if symbol == TIME else "notes.driver") for language in ("en", "tr")
+            },
+        }
+        for symbol, node in given_by_law(mechanism).items()
+    ]
+    rows += [
         {
             "symbol": equation.symbol,
             "expression": print_formula(equation.expression, "text"),

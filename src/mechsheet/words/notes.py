@@ -39,6 +39,12 @@ NOTES: dict[str, tuple[str, str]] = {
         "{table} sayfası, bir boyutun çeşitli değerleri için bir büyüklüğü gösterir; başlık satırındaki "
         "değerler değiştirilebilir.",
     ),
+    "notes.use.summaries": (
+        "A sheet {table} shows a number of the whole sweep for many values of two dimensions, which may be changed at its "
+        "edges. Its helpers are folded away right of the chart.",
+        "{table} sayfası, iki boyutun çeşitli değerleri için bütün çevrimin bir sayısını gösterir; kenarlarındaki "
+        "değerler değiştirilebilir. Yardımcı hücreler grafiğin sağında katlıdır.",
+    ),
     "notes.use.checks": (
         "The sheet {checks} measures every row anew by geometry, and counts the cells of the table that hold no formula any "
         "more. The line under the title of {mechanism} is red when something is wrong, and says where.",

@@ -8,7 +8,7 @@ RATES: dict[str, tuple[str, str]] = {
     "name.duration": ("duration", "süre"),
     "motion.start": ("first value of the driver", "tahrikin ilk değeri"),
     "motion.stop": ("last value of the driver", "tahrikin son değeri"),
-    "motion.duration": ("time from start to stop: {law}, {rows} rows", "başlangıçtan bitişe süre: {law}, {rows} satır"),
+    "motion.duration": ("{law}, {rows} rows", "{law}, {rows} satır"),
     "law.constant": ("constant speed", "sabit hız"),
     "law.accelerated": ("constant acceleration from rest", "durmadan sabit ivme"),
     "law.parabolic": ("parabolic motion", "parabolik hareket"),

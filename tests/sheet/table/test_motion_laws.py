@@ -16,6 +16,7 @@ from mechsheet.kinematics.driving import given_at
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.building import build
+from mechsheet.library.show import equations_text
 from mechsheet.model import LAWS
 
 PI = np.pi
@@ -181,3 +182,10 @@ def test_what_a_person_sees(language):
     curves = [chart for chart in mechanism.charts if chart.x_axis.title.startswith("t [s]")]
     assert len(curves) >= 3  # against the time, not the driver
     assert laid.values.get(laid.plan.main, laid.plan.blocks["variables"].rows["t"], 1) == 0
+
+
+def test_equations_are_printed_from_the_time_on():
+    lines = equations_text(loads(FOUR_BAR)).split("\n")
+    first = lines.index("driver") + 1
+    assert lines[first].strip() == "t = n*duration/5"
+    assert lines[first + 1].strip().startswith("theta12 = start + (stop - start)*(t/duration - sin(2*pi")

@@ -6,11 +6,11 @@ its own. A cell on the first sheet hides a kind: what belongs to it is then #N/A
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, Symbol, transform
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol, transform
 from mechsheet.model import Mechanism, pair_symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import BOTTOM, CHART_X, CHART_Y, FIRST, NAME, NUMBER_STYLE, SECOND, Page
@@ -59,7 +59,12 @@ def _kind(page: Page, cells: Mapping[str, PointCells], kind: ArrowKind, number: 
     page.section(plan.text(f"arrows.{kind}"), ["x", "y", "X", "Y"])
     unit = {"velocity": f"{plan.mechanism.length_unit}/s", "acceleration": f"{plan.mechanism.length_unit}/s²"}
     force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
-    scale, bar = _scale(page, kind, sizes, unit.get(kind, force_unit), number)
+    largest = []
+    for arrow, size in zip(arrows, sizes, strict=True):
+        page.put(NAME, rich(arrow.symbol), styles.SYMBOL)
+        largest.append(page.formula(FIRST, size))
+        page.row += 1
+    scale, bar = _scale(page, kind, RangeRef(largest[0], largest[-1]), unit.get(kind, force_unit), number)
     found = [series for arrow in arrows for series in _arrow(page, arrow, cells[arrow.point], scale, COLORS[kind])]
     return [*found, *bar]
 
@@ -93,12 +98,13 @@ def _forces(page: Page) -> tuple[list[Arrow], list[Node]]:
     arrows, sizes = [], []
     for name in plan.held_columns:
         column = plan.at.column(name, page.title)
-        sizes.append(over_rows(MOST, column))
+        most = over_rows(MOST, column)
         if name in pins:
             parts = page.at_position(f"{name}.x"), page.at_position(f"{name}.y")
             arrows.append(Arrow(name, pins[name], parts))
+            sizes.append(most)
             continue
-        sizes.append(al.neg(over_rows(LEAST, column)))
+        sizes.append(formula("MAX(most,-least)", most=most, least=over_rows(LEAST, column)))
         normal, direction = page.at_position(name), transform(
             direction_of(mechanism, slides[name]),
             lambda part: page.at_position(part.name) if isinstance(part, Symbol) else part,
@@ -128,14 +134,16 @@ def _pair(mechanism: Mechanism, one: str, other: str) -> str:
 # --- how it is drawn -------------------------------------------------------------------------------------------------
 
 
-def _scale(page: Page, kind: ArrowKind, sizes: Sequence[Node], unit: str, number: int) -> tuple[CellRef, list[Series]]:
-    """Half windows by unit, #N/A while the kind is hidden; and the scale bar, 1, 2 or 5 times a power of ten long."""
+def _scale(page: Page, kind: ArrowKind, sizes: RangeRef, unit: str, number: int) -> tuple[CellRef, list[Series]]:
+    """Half windows by unit, #N/A while the kind is hidden; and the scale bar, 1, 2 or 5 times a power of ten long.
+
+    sizes  the cells with the largest of each arrow
+    """
     text = page.plan.text
     shown = page.plan.at.cell(f"#show_{kind}", page.title, None)
     page.put(NAME, text("arrows.scale"))
-    largest = page.formula(SECOND, al.largest(sizes))
     scale = page.formula(FIRST, formula(
-        "IF(AND(shown=1,largest>0),longest/largest,NA())", shown=shown, largest=largest, longest=LONGEST
+        "IF(AND(shown=1,MAX(sizes)>0),longest/MAX(sizes),NA())", shown=shown, sizes=sizes, longest=LONGEST
     ))  # fmt: skip
     page.row += 1
     page.put(NAME, text("drawing.bar"))

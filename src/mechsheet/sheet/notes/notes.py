@@ -38,6 +38,7 @@ PARAGRAPHS = (
     "arrows",
     "charts",
     "tables",
+    "summaries",
     "checks",
     "extremes",
     "missing",
@@ -152,8 +153,10 @@ class _Page:
         if source:
             self.across(plan.text("source", source=source), styles.SUBTITLE)
         left_out = set()
-        if not plan.mechanism.tables:
+        if all(request.of_summary for request in plan.mechanism.tables):
             left_out.add("tables")
+        if not any(request.of_summary for request in plan.mechanism.tables):
+            left_out.add("summaries")
         if not any(group.mode for group in plan.equations.groups):
             left_out.add("modes")
         if not plan.mechanism.driver.stepped:

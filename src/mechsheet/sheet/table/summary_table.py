@@ -106,7 +106,7 @@ class Helpers:
         count = self._line("count", "COUNT(column)")
         self.value = self._value()
         every = formula("count=rows", count=count, rows=self.plan.rows)
-        self.sure = self._line("sure", "IF(every,1,0)", every=al.all_of([every, *self.settled]))
+        self.sure = self._line("sure", "IFERROR(IF(every,1,0),0)", every=al.all_of([every, *self.settled]))
 
     def _heads(self) -> dict[str, CellRef]:
         """The cells of a column's two values."""

@@ -1,0 +1,36 @@
+"""`mechsheet exercise`: a sheet for each student, and the solutions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from .common import Changes, at_lines_of, described, progress, say_written
+
+
+@click.command()
+@click.argument("description", type=click.Path(path_type=Path))
+@click.argument("class_list", metavar="CLASS.CSV", type=click.Path(path_type=Path))
+@click.option("-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Written there.")
+@click.option("--seed", default=0, show_default=True, help="Another seed: other dimensions.")
+@click.option("--language", type=click.Choice(["en", "tr"]), help="Of the sheets, in place of the description's.")
+def exercise(description: Path, class_list: Path, output: Path, seed: int, language: str | None) -> None:
+    """Give each student of a list other dimensions, as [exercise] of the description says.
+
+    \b
+    mechsheet exercise four-bar.toml class.csv -o week3
+
+    CLASS.CSV has a column id, and one called name if you like. Written are week3/student/ID.xlsx (own
+    dimensions, the driver's column, headings of what is asked; no answer anywhere), week3/solution/ID.xlsx
+    (the ordinary workbook) and week3/key.json, which mechsheet mark reads.
+    """
+    from mechsheet.homework.exercise import exercise as write_all
+
+    mechanism = described(description, Changes(), language)
+    with at_lines_of(mechanism, description), progress(class_list.name) as say:
+        say("drawing dimensions")
+        found = write_all(mechanism, class_list, output, seed)
+    for remark in found.remarks:
+        click.echo(f"note: {remark}", err=True)
+    say_written(list(found.files))

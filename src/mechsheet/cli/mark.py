@@ -1,0 +1,87 @@
+"""`mechsheet mark`: the workbooks of a whole class."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from mechsheet.diagnostics import readable_name
+
+from .common import JSON, at_lines_of, progress, same_file, say_written
+
+FILE = click.Path(path_type=Path)
+
+
+@click.command()
+@click.argument("books", nargs=-1, required=True, metavar="FOLDER|BOOK...", type=FILE)
+@click.option("--against", required=True, metavar="FILE", type=FILE, help="key.json, or a description.")
+@click.option("-o", "--output", metavar="MARKS.XLSX", type=FILE, help="The class as a workbook, .xlsx or .ods.")
+@click.option("--csv", "csv_file", metavar="FILE", type=FILE, help="id, mark and words as CSV.")
+@click.option("--html", "html_folder", metavar="FOLDER", type=FILE, help="A page for each student.")
+@click.option("--assembly", type=click.Choice(["any"]), help="any: another assembly than the sketch's is right, too.")
+@JSON
+def mark(
+    books: tuple[Path, ...],
+    against: Path,
+    output: Path | None,
+    csv_file: Path | None,
+    html_folder: Path | None,
+    assembly: str | None,
+    as_json: bool,
+) -> None:
+    """Audit the workbooks of a class and write the marks.
+
+    \b
+    mechsheet mark handed-in --against week3/key.json -o marks.xlsx --csv marks.csv --html pages
+    mechsheet mark a.xlsx b.ods --against four-bar.toml
+
+    In marks.xlsx a number in the yellow column stands in place of a total. Nothing leaves this machine; a
+    student's page has no other student's data.
+    """
+    from mechsheet.formats import write
+    from mechsheet.formats.archive import make_folder, replace_file
+    from mechsheet.homework.marks import as_dict, files_of, key_of_file
+    from mechsheet.homework.marks import mark as mark_all
+    from mechsheet.homework.marks_book import marks_csv, marks_workbook, pages
+
+    _refuse(output, csv_file, books, files_of(books))
+    key = key_of_file(against)
+    with at_lines_of(key.mechanism, against), progress("marks") as say:
+        found = mark_all(books, key, assembly or "", say)
+    files = []
+    if output is not None:
+        write(marks_workbook(found), output)
+        files.append(output)
+    if csv_file is not None:
+        replace_file(csv_file, marks_csv(found).encode("utf-8-sig"))
+        files.append(csv_file)
+    if html_folder is not None:
+        if not html_folder.is_dir():
+            make_folder(html_folder)
+        for name, text in pages(found).items():
+            replace_file(html_folder / name, text.encode())
+            files.append(html_folder / name)
+    if as_json:
+        click.echo(json.dumps(as_dict(found), indent=2, ensure_ascii=False))
+    elif not files:
+        for one in found.students:
+            click.echo(f"{one.id}\t{one.mark:g}\t{one.file or one.why}")
+    else:
+        say_written(files)
+
+
+def _refuse(output: Path | None, csv_file: Path | None, books: tuple[Path, ...], read: list[Path]) -> None:
+    """Raise OutputError where something that is read would be overwritten, or a workbook has no format."""
+    from mechsheet.diagnostics import Fault, OutputError
+
+    faults = [
+        Fault("is read here: it is not overwritten", readable_name(file), hint="name another file")
+        for file in (output, csv_file)
+        if file is not None and any(same_file(file, other) for other in read)
+    ]
+    if output is not None and output.suffix.lower() not in (".xlsx", ".ods"):
+        faults.append(Fault("a workbook ends with .xlsx or .ods", readable_name(output), key="-o"))
+    if faults:
+        raise OutputError(faults)

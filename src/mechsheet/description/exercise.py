@@ -1,0 +1,103 @@
+"""The part [exercise]: what is asked of students, which dimensions vary from one to the next, how it is marked."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, suggestion
+from mechsheet.description.scope import Scope
+from mechsheet.formula.nodes import symbols
+from mechsheet.model import Exercise, Need, Vary
+
+ALL_ROWS = "all rows"
+_COMPARED = re.compile(r"(.+?)(<=|>=|<|>)(.+)", re.DOTALL)
+MOST_STEPS = 1_000_000
+
+
+def read(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Scope) -> Exercise | None:
+    """The exercise, None where the description has none."""
+    if not data:
+        return None
+    asked = _asked(data.get("asked", {}), summaries, scope)
+    needs = _needs(data.get("need", ""), summaries, scope)
+    tolerance, not_live = data.get("tolerance", 1e-4), data.get("not_live", 0.5)
+    for key, value in (("tolerance", tolerance), ("not_live", not_live)):
+        if value is not BAD and not 0 <= value <= (1 if key == "not_live" else 0.1):
+            most = 1 if key == "not_live" else 0.1
+            scope.report.at(("exercise", key), f"must lie between 0 and {most}, not {value:g}")
+    return Exercise(
+        asked=asked,
+        vary=_varied(data.get("vary", {}), scope),
+        need=needs,
+        tolerance=1e-4 if tolerance is BAD else float(tolerance),
+        follow_through=data.get("follow_through", True) is not False,
+        not_live=0.5 if not_live is BAD else float(not_live),
+    )
+
+
+def _asked(data: Any, summaries: Mapping[str, Any], scope: Scope) -> dict[str, float]:
+    """Marks by what is asked."""
+    found: dict[str, float] = {}
+    coordinates = [f"{point}.{axis}" for point in scope.points for axis in "xy"]
+    known = [*scope.variables, *coordinates, *scope.outputs, *scope.rates, *summaries]
+    for symbol, marks in ({} if data is BAD else data).items():
+        if symbol not in known and scope.complete:
+            message = f"no variable, coordinate, output or summary is called {quoted(symbol)}"
+            scope.report.at(("exercise", "asked", symbol), message, suggestion(symbol, known, "allowed"))
+        elif marks is not BAD:
+            found[symbol] = float(marks)
+    return found
+
+
+def _varied(data: Any, scope: Scope) -> tuple[Vary, ...]:
+    """The dimensions that vary, in their own units."""
+    found = []
+    for symbol, span in ({} if data is BAD else data).items():
+        path: Path = ("exercise", "vary", symbol)
+        if symbol not in scope.units:
+            hint = suggestion(symbol, scope.inputs, "inputs")
+            scope.report.at(path, f"no dimension is called {quoted(symbol)}", hint)
+        elif symbol not in scope.inputs:
+            message = f"the dimension {quoted(symbol)} is derived; only an input can vary"
+            scope.report.at(path, message, suggestion(symbol, scope.inputs, "inputs"))
+        elif span is not BAD and BAD not in span:
+            low, high, step = map(float, span)
+            if not (step > 0 and low <= high and (high - low) / step < MOST_STEPS):
+                scope.report.at(path, "expected [from, to, step] with from <= to and a step above 0")
+            found.append(Vary(symbol, low, high, step))
+    return tuple(found)
+
+
+def _needs(text: Any, summaries: Mapping[str, Any], scope: Scope) -> tuple[Need, ...]:
+    """What must hold: `all rows`, or comparisons of summaries joined by `and`."""
+    path: Path = ("exercise", "need")
+    found = []
+    for part in [] if text is BAD or not text.strip() else re.split(r"\band\b|,", text):
+        if " ".join(part.split()).lower() == ALL_ROWS:
+            found.append(Need())
+            continue
+        compared = _COMPARED.fullmatch(part)
+        if compared is None:
+            hint = f'"{ALL_ROWS}", or a comparison such as "mu_min > 30"'
+            scope.report.at(path, f"{quoted(part.strip())} is no condition", hint)
+            continue
+        sides = [scope.parse(side.strip(), path) for side in (compared[1], compared[3])]
+        known = [*summaries, *scope.units]
+        for side in sides:
+            for name in symbols(side) if side is not None else ():
+                if name not in known:
+                    message = f"{quoted(name)} is no summary and no dimension"
+                    scope.report.at(path, message, suggestion(name, known, "allowed"))
+        if sides[0] is not None and sides[1] is not None:
+            found.append(Need(sides[0], compared[2], sides[1], part.strip()))
+    return tuple(found)
+
+
+def steps(vary: Vary) -> int:
+    """How many values a dimension can have."""
+    return math.floor((vary.high - vary.low) / vary.step + 1e-9) + 1

@@ -1,0 +1,32 @@
+"""What is asked of a workbook, and how it is marked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from mechsheet.model import Mechanism
+
+TOLERANCE = 1e-4
+NOT_LIVE = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class AskedFor:
+    """Marks by what is asked; the rest as `Exercise` has it."""
+
+    marks: Mapping[str, float]
+    tolerance: float = TOLERANCE
+    follow_through: bool = True
+    not_live: float = NOT_LIVE
+
+
+def asked_of(mechanism: Mechanism) -> AskedFor:
+    """What a description asks for: by default every link angle, displacement and output, a mark each."""
+    exercise = mechanism.exercise
+    if exercise is not None:
+        rules = exercise.tolerance, exercise.follow_through, exercise.not_live
+        return AskedFor(exercise.asked or asked_of(replace(mechanism, exercise=None)).marks, *rules)
+    names = [link.angle_symbol for link in mechanism.links[1:]]
+    names += [joint.symbol for joint in mechanism.joints] + [output.symbol for output in mechanism.outputs]
+    return AskedFor({name: 1.0 for name in names if name != mechanism.driver.symbol})

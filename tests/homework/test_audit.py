@@ -1,0 +1,224 @@
+"""Workbooks made by hand in many ways: what is right is never blamed, a fault is found where it is, and mended."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import pytest
+from click.testing import CliRunner
+
+import mechsheet
+from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
+from homework.plain_export import plain_book
+from mechsheet.cli import main
+from mechsheet.homework.audit import audit, audited
+from mechsheet.homework.marking_rules import asked_of
+from mechsheet.homework.upright import upright
+
+ASKED = ("theta13", "theta14", "mu")
+
+
+@pytest.fixture(scope="module")
+def mechanism():
+    return mechsheet.template("four-bar")
+
+
+def judged(tmp_path, mechanism, table):
+    return audit(table.save(tmp_path / "book.xlsx"), mechanism)
+
+
+def verdicts(found):
+    return {symbol: one.verdict for symbol, one in found.asked.items()}
+
+
+RIGHT = dict.fromkeys(ASKED, "right")
+
+HALF_ANGLE = {
+    "b": "2*{a3}*({a1}-{xA})", "g": "-2*{a3}*{yA}",
+    "t13": "2*ATAN2({b}+({a3}^2+{s}^2-{a4}^2)/1,{g}+SQRT({b}^2+{g}^2-({a3}^2+{s}^2-{a4}^2)^2))",
+}  # fmt: skip
+
+DESCRIBED = (("", "a1", 70.0), ("", "a2", 35.0), ("", "a3", 62.3), ("", "a4", 56.0))
+"""The description's own numbers: without a word beside them only these can be recognised."""
+
+STYLES = {
+    "down": Table(FOUR_BAR, four_bar()),
+    "to the right": Table(FOUR_BAR, four_bar(), across=True),
+    "two sheets": Table(FOUR_BAR, four_bar(), two_sheets=True),
+    "names": Table(FOUR_BAR, four_bar(), names=True),
+    "no headings": Table(FOUR_BAR, four_bar(), headings=False),
+    "no words at all": Table(DESCRIBED, four_bar(), headings=False, labels=False),
+    "short pi": Table(FOUR_BAR, four_bar(fi="{deg}*3.1415926/180")),
+    "half the angle": Table(FOUR_BAR, four_bar(**HALF_ANGLE)),
+    "clockwise by choice": Table(FOUR_BAR, four_bar(mu="{t13}-{t14}")),
+    "degrees": Table(FOUR_BAR, four_bar(t14="DEGREES(ATAN2({xB}-{a1},{yB}))", mu="{t14}-DEGREES({t13})")),
+    "centimetres": Table([(a, b, c / 10) for a, b, c in FOUR_BAR], four_bar()),
+}
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_what_is_right_is_never_blamed(tmp_path, mechanism, style):
+    found = judged(tmp_path, mechanism, STYLES[style])
+    assert verdicts(found) == RIGHT
+    assert found.faults == ()
+    assert (found.plain, found.follow_through) == (3, 3)
+
+
+def newton(mechanism, count=3):
+    """Both angles by Newton's method on the closure f, g = 0 from typed starting values, iteration after iteration."""
+    own = mechsheet.template("four-bar", {"a1": 100, "a2": 35, "a3": 70, "a4": 80}).solve()
+    start = {name: [round(math.radians(value), 1) for value in own[name]] for name in ("theta13", "theta14")}
+    columns = [("aci", "deg", STEPS), ("rad", "fi", "RADIANS({deg})")]
+    columns += [("ilk 3", "p0", start["theta13"]), ("ilk 4", "q0", start["theta14"])]
+    for k in range(count):
+        p, q = f"{{p{k}}}", f"{{q{k}}}"
+        columns += [
+            (f"f{k}", f"f{k}", f"{{a2}}*COS({{fi}})+{{a3}}*COS({p})-{{a1}}-{{a4}}*COS({q})"),
+            (f"g{k}", f"g{k}", f"{{a2}}*SIN({{fi}})+{{a3}}*SIN({p})-{{a4}}*SIN({q})"),
+            (f"p{k + 1}", f"p{k + 1}", f"{p}+(COS({q})*{{f{k}}}+SIN({q})*{{g{k}}})/({{a3}}*SIN({p}-{q}))"),
+            (f"q{k + 1}", f"q{k + 1}", f"{q}+(COS({p})*{{f{k}}}+SIN({p})*{{g{k}}})/({{a4}}*SIN({p}-{q}))"),
+        ]
+    last = f"{{p{count}}}", f"{{q{count}}}"
+    return [*columns, ("theta13", "t13", last[0]), ("theta14", "t14", last[1]), ("mu", "mu", f"{last[1]}-{last[0]}")]
+
+
+def test_newtons_method_in_columns_is_right(tmp_path, mechanism):
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, newton(mechanism)))
+    assert verdicts(found) == RIGHT
+    assert found.faults == ()
+
+
+SLIPS = {
+    "term twice": ({"fi": "RADIANS({deg})-{a2}/100"}, "B9:B33", "RADIANS(A9)"),
+    "degrees": ({"fi": "{deg}"}, "B9:B33", "RADIANS(A9)"),
+    "pi": ({"fi": "{deg}*3.14/180"}, "B9:B33", "A9*PI()/180"),
+    "sine": ({"xB": "{xA}+{a3}*SIN({t13})"}, "I9:I33", "C9+$B$4*COS(H9)"),
+    "bracket": ({"g": "ACOS(({a3}^2+{s}^2-{a4}^2)/2*{a3}*{s})"}, "G9:G33", "ACOS(($B$4^2+E9^2-$B$5^2)/(2*$B$4*E9))"),
+    "exchanged": ({"g": "ACOS(({a4}^2+{s}^2-{a3}^2)/(2*{a3}*{s}))"}, "G9:G33", "ACOS(($B$4^2+E9^2-$B$5^2)/(2*$B$4*E9))"),
+    "ATAN2 turned": ({"b": "ATAN2(-{yA},{a1}-{xA})"}, "F9:F33", "ATAN2($B$2-C9,-D9)"),
+    "square lost": ({"s": "SQRT(({a1}-{xA})^2+{yA})"}, "E9:E33", "SQRT(($B$2-C9)^2+D9^2)"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_a_slip_is_found_and_mended(tmp_path, mechanism, slip):
+    changes, cells, mend = SLIPS[slip]
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, four_bar(**changes)))
+    (fault,) = found.faults
+    assert fault.cells == f"Sayfa1!{cells}"
+    assert fault.mend == mend
+    assert found.follow_through == 3
+    assert found.plain < 3
+
+
+def test_mends_are_written_with_names_and_to_the_right(tmp_path, mechanism):
+    slip = four_bar(xB="{xA}+{a3}*SIN({t13})")
+    assert judged(tmp_path, mechanism, Table(FOUR_BAR, slip, names=True)).faults[0].mend == "C9+a3_*COS(H9)"
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, slip, across=True)).faults[0]
+    assert (found.cells, found.mend) == ("Sayfa1!I29:AG29", "I23+$B$4*COS(I28)")
+
+
+def test_one_cell_typed_over_is_its_own_fault(tmp_path, mechanism):
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, four_bar(), cells={"E14": "=SQRT((B2-C14)^2+D13^2)"}))
+    assert [(fault.cells, fault.kind) for fault in found.faults] == [("Sayfa1!E14", "breaks its column")]
+    assert verdicts(found) == dict.fromkeys(ASKED, "follows")
+
+
+def test_the_other_assembly_is_said_before_any_mend(tmp_path, mechanism):
+    path = Table(FOUR_BAR, four_bar(t13="{b}-{g}")).save(tmp_path / "book.xlsx")
+    found = audit(path, mechanism)
+    assert verdicts(found) == {"theta13": "other assembly", "theta14": "other assembly", "mu": "right"}
+    assert found.faults == ()
+    assert audit(path, mechanism, assembly="any").follow_through == 3
+
+
+def test_numbers_in_place_of_dimensions_are_not_live(tmp_path, mechanism):
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, four_bar(xA="35*COS({fi})", yA="35*SIN({fi})")))
+    assert verdicts(found) == dict.fromkeys(ASKED, "not live")
+    assert found.follow_through == 1.5
+    partly = judged(tmp_path, mechanism, Table(FOUR_BAR, four_bar(xA="35*COS({fi})")))
+    assert set(verdicts(partly).values()) == {"not live"}
+
+
+def test_what_is_not_there_is_missing(tmp_path, mechanism):
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, [c for c in four_bar() if c[1] != "mu"]))
+    assert verdicts(found)["mu"] == "missing"
+    assert (found.of, found.follow_through) == (3, 2)
+
+
+def test_the_texts_fivelink_subtracts_alpha1_twice(tmp_path):
+    """Section 3.8: theta12 - alpha1 in column B, and alpha1 once more inside the slotted lever."""
+    mechanism = mechsheet.template("fivelink")
+    given = [
+        (s, s, float(v)) for s, v in (("a2", 510), ("a1", 1250), ("b1", 200), ("b2", 1160), ("b3", 1995), ("b4", 820))
+    ]
+    given += [("c1", "c1", 1700.0), ("d1", "d1", 600.0), ("Alfa1", "al", "ATAN({b1}/{a1})")]
+    given += [("A0B0", "r", "SQRT({a1}^2+{b1}^2)"), ("B0C0", "c", "SQRT({c1}^2+{d1}^2)"), ("e", "e", "ATAN({d1}/{c1})")]
+    columns = [
+        ("Teta12", "deg", [20.0 * n for n in range(19)]),
+        ("B", "w", "RADIANS({deg})-{al}"),
+        ("u", "u", "{a2}*COS({w}-{al})-{r}"),
+        ("v", "v", "{a2}*SIN({w}-{al})"),
+        ("Teta13 (rad)", "t13", "ATAN2({u},{v})+{al}-PI()/2"),
+        ("xB", "xB", "{b2}*COS({t13})-{c1}"),
+        ("yB", "yB", "{b2}*SIN({t13})+{d1}"),
+        ("s", "s", "SQRT({xB}^2+{yB}^2)"),
+        ("Teta15 (rad)", "t15", "ATAN2({xB},{yB})-ACOS(({b4}^2+{s}^2-{b3}^2)/(2*{b4}*{s}))"),
+    ]  # fmt: skip
+    found = judged(tmp_path, mechanism, Table(given, columns))
+    assert [(f.cells, f.formula, f.mend, f.kind) for f in found.faults] == [
+        ("Sayfa1!B17:B35", "RADIANS(A17)-$B$10", "RADIANS(A17)", "term too many")
+    ]
+    assert found.faults[0].rights == ("theta13", "theta15")
+
+
+@pytest.mark.parametrize("name", ["chebyshev", "whitworth"])
+@pytest.mark.parametrize("headings", [True, False])
+def test_templates_written_out_plainly_are_right(name, headings):
+    mechanism = mechsheet.template(name)
+    found = audited(upright(plain_book(mechanism, headings)), mechanism, asked_of(mechanism), name)
+    assert set(verdicts(found).values()) == {"right"}
+    assert found.faults == ()
+
+
+def test_own_workbooks_are_right(tmp_path):
+    mechanism = mechsheet.template("fivelink")
+    mechsheet.build(mechanism, tmp_path / "own.ods", layout="page")
+    assert audit(tmp_path / "own.ods", mechanism).right
+
+
+def test_the_command_says_it_in_words_and_as_json(tmp_path):
+    (tmp_path / "m.toml").write_text(mechsheet.template("four-bar").text, encoding="utf-8")
+    path = Table(FOUR_BAR, four_bar(fi="{deg}")).save(tmp_path / "book.xlsx")
+    run = CliRunner().invoke(main, ["audit", str(path), "--against", str(tmp_path / "m.toml")])
+    assert run.exit_code == 1
+    assert "Sayfa1!B9:B33  A9: radians and degrees; RADIANS(A9) makes theta13, theta14, mu right" in run.output
+    run = CliRunner().invoke(
+        main, ["audit", str(path), "--against", str(tmp_path / "m.toml"), "--json", "--language", "tr"]
+    )
+    data = json.loads(run.output)
+    assert data["asked"]["theta13"] == {"cells": "Sayfa1!H9:H33", "verdict": "follows"}
+    assert data["marks"] == {"of": 3, "plain": 0, "follow_through": 3}
+    assert set(data) == {"asked", "faults", "marks", "remarks"}
+
+
+def test_what_is_no_table_is_refused_in_words(tmp_path, mechanism):
+    import openpyxl
+
+    book = openpyxl.Workbook()
+    book.active["A1"] = "nothing"
+    book.save(tmp_path / "empty.xlsx")
+    with pytest.raises(mechsheet.MechsheetError, match="no table was found"):
+        audit(tmp_path / "empty.xlsx", mechanism)
+    (tmp_path / "broken.xlsx").write_bytes(b"PK\x03\x04 no workbook")
+    with pytest.raises(mechsheet.MechsheetError):
+        audit(tmp_path / "broken.xlsx", mechanism)
+
+
+def test_circles_links_and_volatile_functions_are_remarks(tmp_path, mechanism):
+    cells = {"Q1": "=Q2", "Q2": "=Q1", "Q3": "=[1]Sheet1!A1", "Q4": "=NOW()", "Q5": "3,5", "Q6": "=NOSUCH(1)"}
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, four_bar(), cells=cells))
+    assert verdicts(found) == RIGHT
+    assert math.isclose(found.plain, 3)
+    assert any("decimal comma" in remark for remark in found.remarks)

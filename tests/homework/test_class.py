@@ -1,0 +1,150 @@
+"""A lecturer's week: an exercise for a class, their workbooks back, marks, an appeal."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+
+import openpyxl
+import pytest
+from click.testing import CliRunner
+
+import mechsheet
+from homework.handmade import STEPS, Table, four_bar
+from mechsheet.cli import main
+
+EXERCISE = """
+[exercise]
+asked = { theta13 = 2, theta14 = 1, mu_min = 1 }
+vary = { a2 = [30, 38, 0.5], a3 = [60, 66, 0.5] }
+need = "all rows and mu_min > 28"
+"""
+
+
+@pytest.fixture(scope="module")
+def week(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("week")
+    text = mechsheet.template("four-bar").text.replace("[workbook]", '[workbook]\nlayout = "page"')
+    (folder / "four-bar.toml").write_text(text + EXERCISE, encoding="utf-8")
+    (folder / "class.csv").write_text("id;name\n101;Ayşe\n102;<b>Bora</b>\n103;=1+1\n", encoding="utf-8")
+    run("exercise", folder / "four-bar.toml", folder / "class.csv", "-o", folder / "week")
+    return folder
+
+
+def run(*args, code=0):
+    result = CliRunner().invoke(main, [str(arg) for arg in args])
+    assert result.exit_code == code, result.output
+    return result.output
+
+
+def key_of(week):
+    return json.loads((week / "week" / "key.json").read_text(encoding="utf-8"))
+
+
+def filled(week, number, path, **slips):
+    """A student's own table with own dimensions."""
+    own = key_of(week)["students"][number]["dimensions"]
+    given = [(name, name, own[name]) for name in ("a1", "a2", "a3", "a4")]
+    table = Table(given, four_bar(**slips))
+    table.cells = {"A40": "mu_min", "B40": "=MIN(L9:L33)"}
+    return table.save(path)
+
+
+def test_a_students_sheet_holds_the_task_and_no_answer(week):
+    book = openpyxl.load_workbook(week / "week" / "student" / "101.xlsx")
+    (sheet,) = book.worksheets
+    cells = [cell.value for row in sheet.iter_rows() for cell in row if cell.value is not None]
+    assert sheet.sheet_state == "visible"
+    assert {"theta13", "theta14", "mu_min", "101"} <= set(cells)
+    assert [value for value in cells if isinstance(value, float | int)][-25:] == STEPS
+    assert not any(isinstance(value, str) and value.startswith("=") for value in cells)
+    assert all(mode not in " ".join(map(str, cells)) for mode in ("mode_1", "[assembly]"))
+
+
+def test_dimensions_come_from_seed_and_id_alone(week):
+    drawn = {one["id"]: one["dimensions"] for one in key_of(week)["students"]}
+    assert len({tuple(one.values()) for one in drawn.values()}) == 3
+    assert all(30 <= one["a2"] <= 38 and one["a2"] * 2 == int(one["a2"] * 2) for one in drawn.values())
+    (week / "one.csv").write_text("id\n103\n", encoding="utf-8")
+    run("exercise", week / "four-bar.toml", week / "one.csv", "-o", week / "again")
+    again = json.loads((week / "again" / "key.json").read_text(encoding="utf-8"))
+    assert again["students"][0]["dimensions"] == drawn["103"]
+
+
+def test_a_class_is_marked(week):
+    handed = week / "handed"
+    handed.mkdir()
+    filled(week, 0, handed / "101.xlsx")
+    filled(week, 1, handed / "homework_102.xlsx", xA="{a2}*COS({fi})+1")
+    pages = week / "pages"
+    run(
+        "mark",
+        handed,
+        "--against",
+        week / "week" / "key.json",
+        "-o",
+        week / "marks.xlsx",
+        "--csv",
+        week / "m.csv",
+        "--html",
+        pages,
+    )
+    rows = list(csv.reader(io.StringIO((week / "m.csv").read_text(encoding="utf-8-sig"))))
+    assert [row[:2] for row in rows] == [["id", "mark"], ["101", "4"], ["102", "4"], ["103", "0"]]
+    assert "a term too many" in rows[2][2]
+    assert "no workbook" in rows[3][2]
+    page = (pages / "102.html").read_text(encoding="utf-8")
+    assert "&lt;b&gt;Bora&lt;/b&gt;" in page
+    assert "Ayşe" not in page
+
+
+def test_an_appeal_is_settled_in_the_sheet(week):
+    if not (week / "marks.xlsx").exists():
+        pytest.skip("marks are made by the test before")
+    book = mechsheet.open_book(week / "marks.xlsx")
+    assert [row[0] for row in book.table("Class!I5:I7")] == [4.0, 4.0, 0.0]
+    book.set("Class!H7", 3.0, force=True)
+    assert [row[0] for row in book.table("Class!I5:I7")] == [4.0, 4.0, 3.0]
+    assert book["Faults!B2"] == 1.0
+
+
+def test_anothers_dimensions_are_named(week):
+    other = week / "copied"
+    other.mkdir()
+    filled(week, 0, other / "103.xlsx")
+    found = mechsheet.mark(other, week / "week" / "key.json")
+    line = next(one for one in found.students if one.id == "103")
+    assert {fault.kind for fault in line.audit.faults} == {"other dimension"}
+    assert line.remarks == ("the dimensions are those of 101",)
+
+
+WRONG = {
+    "asked = { theta31 = 1 }": 'exercise.asked.theta31: no variable, coordinate, output or summary is called "theta31"',
+    "vary = { gamma3 = [1, 2, 1] }": 'the dimension "gamma3" is derived',
+    "vary = { a9 = [1, 2, 1] }": 'no dimension is called "a9"',
+    "vary = { a2 = [5, 2, 1] }": "expected [from, to, step]",
+    'need = "mu_least > 3"': '"mu_least" is no summary',
+    'need = "good"': '"good" is no condition',
+    'vary = { a2 = [30, 31, 1] }\nneed = "mu_min > 80"': "no draw of 1000 meets it: mu_min > 80",
+}
+
+
+@pytest.mark.parametrize("lines", WRONG)
+def test_what_is_wrong_with_an_exercise_is_told_with_its_line(week, tmp_path, lines):
+    (tmp_path / "m.toml").write_text(mechsheet.template("four-bar").text + f"\n[exercise]\n{lines}\n", encoding="utf-8")
+    output = run("exercise", tmp_path / "m.toml", week / "class.csv", "-o", tmp_path / "out", code=2)
+    assert WRONG[lines] in output
+    assert "m.toml:" in output
+    assert not (tmp_path / "out").exists()
+
+
+def test_what_is_wrong_with_a_class_is_told_all_at_once(week, tmp_path):
+    (tmp_path / "class.csv").write_text("id,name\n1,a\n,b\n1,c\n", encoding="utf-8")
+    output = run("exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2)
+    assert "class.csv:3: a line without an id" in output
+    assert "class.csv:4: 1: the same id as line 2" in output
+    (tmp_path / "class.csv").write_text("number,name\n1,a\n", encoding="utf-8")
+    assert 'no column is called "id"' in run(
+        "exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2
+    )
