@@ -30,7 +30,7 @@ JUDGE = "stored values"
 LIBREOFFICE = "LibreOffice"
 
 WRITTEN = 1e-20
-"""LibreOffice writes numbers into .ods with twenty decimals: what rounding leaves of a force that is 0 loses its digits there."""
+"""LibreOffice writes numbers into .ods with twenty decimals: what rounding leaves of a force of 0 loses digits there."""
 
 COMPUTE_ANEW = "saved by LibreOffice without being computed: open the file there, press Ctrl+Shift+F9, save it again"
 
