@@ -555,9 +555,9 @@ class Mechanism:
     drawn: bool = True
     rate_points: tuple[str, ...] | None = None
     dynamics: Dynamics | None = None
+    solution: Solution = Solution()
     relations: tuple[Relation, ...] = ()
     drivers: tuple[FurtherDriver, ...] = ()
-    solution: Solution = Solution()
     exercise: Exercise | None = None
     text: str = ""
     file: str = field(default="", compare=False)

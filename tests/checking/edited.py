@@ -9,11 +9,11 @@ from mechsheet.checking.expected import expected_for
 from mechsheet.checking.inputs import description_in
 from mechsheet.compiled.evaluation import book_of, computed
 from mechsheet.description import load
+from mechsheet.dynamics.solve import solve
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Node, shifted
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.references import parse_cell
-from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.workbook import Cell, Fill, Sheet, Workbook
 

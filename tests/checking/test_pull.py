@@ -15,10 +15,10 @@ from mechsheet.checking.pull import pull
 from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.dynamics.solve import solve
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, update_values, write
 from mechsheet.formula.references import cell_name
-from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 
 

@@ -19,12 +19,12 @@ from mechsheet.checking.twins import compare_twins
 from mechsheet.cli import main
 from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load
+from mechsheet.dynamics.solve import solve
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Unary
 from mechsheet.formula.parser import parse_formula
-from mechsheet.kinematics.solve import solve
 from mechsheet.library.building import FORMATS
 from mechsheet.sheet.layout import lay_out
 

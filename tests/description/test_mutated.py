@@ -9,8 +9,8 @@ from mechsheet.description import loads
 from mechsheet.description.locate import located
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.diagnostics import DescriptionError, DescriptionWarning, Fault, MechanismError
+from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.sketched import doubts
-from mechsheet.kinematics.solve import solve
 from mechsheet.library.building import compile_workbook
 from mechsheet.sheet.layout import lay_out
 from mutations import DAMAGES, mutated

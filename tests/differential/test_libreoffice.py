@@ -12,9 +12,9 @@ from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.searched import compare_program
 from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
+from mechsheet.dynamics.solve import solve
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write
-from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import KINDS, Grower
 

@@ -16,6 +16,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import OutputError
+from mechsheet.dynamics.solve import solve
 from mechsheet.engine import evaluate
 from mechsheet.exporting.calls import matches
 from mechsheet.exporting.function_sheet import DIFFERENCE_ROW
@@ -29,7 +30,6 @@ from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
-from mechsheet.kinematics.solve import solve
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 from mechsheet.sheet.layout import lay_out

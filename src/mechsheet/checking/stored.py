@@ -29,6 +29,9 @@ JUDGE = "stored values"
 
 LIBREOFFICE = "LibreOffice"
 
+WRITTEN = 1e-20
+"""LibreOffice writes numbers into .ods with twenty decimals: what rounding leaves of a force of 0 loses digits there."""
+
 COMPUTE_ANEW = "saved by LibreOffice without being computed: open the file there, press Ctrl+Shift+F9, save it again"
 
 
@@ -288,7 +291,8 @@ class _Comparing:
                 return ("", 0.0) if ours == theirs else ("type", math.inf)
             gap = abs(ours - theirs)
             size = gap / max(abs(ours), abs(theirs), 5e-324)
-            return ("" if size <= self.rules.tolerance or gap <= self.rules.absolute else "number"), size
+            unwritten = self.libreoffice and self.ods and gap <= WRITTEN
+            return ("" if size <= self.rules.tolerance or gap <= self.rules.absolute or unwritten else "number"), size
         if (ours is None or ours == "") and theirs == "":
             return "", 0.0
         if isinstance(ours, str) and isinstance(theirs, str):

@@ -64,7 +64,7 @@ class Reactions:
                 efforts[step.symbol] = self._effort(step, on_known=True)
             elif isinstance(step, Tied):
                 self.teeth.write(step)
-            elif isinstance(step, Dyad):
+            elif isinstance(step, Dyad):  # Newton's method: refused before
                 self._dyad(step, self.found.rates.determinants[ledger.group])
                 for assembly in (step.first, step.second):
                     if len(assembly) > 1:

@@ -107,23 +107,18 @@ class Order:
         """The steps that are dyads."""
         return tuple(step for step in self.steps if isinstance(step, Dyad))
 
-    @property
-    def groups(self) -> tuple[Dyad | Chain, ...]:
-        """The steps that are groups, dyads and those that Newton's method solves."""
-        return tuple(step for step in self.steps if isinstance(step, Dyad | Chain))
-
     def pair(self, assembly: tuple[str, ...]) -> Drive:
         """The driven joint inside an assembly of bodies."""
         return next(drive for drive in self.drives if {*drive.bodies} <= {*assembly})
 
 
 def order_of(mechanism: Mechanism, graph: Graph) -> Order:
-    """How the mechanism is solved. MechanismError when a driver drives no joint, or a group is not of class II."""
+    """How the mechanism is solved. MechanismError when a driver drives no joint, or a group takes too many unknowns."""
     drives = tuple(_drive(mechanism, driver, graph) for driver in mechanism.all_drivers)
     clusters: dict[Drive, Bodies] = {drive: drive.bodies for drive in drives}
     solved = {mechanism.ground.name}
-    force = mechanism.solution.force
     steps: list[Step] = []
+    force = mechanism.solution.force
     while len(solved) < len(graph.bodies):
         pending = [drive for drive in drives if not {*drive.bodies} <= solved]
         step: Step | None = _next_drive(pending, solved)
@@ -134,24 +129,26 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
             assemblies = _assemblies(graph, [clusters[drive] for drive in pending], solved)
             if not force:
                 step = _next_dyad(graph, assemblies, solved) or _grown(graph, assemblies, pending, clusters, solved)
-        if step is None:
-            if faults := stiff_faults(graph) or _tied_too_deep(graph, steps):
-                raise MechanismError(faults)
-            step = _next_chain(graph, assemblies, solved, force)
+            step = step or _next_chain(graph, assemblies, steps, solved, force)
         steps.append(step)
         solved.update(bodies_of(step))
     return Order(drives, tuple(steps))
 
 
-def _next_chain(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str], force: bool) -> Chain:
+def _next_chain(graph: Graph, assemblies: list[Bodies], steps: list[Step], solved: set[str], force: bool) -> Chain:
     """The smallest group that Newton's method solves; `force` takes dyads so, too."""
     stiff = stiff_faults(graph)
+    if stiff:
+        raise MechanismError(stiff)
     try:
-        chain = None if stiff else next_chain(graph, assemblies, solved, 2 if force else 4)
+        chain = next_chain(graph, assemblies, solved, 2 if force else 4)
     except TooManyUnknownsError as error:
-        raise MechanismError(_too_large(error.assemblies)) from error
+        raise MechanismError(_tied_too_deep(graph, steps) or [_too_large(error.assemblies)]) from error
     if chain is None:
-        raise MechanismError(stiff or [_too_large(assemblies)])
+        raise MechanismError(_tied_too_deep(graph, steps) or [_too_large(assemblies)])
+    inside = _tied_too_deep(graph, steps, {*solved, *chain.bodies})
+    if inside:
+        raise MechanismError(inside)
     return chain
 
 
@@ -223,15 +220,17 @@ def _assemblies(graph: Graph, pairs: list[Bodies], solved: set[str]) -> list[Bod
     return sorted(found, key=lambda bodies: -1 if len(bodies) > 2 else graph.bodies.index(bodies[0]))
 
 
-def _tied_too_deep(graph: Graph, steps: list[Step]) -> list[Fault]:
-    """Gears that could not be used: they stand inside a group."""
+def _tied_too_deep(graph: Graph, steps: list[Step], known: set[str] | None = None) -> list[Fault]:
+    """Gears that could not be used: they stand inside a group. `known`: only such as tie nothing but these bodies."""
     done = [relation for step in steps if isinstance(step, Tied) for relation in step.relations]
     left = [relation for relation in graph.relations if relation not in done]
+    if known is not None:
+        left = [relation for relation in left if {*graph.tied(relation)} <= known]
     if not left:
         return []
     names = listed_names(graph.tied(left[0]))
     kind = "rack" if isinstance(left[0], Rack) else left[0].kind
-    message = f"the {kind} between {names} ties links of a group that is not solved yet: it needs Newton groups"
+    message = f"the {kind} between {names} ties links of a group that must be solved all at once: not supported yet"
     hint = "a gear is solved where all but one of the angles that it ties are known"
     return [Fault(message, key=f"joints.{left[0].order}", hint=hint)]
 

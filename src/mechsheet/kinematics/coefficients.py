@@ -494,7 +494,7 @@ class _Writer:
             if isinstance(dyad, Tied):
                 motions.tie(dyad, {held.variable: by_time.of(self._symbol(held)) for held in dyad.bodies})
                 continue
-            if not isinstance(dyad, Dyad):  # velocities of a group that Newton's method solves are refused
+            if not isinstance(dyad, Dyad):  # Newton's method: refused before
                 continue
             number += 1
             if dyad.frame:

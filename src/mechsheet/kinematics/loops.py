@@ -43,7 +43,7 @@ def loops_of(poses: Poses, steps: Iterable[Step]) -> tuple[Loop, ...]:
     found = []
     for dyad in steps:
         if not isinstance(dyad, Dyad):
-            found += [NO_LOOP] * isinstance(dyad, Chain)
+            found += [NO_LOOP] if isinstance(dyad, Chain) else []
             solved.update(bodies_of(dyad))
             continue
         # a dyad on the driven pair closes over the pair, seen from the link in whose frame it is solved

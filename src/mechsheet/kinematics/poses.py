@@ -305,7 +305,7 @@ class Poses:
         link = self.links[body]
         symbol = link.angle_symbol
         if symbol in self.mechanism.driven_symbols or symbol in self.ledger.values:
-            return Angle(Symbol(symbol))  # what is driven, or an unknown of a group solved by Newton's method
+            return Angle(Symbol(symbol))  # driven, or an unknown of a group solved by Newton's method
         words = phrase("angle_of_link", number=str(link.number), link=link_words(link))
         self.turned.append((symbol, angle))
         return Angle(self.ledger.define(symbol, angle.expression(), ANGLE, words, "variable"))

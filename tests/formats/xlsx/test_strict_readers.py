@@ -16,10 +16,10 @@ from chosen import ALL, part
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load, loads
+from mechsheet.dynamics.solve import solve
 from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Unary
-from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.constants import typed, with_typed_constants
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Name, Sheet, Style, Workbook, with_values

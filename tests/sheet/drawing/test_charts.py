@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from mechsheet.description import loads
-from mechsheet.kinematics.solve import solve
+from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests
 from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.layout import lay_out

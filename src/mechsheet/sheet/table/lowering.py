@@ -262,12 +262,6 @@ class _Lowering:
         self._add(equation, further, first=first)
 
 
-def _given(equation: Equation) -> Assignment:
-    return Assignment(
-        equation.symbol, equation.expression, equation.expression, equation.role, equation.unit, equation.label
-    )
-
-
 def in_pass(symbol: str, number: int) -> str:
     """The symbol of what a system's body calls so, in the pass of that number; 0 is where it all begins."""
     return f"{symbol.partition(' ')[0]} {number}"
@@ -291,6 +285,12 @@ def _step(system: System, unknown: str) -> Node:
 def _next(system: System, unknown: str, number: int) -> Node:
     """An unknown after the pass of that number: x - (J^-1 F)."""
     return in_this_pass(system, _step(system, unknown), number)
+
+
+def _given(equation: Equation) -> Assignment:
+    return Assignment(
+        equation.symbol, equation.expression, equation.expression, equation.role, equation.unit, equation.label
+    )
 
 
 def pins_apart(equations: Equations, direction: Equation) -> tuple[Condition, ...]:
