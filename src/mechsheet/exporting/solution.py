@@ -198,7 +198,7 @@ class _Writer:
             scalars += _equated(left, right) if left or right else []
         self.blocks.append(Display(tuple(scalars)))
         solved = [eq.symbol for eq in self.equations.columns if eq.group == group.number and eq.role == "variable"]
-        unknown = [name for name in loop.reads if name in solved]
+        unknown = [name for name in loop.reads if name in solved or name in group.unknowns]
         between = f" {self.say(words.AND)} "
         parts: list[str | Math] = [f"{self.say(words.UNKNOWNS)} "]
         for index, name in enumerate(unknown):

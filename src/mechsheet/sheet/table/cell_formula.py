@@ -53,7 +53,8 @@ class CellFormula:
     """The formula as the top-left cell has it; see `expand`.
 
     title    of the sheet;  value: what the cells show;  heads: dimension -> the cell of its value, as people read it
-    closing  groups that must close besides those that the value depends on: where one does not, there is #N/A
+    closing  for a sweep in every column: groups that must close besides those that the value depends on (where one does not,
+             there is #N/A). The angles then have blocks of their own as they are before they go on from row to row
     helpers  (symbol, formula) of each block of helpers; the first are those of `angles`
 
     A formula is the same wherever its block stands: only the driver's cell, heads and helpers are relative, and they lie as
@@ -87,7 +88,10 @@ class CellFormula:
         used = needed(CELL, rules)
         apart = {symbol: WINDOWED.format(symbol=symbol) for symbol in self.windows}
         self.angles = [symbol for symbol, taken in apart.items() if taken in used]
-        expansion = expand(CELL, rules, self._bound, self.helper, [apart[symbol] for symbol in self.angles])
+        own = [apart[symbol] for symbol in self.angles]
+        if closing:  # many cells: only short formulas should wait for the cell above
+            own += self.angles
+        expansion = expand(CELL, rules, self._bound, self.helper, own)
         self.formula, self.helpers = expansion.formula, expansion.helpers
 
     # --- cells ------------------------------------------------------------------------------------------------
