@@ -201,6 +201,46 @@ class Grower:
         self._either_way(first, second, *one)
         self._either_way(second, j, *other)
 
+    # --- groups of class III and IV -----------------------------------------------------------------------------
+
+    def _leg(self, body: Body) -> Body:
+        """A link that is pinned somewhere on a body."""
+        start = self._near(body)
+        leg = self._new_body(start)
+        self._point(*start, body, leg)
+        return leg
+
+    def _iii(self) -> None:
+        """A link with three legs, each of which stands on a body that is there; one may be a pin in a slot."""
+        held = [self.bodies[int(i)] for i in self.random.choice(len(self.bodies), 3)]
+        if len({body.name for body in held}) == 1:
+            held[0] = self.bodies[1] if held[0] is self.bodies[0] else self.bodies[0]
+        centre = self._spot()
+        middle = self._new_body(centre)
+        for number, body in enumerate(held):
+            end = (centre[0] + self._uniform(-40, 40), centre[1] + self._uniform(-40, 40))
+            if number == 2 and self.random.random() < 0.4:
+                self._slide(body, middle, end, self._near(body), "pin-slot")
+                continue
+            leg = self._leg(body)
+            self._remember(self._point(*end, leg, middle))
+        self._remember(self._point(*self._spot(), middle))
+
+    def _iv(self) -> None:
+        """Two links with three pins, joined by two legs; each stands on a body that is there."""
+        one, other = self._two_bodies()
+        plates = []
+        for body in (one, other):
+            pin = self._near(body)
+            plate = self._new_body(pin)
+            self._point(*pin, body, plate)
+            plates.append((plate, pin))
+        for _ in range(2):
+            ends = [(pin[0] + self._uniform(-50, 50), pin[1] + self._uniform(-50, 50)) for _, pin in plates]
+            leg = self._new_body(ends[0])
+            for (plate, _), end in zip(plates, ends, strict=True):
+                self._remember(self._point(*end, plate, leg))
+
     # --- writing ------------------------------------------------------------------------------------------------
 
     def _place(self, body: Body, point: str) -> str:

@@ -2,7 +2,7 @@
 
 python tools/proof.py perturb 12 [TEMPLATE...] [--with libreoffice,gnumeric,ironcalc] [--seed S]
 python tools/proof.py mutate 8 [TEMPLATE...] [--seed S]
-python tools/proof.py mutate-forces 20 [CASE...] [--seed S]
+python tools/proof.py mutate-forces 12 [CASE...] [--seed S]
 
 `mutate-forces` damages the sheets of velocities and forces alone, of published cases.
 Prints a table in Markdown, and puts it between its marks in docs/proof.md when all templates were run. --jobs N runs N

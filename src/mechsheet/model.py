@@ -391,6 +391,18 @@ class TableRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class Solution:
+    """How groups are solved that no dyad can be taken from.
+
+    passes  Newton steps a row; None: as many as are needed, at least six
+    force   dyads are solved so, too
+    """
+
+    passes: int | None = None
+    force: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Vary:
     """A dimension that is another one for each student: low, low + step, ... up to high, in its own unit."""
 
@@ -434,6 +446,7 @@ class Mechanism:
 
     rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
     dynamics     masses and loads; None where the description has none
+    solution     how groups without a closed form are solved
     file         the stem of the file that it was read from, "" when it was read from none
     """
 
@@ -457,6 +470,7 @@ class Mechanism:
     drawn: bool = True
     rate_points: tuple[str, ...] | None = None
     dynamics: Dynamics | None = None
+    solution: Solution = Solution()
     exercise: Exercise | None = None
     text: str = ""
     file: str = field(default="", compare=False)

@@ -13,6 +13,7 @@ from click.testing import CliRunner
 import mechsheet
 from homework.handmade import STEPS, Table, four_bar
 from mechsheet.cli import main
+from mechsheet.homework.marks_book import page
 
 EXERCISE = """
 [exercise]
@@ -116,7 +117,8 @@ def test_anothers_dimensions_are_named(week):
     found = mechsheet.mark(other, week / "week" / "key.json")
     line = next(one for one in found.students if one.id == "103")
     assert {fault.kind for fault in line.audit.faults} == {"other dimension"}
-    assert line.remarks == ("the dimensions are those of 101",)
+    assert line.private == ("the dimensions are those of 101",)
+    assert "101" not in page(found, line)  # a student's page says nothing of another
 
 
 WRONG = {

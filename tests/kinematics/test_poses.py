@@ -51,7 +51,7 @@ def held(mechanism, values, link):
     )
 
 
-@pytest.mark.parametrize("seed", range(24))
+@pytest.mark.parametrize("seed", range(8))
 def test_any_link_may_be_the_ground(seed):
     mechanism = loads(Grower(seed, 1 + seed % 4).text(9))
     equations, values = positions(mechanism)
@@ -64,7 +64,7 @@ def test_any_link_may_be_the_ground(seed):
         other = held(mechanism, values, link)
         try:
             _, found = positions(other)
-        except MechanismError:  # seen from there it is of a higher class
+        except MechanismError:  # seen from there it takes more than four unknowns, or another assembly is too near
             continue
         solved += 1
         size = max(abs(coordinate) for place in other.sketch.points.values() for coordinate in place)

@@ -2,6 +2,7 @@
 
 import pytest
 from budgets import (
+    A_PASS,
     ALL,
     BESIDE,
     ELSEWHERE,
@@ -43,6 +44,15 @@ def test_cells_beside_the_table(name):
     beside = LARGE_BESIDE_FEW_ROWS.get(name, BESIDE)
     most = SHARE * size.table + MOVED * size.rates + LOADED * size.forces + beside
     assert size.cells - size.two_way <= most
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_iterations(name):
+    """Passes, unknowns and rows decide how large the sheet of Newton's method is, and its start of 21 rows."""
+    found = compiled(name)
+    systems = [group.system for group in found.equations.groups if group.system]
+    most = sum(A_PASS * len(each.unknowns) * ((each.passes + 1) * found.plan.rows + 21) for each in systems)
+    assert size_of(found).iterations <= most
 
 
 @pytest.mark.parametrize("name", TEMPLATES)

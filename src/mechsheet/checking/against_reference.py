@@ -20,8 +20,9 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.sweep import rough_poses
+from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
 from mechsheet.sheet.plan import Plan
 
@@ -47,7 +48,9 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
         words = [f"{symbol} has no value with these dimensions: {why}" for symbol, why in missing.items()]
         return _without(plan, values, lost), [*inputs.remarks, *words, UNREACHED]
     opened = _opened(plan, values)
-    start = _start(mechanism, inputs)
+    changed = _changed(mechanism, inputs)
+    equations = _as_typed(plan, inputs) if plan.newton else None
+    start = _start(changed, inputs, equations)
     if start is None:
         tally = Tally("reference")
         _judge_status(plan, tally, opened, np.zeros(plan.rows, dtype=bool))
@@ -60,6 +63,9 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
         _with_listed_rates(mechanism, inputs), inputs.dimensions, start=start,
         values=None if by_law else inputs.given[mechanism.driver.symbol],
     )  # fmt: skip
+    beyond = np.zeros(plan.rows, dtype=bool)
+    if equations is not None:
+        solution, beyond = _reached(solution, changed, equations, inputs.given[mechanism.driver.symbol])
     tally = Tally("reference")
     known = _Known(plan, values)
     steep = Steepness(plan, known)
@@ -74,7 +80,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
         elif steep.concerns(symbol):
             _compare_rate(plan, tally, symbol, column, theirs, solution, steep)
         else:
-            _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol))
+            _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol), beyond)
     return tally.result(), list(inputs.remarks)
 
 
@@ -206,6 +212,7 @@ def _compare_column(
     solution: reference.Solution,
     closed: NDArray[np.bool_],
     opened: NDArray[np.bool_] | None,
+    beyond: NDArray[np.bool_],
 ) -> None:
     theirs = np.asarray(found[symbol], float)
     output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
@@ -224,7 +231,7 @@ def _compare_column(
     # in a row that does not exist, the sheet goes on with what does not depend on the group that comes apart
     fine |= ~solution.exists & (np.isnan(ours) | (np.isnan(theirs) & (True if opened is None else ~opened)))
     apart = np.where(fine, 0.0, np.where(np.isnan(apart), math.inf, apart))
-    at_dead_centre = closed & (apart <= DEAD_CENTRE)
+    at_dead_centre = closed & ((apart <= DEAD_CENTRE) | beyond)
     apart = np.where(at_dead_centre, np.minimum(apart, TOLERANCE), apart)
     if output is not None and (apart > TOLERANCE).any():
         steep = (apart > TOLERANCE) & excused(solution, found, symbol, ours, 1.0 if is_angle else scale)
@@ -272,23 +279,54 @@ def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array
     tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
 
 
-def _start(mechanism: Mechanism, inputs: Inputs) -> dict[str, tuple[float, float, float]] | None:
-    """A completed sketch for the reference: link poses in the first row that exists, by fresh equations, roughly.
-
-    The reference needs to know which assembly is meant, also where the sketch leaves it open or a person has flipped a
-    mode. The poses are rounded to three digits: Newton's method finds the position itself.
-    """
-
+def _changed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
+    """The mechanism with what has been typed into the cells."""
     values = tuple(inputs.given[mechanism.driver.symbol].tolist())
     listed = replace(mechanism, driver=replace(mechanism.driver, values=values))
-    changed = replace(
+    return replace(
         mechanism,
         dimensions=tuple(
             dim if dim.derived else replace(dim, value=inputs.dimensions[dim.symbol]) for dim in mechanism.dimensions
         ),
         driver=mechanism.driver if mechanism.driver.law is not None else _with_listed_rates(listed, inputs).driver,
     )
+
+
+def _as_typed(plan: Plan, inputs: Inputs) -> Equations:
+    """The plan's own equations with the assemblies of the cells: their start values are those of the workbook."""
+    equations = plan.equations.equations
+    groups = (
+        replace(group, assembly=group.assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
+        for group in equations.groups
+    )
+    return replace(equations, groups=tuple(groups))
+
+
+def _reached(
+    solution: reference.Solution, mechanism: Mechanism, equations: Equations, driver: Array
+) -> tuple[reference.Solution, NDArray[np.bool_]]:
+    """Of a mechanism that Newton's method solves: the solution without the rows that it does not reach from row to row,
+    and the rows behind a gap, in which any assembly will do."""
+    values = sweep(mechanism, equations, driver)
+    there = np.logical_and.reduce([np.isfinite(values[group.closes]) for group in equations.groups])
+    exists = solution.exists & there
+    home = next(group.system.row for group in equations.groups if group.system is not None)
+    gaps = np.flatnonzero(~there)
+    before, after = gaps[gaps < home], gaps[gaps > home]
+    rows = np.arange(len(there))
+    beyond = (rows < before.max(initial=-1)) | (rows > after.min(initial=len(rows)))
+    return replace(solution, exists=exists), beyond
+
+
+def _start(
+    mechanism: Mechanism, inputs: Inputs, equations: Equations | None
+) -> dict[str, tuple[float, float, float]] | None:
+    """A completed sketch for the reference: link poses in the first row that exists, by fresh equations, roughly.
+
+    The reference needs to know which assembly is meant, also where the sketch leaves it open or a person has flipped a
+    mode. The poses are rounded to three digits: Newton's method finds the position itself.
+    """
     try:
-        return rough_poses(changed, inputs.modes)
+        return rough_poses(mechanism, inputs.modes, equations)
     except MechanismError:
         return None  # it assembles nowhere: the reference will find that by itself

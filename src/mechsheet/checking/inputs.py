@@ -92,9 +92,11 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
     for group in plan.equations.groups:
         if group.mode:
             typed = number(group.mode)
-            if math.isfinite(typed) and abs(typed) != 1:
-                wrong(group.mode, "must be 1 or -1")
-            modes[group.mode] = 1 if typed > 0 else -1
+            if math.isfinite(typed) and typed not in group.mode_values:
+                wrong(
+                    group.mode, "must be 1 or -1" if group.system is None else f"must be 1 to {len(group.assemblies)}"
+                )
+            modes[group.mode] = group.value_of(typed)
             if modes[group.mode] != group.mode_value:
                 remarks.append(
                     f"{group.mode} is {modes[group.mode]:+d}; the description's sketch means {group.mode_value:+d}"

@@ -22,7 +22,7 @@ from mechsheet.checking.undefined_dimensions import missing_dimensions
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
-from mechsheet.kinematics.equations import Group, assembly_of
+from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.plan import MEANING, Plan
 
@@ -50,7 +50,7 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
     inputs = inputs_in(book, values, plan, shown)
     equations = plan.equations.equations
     groups = tuple(
-        replace(group, assembly=assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
+        replace(group, assembly=group.assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
         for group in equations.groups
     )
 
@@ -63,7 +63,7 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
         )
         return Search(
             replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.given,
-            stepped=not mechanism.driver.values,
+            stepped=not (mechanism.driver.values or plan.newton),
         )  # fmt: skip
 
     found = search({})

@@ -30,7 +30,7 @@ from mechsheet.description.shape import fit
 from mechsheet.description.source import Source, parse_as_meant, read_text
 from mechsheet.description.sweep import with_sweep
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Mechanism, Solution, Words
 
 LANGUAGES = ("en", "tr")
 LAYOUTS = ("sheets", "page")
@@ -146,7 +146,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     table = (*table, *cells)
 
     results.declare(outputs, summary, scope)
-    workbook = part(data, "workbook", {})
+    workbook, solution = part(data, "workbook", {}), part(data, "solution", {})
     wheel = part(data, "flywheel", {})
     flywheel.declare(wheel, scope)
     if driven:
@@ -165,6 +165,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "drawn": workbook.get("drawing", True) is not False,
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "dynamics": masses,
+        "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
         "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }

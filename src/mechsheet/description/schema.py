@@ -392,6 +392,16 @@ WORKBOOK = Table(
     }
 )
 
+SOLUTION = Table(
+    {
+        "passes": Key(
+            Integer(3, 12),
+            "Newton steps a row, where links must be solved all at once; default 6, or more where needed",
+        ),
+        "force": Key(YesNo(), "true solves every group so, for comparison; default false"),
+    }
+)
+
 ASSEMBLY = Named(
     Either((PAIR, Quantity())),
     "point or variable",
@@ -436,6 +446,7 @@ DESCRIPTION = Table(
         "charts": Key(Items(CHART), "charts; sensible ones are chosen when left out"),
         "tables": Key(Items(TABLE), "two-way tables"),
         "workbook": Key(WORKBOOK, "how the workbook is written"),
+        "solution": Key(SOLUTION, "how groups of links are solved that have no closed form"),
         "exercise": Key(EXERCISE, "what is asked of students, and what varies from one to the next"),
     },
     later=("drivers", "friction"),

@@ -16,7 +16,7 @@ from mechsheet.exporting.routines import Parameter, Routine, Source, with_names,
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Number, Symbol
 from mechsheet.kinematics.angle_branch import AngleBranch
-from mechsheet.kinematics.solve import CLOSING
+from mechsheet.kinematics.ledger import CLOSING
 from mechsheet.model import Words
 from mechsheet.units import LENGTH, NUMBER, RAD, Unit
 

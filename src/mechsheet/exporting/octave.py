@@ -15,6 +15,7 @@ from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import TIME, ChartRequest, Joint
 from mechsheet.sheet.drawing.charts import chart_requests, traced_points
@@ -42,6 +43,7 @@ def write(job: Job) -> list[bytes]:
     reserved = {*re.findall(r"^function (?:\w+ = )?(\w+)", helpers, re.MULTILINE), *_TAKEN.split(), job.name}
     program = program_of(job.compiled, reserved)
     lines = [*_opening(program, job.name), *_given(program), *_driver(program), *_columns(program), *_result(program)]
+    loops = [line for column in program.columns if column.loop for line in _pass(program, column, column.loop)]
     lines += [
         "",
         "  if nargout == 0",
@@ -49,7 +51,7 @@ def write(job: Job) -> list[bytes]:
         "    clear result",
         "  end",
     ]
-    return [("\n".join(lines) + "\nend\n" + helpers).encode()]
+    return [("\n".join([*lines, "end", *loops, ""]) + helpers).encode()]
 
 
 def _called(code: str) -> list[str]:
@@ -160,10 +162,47 @@ def _columns(program: Program) -> list[str]:
 
 
 def _column(program: Program, column: ColumnLine) -> list[str]:
+    if column.loop is not None:
+        return _loop(program, column, column.loop)
     text = _text(program, column.node)
     if column.still:
         text = f"repmat({text}, rows, 1)"
     return commented(f"  {program.names[column.symbol]} = {text};", column.words, "%")
+
+
+def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
+    """The unknowns of a system, row by row."""
+    names = program.names
+    given = ", ".join(f"{names[name]} .* ones(rows, 1)" for name in system.given)
+    starts = "; ".join(" ".join(repr(x) for x in start) for start in system.starts)
+    found = f"found_{column.group}"
+    return [
+        f"  starts_{column.group} = [{starts}];",
+        f"  [~, home] = min(abs({names[system.driver]} - ({system.home!r})));",
+        f"  {found} = followed(@newton_pass_{column.group}, starts_{column.group}({names[system.mode]}, :)', ...",
+        f"    [{given}], home, {system.passes});",
+        *(f"  {names[name]} = {found}(:, {index});" for index, name in enumerate(system.unknowns, 1)),
+    ]
+
+
+def _pass(program: Program, column: ColumnLine, system: System) -> list[str]:
+    """A function for one pass."""
+    names = program.names
+    lines = ["", f"function [correction, residual_, determinant] = newton_pass_{column.group}(x, row)"]
+    lines += ["% J^-1 F, the residual and det J."]
+    lines += [f"  {names[name]} = x({index});" for index, name in enumerate(system.unknowns, 1)]
+    lines += [f"  {names[name]} = row({index});" for index, name in enumerate(system.given, 1)]
+    for part in system.body:
+        words = one_line(part.label.of(program.mechanism.language))
+        lines += commented(f"  {names[part.symbol]} = {_text(program, part.expression)};", words, "%")
+    corrections = "; ".join(_text(program, part) for part in system.corrections)
+    return [
+        *lines,
+        f"  correction = [{corrections}];",
+        f"  residual_ = {names[system.residual]};",
+        f"  determinant = {names[system.determinant]};",
+        "end",
+    ]
 
 
 def _result(program: Program) -> list[str]:

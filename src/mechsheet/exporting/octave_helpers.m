@@ -69,6 +69,31 @@ function y = triangle(c, a, b)
   y = atan2(sqrt(max(0, product)), a .^ 2 + b .^ 2 - c .^ 2);
 end
 
+function found = followed(step, start, given, home, passes)
+% Newton's method row by row, each from the row before that has a position: the unknowns side by side, NaN where none is
+% found. The determinant's other sign is another assembly. The start fits the row `home`.
+  found = NaN(size(given, 1), numel(start));
+  [last, sign_, arrived] = newton(step, start, given(home, :), 20);
+  if ~arrived
+    return
+  end
+  for row = 1:size(given, 1)
+    [x, determinant, arrived] = newton(step, last, given(row, :), passes);
+    if arrived && determinant * sign_ > 0
+      last = x;
+      found(row, :) = x';
+    end
+  end
+end
+
+function [x, determinant, arrived] = newton(step, x, row, passes)
+  for pass = 1:passes
+    x = x - step(x, row);
+  end
+  [~, residual, determinant] = step(x, row);
+  arrived = residual <= 1e-11;
+end
+
 function y = kept(x, exists)
 % Finite values in rows that exist, NaN elsewhere.
   y = x .* ones(size(exists));

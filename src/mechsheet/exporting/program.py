@@ -8,7 +8,7 @@ an angle over the rows, `TRIANGLE` is the angle of a triangle opposite the first
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.identifiers import identifiers
@@ -16,7 +16,7 @@ from mechsheet.exporting.routines import missing_where
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
 from mechsheet.formula.printer import print_formula
-from mechsheet.kinematics.equations import Condition, Equation, Equations
+from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, System
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Dimension, Law, Mechanism, Quantity
@@ -41,6 +41,7 @@ class ColumnLine:
     """A quantity that has one value per row: `node` over whole columns.
 
     still  the expression has one value for all rows;  group  number of the group, 0 on the driver's side, -1 for outputs
+    loop   Newton's method finds it, with the other unknowns of this system, row by row (`node` says nothing then)
     """
 
     symbol: str
@@ -49,6 +50,7 @@ class ColumnLine:
     unit: str
     words: str
     group: int
+    loop: System | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,10 +142,9 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
         for eq in equations.constants
     ]
     modes = tuple(
-        Line(group.mode, Number(float(group.mode_value)), "", f"+1: {plus.of(language)}, -1: {minus.of(language)}")
+        Line(group.mode, Number(float(group.mode_value)), "", _assemblies(group, language))
         for group in equations.groups
         if group.mode
-        for plus, minus in [group.assemblies]
     )
     driver = mechanism.driver
     sweep = (
@@ -174,6 +175,14 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     )
 
 
+def _assemblies(group: Group, language: str) -> str:
+    """What each value of a mode means."""
+    pairs = zip(group.mode_values, group.assemblies, strict=True)
+    if group.system is None:
+        return ", ".join(f"{value:+d}: {words.of(language)}" for value, words in pairs)
+    return "; ".join(f"{value}: {words.of(language)}" for value, words in pairs)
+
+
 def _dimension(mechanism: Mechanism, dim: Dimension) -> Line:
     words = one_line(dim.label.of(mechanism.language)) if dim.label else ""
     return Line(dim.symbol, quantity(dim.value, dim.unit), dim.unit.internal.text, words)
@@ -194,9 +203,19 @@ def one_line(text: str) -> str:
 
 def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ...]:
     moving = {mechanism.driver.symbol, *mechanism.given_by_row}
+    systems = {name: group.system for group in equations.groups if group.system for name in group.system.unknowns}
+    passes = {each.symbol for system in systems.values() for each in system.body}
     closed: dict[tuple[Condition, ...], Symbol] = {}
     found = []
     for equation in equations.columns:
+        if equation.symbol in systems:
+            found += _loop(equation, systems[equation.symbol], mechanism)
+            moving.add(equation.symbol)
+            continue
+        if any(equation.symbol in system.variables for system in systems.values()):
+            equation = replace(equation, exists=())  # the loop says where it is none
+        elif equation.symbol in passes or passes & {*equation.reads}:
+            continue  # within the loop, or what the table says of it
         still = not moving.intersection(equation.reads)
         moving.add(equation.symbol)
         if equation.exists and equation.exists not in closed:
@@ -210,6 +229,14 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
         unit, words = mechanism.shown(equation.unit.internal).text, one_line(equation.label.of(mechanism.language))
         found.append(ColumnLine(equation.symbol, node, still, unit, words, equation.group))
     return tuple(found)
+
+
+def _loop(equation: Equation, system: System, mechanism: Mechanism) -> list[ColumnLine]:
+    """The unknowns of a system, all in one line: that of the first."""
+    if equation.symbol != system.unknowns[0]:
+        return []
+    words = one_line(equation.label.of(mechanism.language))
+    return [ColumnLine(equation.symbol, al.ZERO, False, "", words, equation.group, system)]
 
 
 def _closed(equation: Equation, number: int, still: bool) -> ColumnLine:

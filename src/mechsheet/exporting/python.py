@@ -12,6 +12,8 @@ from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import WIDTH, ColumnLine, Line, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.equations import System
+from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES
 from mechsheet.model import TIME
 
 RESERVED = (
@@ -50,7 +52,7 @@ def _triangle(opposite: ArrayLike, beside: ArrayLike, other: ArrayLike) -> Array
     return np.arctan2(np.sqrt(np.maximum(0, product)), a * a + b * b - c * c)
 
 
-def _kept(x: ArrayLike, exists: NDArray[np.bool_]) -> Array:
+@@FOLLOWED@@def _kept(x: ArrayLike, exists: NDArray[np.bool_]) -> Array:
     """The finite values in rows that exist, NaN elsewhere."""
     whole = np.broadcast_to(np.asarray(x, float), exists.shape)
     return np.where(exists & np.isfinite(whole), whole, np.nan)
@@ -71,6 +73,37 @@ if __name__ == "__main__":
 '''
 
 
+_FOLLOWED = '''def _followed(
+    step: Callable[..., tuple[Array, float, float]], start: ArrayLike, given: tuple[ArrayLike, ...], home: int, passes: int,
+    rows: int,
+) -> Array:
+    """Newton's method row by row, each from the row before that has a position: the unknowns, NaN where none is found.
+
+    `step` gives J^-1 F, the residual and det J; the determinant's other sign is another assembly. `start` fits row `home`.
+    """
+    columns = [np.broadcast_to(np.asarray(part, float), (rows,)) for part in given]
+
+    def arrived(x: Array, row: int, count: int) -> tuple[Array, float] | None:
+        here = [column[row] for column in columns]
+        for _ in range(count):
+            x = x - step(x, *here)[0]
+        _, residual, determinant = step(x, *here)
+        return (x, determinant) if residual <= @@CLOSED@@ else None
+
+    found = np.full((np.size(start), rows), np.nan)
+    first = arrived(np.array(start, float), home, @@FIRST@@)
+    if first is not None:
+        last, sign = first
+        for row in range(rows):
+            here = arrived(last, row, passes)
+            if here is not None and here[1] * sign > 0:
+                found[:, row] = last = here[0]
+    return found
+
+
+'''.replace("@@CLOSED@@", repr(CLOSED)).replace("@@FIRST@@", str(FIRST_PASSES))
+
+
 def write(job: Job) -> list[bytes]:
     """The module in UTF-8."""
     if job.name in {*sys.stdlib_module_names, *keyword.kwlist, "numpy"}:
@@ -78,7 +111,8 @@ def write(job: Job) -> list[bytes]:
         raise MechsheetError(Fault(fault, key="output", hint=f"for example {job.name}_mechanism.py"))
     program = program_of(job.compiled, RESERVED)
     lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
-    return [("\n".join(lines) + _HELPERS).encode()]
+    loops = any(column.loop for column in program.columns)
+    return [("\n".join(lines) + _HELPERS.replace("@@FOLLOWED@@", _FOLLOWED if loops else "")).encode()]
 
 
 _CALLS = {"CONTINUOUS": "_continuous({0})", "TRIANGLE": "_triangle({0}, {1}, {2})"}
@@ -123,13 +157,15 @@ def _opening(program: Program, name: str) -> list[str]:
 
         import csv
         import sys
-
+        @@CALLABLE@@
         import numpy as np
         from numpy.typing import ArrayLike, NDArray
 
         Array = NDArray[np.float64]
         """
-    return [*body, *dedent(imports).splitlines(), ""]
+    loops = any(column.loop for column in program.columns)
+    callables = "from collections.abc import Callable\n" if loops else ""
+    return [*body, *dedent(imports).replace("@@CALLABLE@@\n", f"{callables}\n").splitlines(), ""]
 
 
 def _tables(program: Program) -> list[str]:
@@ -158,6 +194,41 @@ def _solve(program: Program) -> list[str]:
     kept = program.shown[len(given_rows) :]
     body += [f"            {_string(symbol)}: _kept({program.names[symbol]}, exists)," for symbol in kept]
     return [*_signature(program), *body, "        }", ""]
+
+
+def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
+    """The unknowns of a system, by a function of its own for one pass."""
+    names = program.names
+    unknowns, given = (", ".join(names[name] for name in part) for part in (system.unknowns, system.given))
+    step = f"step_{column.group}"
+    tail = "," if len(system.unknowns) == 1 else ""
+    typed = ", ".join(f"{names[name]}: float" for name in system.given)
+    lines = [
+        "",
+        f"        def {step}(",
+        *_paragraph(f"x: Array, {typed},", " " * 12),
+        "        ) -> tuple[Array, float, float]:",
+    ]
+    lines += [f"            {unknowns}{tail} = x"]
+    for part in system.body:
+        words = one_line(part.label.of(program.mechanism.language))
+        lines += commented(f"            {names[part.symbol]} = {_text(program, part.expression)}", words, "#")
+    corrections = [_text(program, part) for part in system.corrections]
+    lines += [
+        "            return (",
+        f"                np.array([{', '.join(corrections)}]),",
+        f"                {names[system.residual]}, {names[system.determinant]},",
+        "            )",
+        "",
+        f"        starts_{column.group} = (",
+        *(f"            ({', '.join(repr(x) for x in start)}{tail})," for start in system.starts),
+        "        )",
+        f"        home = int(np.argmin(np.abs({names[system.driver]} - {system.home!r})))",
+        f"        {unknowns}{tail} = _followed(",
+        f"            {step}, starts_{column.group}[int({names[system.mode]}) - 1], ({given},), home, {system.passes}, rows",
+        "        )",
+    ]
+    return lines
 
 
 def _asked(program: Program) -> tuple[str, ...]:
@@ -222,6 +293,8 @@ def _driver(program: Program, driver: str) -> list[str]:
 
 
 def _column(program: Program, column: ColumnLine) -> list[str]:
+    if column.loop is not None:
+        return _loop(program, column, column.loop)
     text = _text(program, column.node)
     if column.still:
         text = f"np.full(rows, {text})"

@@ -18,6 +18,7 @@ from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import Words
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words import solution as words
@@ -78,6 +79,7 @@ Block = Heading | Paragraph | Display | Table
 
 def solution(job: Job) -> list[Block]:
     """The document. Raises MechanismError where there is no position."""
+    need_closed_form(job.compiled.equations, "a written solution cannot hold this", "to", "octave and python can")
     return _Writer(Position(job.mechanism, job.at)).document()
 
 
@@ -196,7 +198,7 @@ class _Writer:
             scalars += _equated(left, right) if left or right else []
         self.blocks.append(Display(tuple(scalars)))
         solved = [eq.symbol for eq in self.equations.columns if eq.group == group.number and eq.role == "variable"]
-        unknown = [name for name in loop.reads if name in solved]
+        unknown = [name for name in loop.reads if name in solved or name in group.unknowns]
         between = f" {self.say(words.AND)} "
         parts: list[str | Math] = [f"{self.say(words.UNKNOWNS)} "]
         for index, name in enumerate(unknown):

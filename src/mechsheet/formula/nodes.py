@@ -85,6 +85,17 @@ class TriangleAngle:
 
 
 @dataclass(frozen=True, slots=True)
+class Root:
+    """The unknown of that name of a system of equations, followed from row to row along a sweep by Newton's method.
+
+    given  what the system's equations read besides its unknowns. Only in equations, as `Direction`.
+    """
+
+    unknown: str
+    given: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Previous:
     """The quantity in the row above (the driver's previous value). Never in a workbook."""
 
@@ -236,6 +247,7 @@ Node: TypeAlias = (
     | Previous
     | Direction
     | TriangleAngle
+    | Root
     | CellRef
     | RangeRef
     | NameRef
@@ -291,6 +303,8 @@ def children(node: Node) -> tuple[Node, ...]:
             return (y, x)
         case TriangleAngle(opposite, beside, other):
             return (opposite, beside, other)
+        case Root(_, given):
+            return given
         case Apply(function, args):
             return (function, *args)
         case SheetsRef(_, _, area):
@@ -367,6 +381,8 @@ def rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
             return Direction(*below)
         case TriangleAngle():
             return TriangleAngle(*below)
+        case Root(unknown, _):
+            return Root(unknown, below)
         case Binary(op, _, _):
             return Binary(op, below[0], below[1])
         case Call(name, _):

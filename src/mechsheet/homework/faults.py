@@ -24,6 +24,8 @@ LONGEST = 10.0
 """Seconds that are spent on one workbook's mends."""
 VERIFIED = 12
 """Mends of one formula that are tried under retyped dimensions."""
+SURE = 1.3
+"""A mend of less weight that puts all right is looked no further for."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
 
@@ -97,9 +99,11 @@ class Search:
             if time.process_time() > self.deadline:
                 break
             mend = self._of_strip(number)
+            if mend is not None and number in self.known:
+                mend = replace(mend, weight=mend.weight + 1.0)  # it is something of the mechanism as it stands
             if mend is not None and (best is None or _rank(mend) < _rank(best)):
                 best = mend
-            if best is not None and best.live and wanted <= set(best.rights):
+            if best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE:
                 break
         return best
 
@@ -117,7 +121,7 @@ class Search:
             if (work.strips[number].sheet, work.strips[number].line) != (driver.sheet, driver.line)
         }
         order = self.graph.order
-        known = self._known()
+        known = self.known
         odd = self._odd()
 
         def rank(number: int) -> tuple[int, int, int]:
@@ -128,8 +132,9 @@ class Search:
 
         return sorted(above, key=rank)
 
-    def _known(self) -> set[int]:
-        """Strips that are plainly something of the mechanism, or a single cell."""
+    @cached_property
+    def known(self) -> set[int]:
+        """Strips that are plainly something of the mechanism, or a single cell; not what is to be something else."""
         words = vocabulary(self.truth)
         work = self.graph.work
         by_main = {strip: number for number, strip in enumerate(work.strips)}
@@ -142,7 +147,8 @@ class Search:
                     if series.main is not None:
                         found.add(by_main[series.main])
                     break
-        return found
+        wrong = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
+        return found - {by_main[strip] for strip in wrong if strip is not None}
 
     def _beside(self, strip: Strip) -> bool:
         """Whether a single cell stands in a series."""

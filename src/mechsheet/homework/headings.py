@@ -1,4 +1,4 @@
-"""What the words beside cells mean: θ13, theta 13, Teta13 (Derece), xC, C_x, uzaklık."""
+"""What the words beside cells mean: θ13, theta 13, Teta13 (Derece), xC, C_x."""
 
 from __future__ import annotations
 

@@ -16,6 +16,7 @@ from mechsheet.homework.exercise import Student, safe, with_dimensions
 from mechsheet.homework.inputs import SAME
 from mechsheet.homework.marking_rules import AskedFor, asked_of
 from mechsheet.homework.upright import Work, upright
+from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import said
 
@@ -29,7 +30,7 @@ class Marked:
     """One line of the marks.
 
     file    the workbook, "" where none was handed in;  audit  None where it cannot be judged, and `why`
-    remarks what is to be known of this student's workbook beside the audit
+    remarks what is to be known of this student's workbook beside the audit;  private  what names other students
     """
 
     id: str
@@ -38,6 +39,7 @@ class Marked:
     audit: Audit | None
     why: str = ""
     remarks: tuple[str, ...] = ()
+    private: tuple[str, ...] = ()
 
     @property
     def mark(self) -> float:
@@ -201,11 +203,11 @@ def _assigned(books: Sequence[_Judged], key: Key) -> tuple[Marked, ...]:
             continue
         best = max(own, key=lambda book: (book.audit is not None, book.audit.follow_through if book.audit else 0.0))
         remarks = [said(language, "marks.twice")] if len(own) > 1 else []
-        audit = best.audit
+        audit, private = best.audit, list[str]()
         if audit is not None:
-            audit, more = _with_own_dimensions(audit, student, key)
-            remarks += more
-        found.append(_line(student.id, student.name, best, audit, remarks, language))
+            audit, private = _with_own_dimensions(audit, student, key)
+        line = _line(student.id, student.name, best, audit, remarks, language)
+        found.append(replace(line, private=tuple(private)))
     for book in books:
         if book.student is None:
             remarks = [said(language, "marks.unknown")] if key.students else []
@@ -249,11 +251,9 @@ def _asked(wanted: AskedFor, students: Sequence[Marked]) -> dict[str, float]:
 
 
 def words_of(one: Marked) -> str:
-    """A student's line in words: what is not right, the faults, the remarks."""
+    """A student's line in words, for that student: what is not right, the faults, the remarks."""
     if one.audit is None:
         return one.why
-    from mechsheet.homework.words_of import fault_line
-
     language = one.audit.language
     parts = [f"{s}: {said(language, r.verdict)}" for s, r in one.audit.asked.items() if r.verdict != "right"]
     parts += [fault_line(fault, language) for fault in one.audit.faults]
@@ -266,6 +266,7 @@ def as_dict(marks: Marks) -> dict[str, Any]:
         "of": marks.of,
         "students": [
             {"id": one.id, "name": one.name, "file": one.file, "mark": one.mark, "words": words_of(one)}
+            | ({"private": list(one.private)} if one.private else {})
             | ({} if one.audit is None else {"audit": one.audit.as_dict()})
             for one in marks.students
         ],

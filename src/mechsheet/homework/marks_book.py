@@ -18,7 +18,6 @@ from mechsheet.words.homework import said
 TITLE = Style(bold=True, size=14.0)
 HEAD = Style(bold=True, fill="DDE6F0", border="thin", wrap=True, valign="top")
 PLAIN = Style(border="thin", valign="top")
-WRAPPED = Style(border="thin", wrap=True, valign="top")
 INPUT = Style(border="thin", fill="FFF7D6", locked=False, valign="top")
 TOTAL = Style(border="thin", bold=True, valign="top")
 FIRST = 4
@@ -50,7 +49,7 @@ def _class(marks: Marks) -> Sheet:
             cells.append(Cell(row, col, got, PLAIN))
         cells.append(Cell(row, total + 1, None, INPUT))
         cells.append(Cell(row, total + 3, float(len(one.audit.faults)) if one.audit else None, PLAIN))
-        cells.append(Cell(row, total + 4, words_of(one) or None, WRAPPED))
+        cells.append(Cell(row, total + 4, "; ".join(filter(None, [*one.private, words_of(one)])) or None, PLAIN))
     count = len(marks.students)
     summed = Call("SUM", (RangeRef(CellRef(FIRST, 3), CellRef(FIRST, total - 1)),)) if symbols else Number(0.0)
     typed = CellRef(FIRST, total + 1)

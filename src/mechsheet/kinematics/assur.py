@@ -1,18 +1,21 @@
-"""The order of solution: the driver first, then one dyad (Assur group of class II) after the other.
+"""The order of solution: the driver first, then one Assur group after the other: dyads (class II) as long as there is one.
 
-A dyad is two bodies joined to each other and each to something already solved. It is found from the graph alone, so any
+Where there is none, the smallest group of class III or higher is next (`newton`). A dyad is two bodies joined to each other
+and each to something already solved. It is found from the graph alone, so any
 number of four-bars, slider-cranks and the rest, in series or in parallel, come out in the order in which a person
 would solve them. Source: L. V. Assur's classification; MeKin2D and others work at the same granularity.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.mobility import stiff_faults
+from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
 from mechsheet.model import Driver, Mechanism
 
 
@@ -53,6 +56,16 @@ class Dyad:
     frame: tuple[str, ...] = ()
     whole: tuple[str, ...] = ()
 
+    @property
+    def assemblies(self) -> tuple[tuple[str, ...], ...]:
+        """Both of them."""
+        return self.first, self.second
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """The bodies of both."""
+        return (*self.first, *self.second)
+
 
 @dataclass(frozen=True, slots=True)
 class Order:
@@ -60,7 +73,7 @@ class Order:
     dyads that are joined to it alone move with it."""
 
     drive: Drive
-    dyads: tuple[Dyad, ...]
+    dyads: tuple[Dyad | Chain, ...]
 
 
 def order_of(mechanism: Mechanism, graph: Graph) -> Order:
@@ -76,23 +89,36 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     grouped = solved | {drive.base, drive.moving}
     assemblies += [(body,) for body in graph.bodies if body not in grouped]
     assemblies.sort(key=lambda bodies: graph.bodies.index(bodies[0]))
-    dyads = []
+    groups: list[Dyad | Chain] = []
     driven: tuple[str, ...] = (drive.base, drive.moving)
+    force = mechanism.solution.force
     while assemblies:
-        dyad = _next_dyad(graph, assemblies, solved)
-        if dyad is None and driven in assemblies and (inside := _within(graph, assemblies, driven, solved)) is not None:
+        dyad = None if force else _next_dyad(graph, assemblies, solved)
+        moving = dyad is None and not force and driven in assemblies
+        if moving and (inside := _within(graph, assemblies, driven, solved)) is not None:
             # A closed form, so it comes before any group that must be solved by iteration: pair and dyad are one link now.
-            dyads.append(inside)
+            groups.append(inside)
             assemblies = [bodies for bodies in assemblies if bodies not in (driven, inside.first, inside.second)]
             driven = inside.whole
             assemblies.insert(0, driven)
             continue
-        if dyad is None:
-            raise MechanismError(stiff_faults(graph) or [_not_class_two(graph, assemblies, solved)])
-        dyads.append(dyad)
-        assemblies = [bodies for bodies in assemblies if bodies not in (dyad.first, dyad.second)]
-        solved.update(dyad.first, dyad.second)
-    return Order(drive, tuple(dyads))
+        group = dyad or _next_chain(graph, assemblies, solved, force)
+        groups.append(group)
+        assemblies = [bodies for bodies in assemblies if bodies not in group.assemblies]
+        solved.update(group.bodies)
+    return Order(drive, tuple(groups))
+
+
+def _next_chain(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str], force: bool) -> Chain:
+    """The smallest group that Newton's method solves; `force` takes dyads so, too."""
+    stiff = stiff_faults(graph)
+    try:
+        chain = None if stiff else next_chain(graph, assemblies, solved, 2 if force else 4)
+    except TooManyUnknownsError as error:
+        raise MechanismError(_too_large(error.assemblies)) from error
+    if chain is None:
+        raise MechanismError(stiff or [_too_large(assemblies)])
+    return chain
 
 
 def _drive(mechanism: Mechanism, graph: Graph) -> Drive:
@@ -201,12 +227,10 @@ def _names(bodies: tuple[str, ...]) -> str:
     return " + ".join(f'"{body}"' for body in bodies)
 
 
-def _not_class_two(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str]) -> Fault:
+def _too_large(assemblies: Sequence[tuple[str, ...]]) -> Fault:
     names = ", ".join(_names(bodies) for bodies in assemblies)
-    held = [_names(bodies) for bodies in assemblies if _contacts(graph, bodies, solved)]
     return Fault(
-        f"links {names} form a group of class III or higher: no two of them can be solved before the others",
+        f"links {names} form a group that must be solved all at once, and takes more than {MOST_UNKNOWNS} unknowns",
         key="links",
-        hint="only linkages that split into two-link Assur groups are supported so far; "
-        f"joined to what is known: {', '.join(held) or 'none'}. Driving another link often helps",
+        hint="driving another link often helps",
     )

@@ -56,3 +56,7 @@ class Loop:
             return al.sub(*sides)
 
         return part(al.cos), part(al.sin)
+
+
+NO_LOOP = Loop((), (), (), ())
+"""Of a group that is solved by other equations."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol
-from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Words
 from mechsheet.units import LENGTH
@@ -47,6 +47,7 @@ class Solved:
     determinant: Determinant
     transmission: str = ""
     sides: tuple[Node, ...] = ()
+    system: System | None = None
 
 
 ONE_ASSEMBLY = (NOTHING,)

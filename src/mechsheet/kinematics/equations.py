@@ -14,14 +14,15 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Node, symbols
+from mechsheet.formula.nodes import Binary, Node, Root, Symbol, symbols
 from mechsheet.kinematics.closures import Loop
 from mechsheet.model import Words
 from mechsheet.units import Unit
 
 Role = Literal[
-    "constant", "driver", "intermediate", "variable", "point", "coefficient", "rate", "dynamic", "force", "output"
-]
+    "constant", "driver", "iteration", "intermediate", "variable", "point", "coefficient", "rate", "dynamic", "force",
+    "output",
+]  # fmt: skip
 
 RATES: tuple[Role, ...] = ("coefficient", "rate")
 """Roles of what only a mechanism with velocities has: influence coefficients with all they need, and what people read."""
@@ -113,11 +114,52 @@ class LinkPose:
     places: Mapping[str, tuple[Node, Node]]
 
 
+PASSES = 6
+"""Newton steps a row, where more are not needed."""
+
+
+@dataclass(frozen=True, slots=True)
+class System:
+    """n equations in n unknowns.
+
+    unknowns     symbols of what is iterated: angles [rad] and displacements before it is asked whether they fit
+    variables    what these are called in the table, where they fit
+    body         all that follows from the unknowns, in order: points, F, J, its determinant, the residual
+    equations    symbols of F;  jacobian: rows of J, over symbols of the body;  determinant, residual: symbols
+    corrections  J^-1 F, over symbols of the body
+    mode         symbol of the number (from 1) of the assembly;  starts: the start values of each
+    given        what it reads besides its unknowns
+    driver, home the driver's symbol, and its value in the row at which the start values fit;  row: that row, from 0
+    passes       Newton steps a row
+    """
+
+    unknowns: tuple[str, ...]
+    variables: tuple[str, ...]
+    body: tuple[Equation, ...]
+    equations: tuple[str, ...]
+    jacobian: tuple[tuple[Node, ...], ...]
+    determinant: str
+    residual: str
+    corrections: tuple[Node, ...]
+    given: tuple[str, ...]
+    mode: str
+    driver: str
+    starts: tuple[tuple[float, ...], ...] = ()
+    home: float = 0.0
+    row: int = 0
+    passes: int = PASSES
+
+    def roots(self) -> tuple[Root, ...]:
+        """Each unknown as an expression."""
+        given = tuple(Symbol(name) for name in (self.driver, self.mode, *self.given))
+        return tuple(Root(name, given) for name in self.unknowns)
+
+
 @dataclass(frozen=True, slots=True)
 class Group:
     """One Assur group in order of solution.
 
-    kind          "RRR", "RRP", "RPR", "PRP", "RPP"
+    kind          "RRR", "RRP", "RPR", "PRP", "RPP"; of a group solved by Newton's method its class, "III", "IV"
     links         names of its links (a massless block of a pin-slot joint is called after its slot)
     unknowns      the symbols that its closure decides: two angles or displacements
     closure       its loop closure equation: left = right, in the plane
@@ -131,6 +173,7 @@ class Group:
     transmission  angle of the transmission: symbol whose sine measures how well the group transmits force, or ""
     sides         lengths that must form a triangle for the group to close: its three sides; or the hypotenuse and a leg of
                   a right triangle; none where two lines meet
+    system        the equations that Newton's method solves, where no formula does; such a group has no `closure`
     """
 
     number: int
@@ -149,11 +192,25 @@ class Group:
     label: Words
     transmission: str = ""
     sides: tuple[Node, ...] = ()
+    system: System | None = None
 
     @property
     def mode_value(self) -> int:
-        """What the mode cell holds: +1 for the first assembly, -1 for the second."""
-        return mode_value(self.assembly)
+        """What the mode cell holds: +1 for the first assembly of a dyad, -1 for the second; else its number from 1."""
+        return mode_value(self.assembly) if self.system is None else self.assembly + 1
+
+    @property
+    def mode_values(self) -> tuple[int, ...]:
+        """What it can hold."""
+        return (1, -1) if self.system is None else tuple(range(1, len(self.assemblies) + 1))
+
+    def value_of(self, mode: float) -> int:
+        """The value that a number in the mode cell counts as."""
+        return self.mode_values[self.assembly_of(mode)] if mode == mode else self.mode_values[-1]
+
+    def assembly_of(self, mode: float) -> int:
+        """The number of the assembly (from 0) that a value of the mode cell means."""
+        return assembly_of(mode) if self.system is None else min(max(round(mode), 1), len(self.assemblies)) - 1
 
     @property
     def only_undetermined(self) -> bool:

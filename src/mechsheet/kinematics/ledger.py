@@ -13,13 +13,17 @@ import numpy as np
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Direction, Node, Symbol, symbols
-from mechsheet.kinematics.equations import Condition, Equation, ForceKind, Role
+from mechsheet.formula.nodes import Call, Direction, Node, Number, Root, Symbol, symbols
+from mechsheet.kinematics.equations import Condition, Equation, ForceKind, Role, System
 from mechsheet.kinematics.naming import FreshNames
+from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.model import Words
-from mechsheet.units import ANGLE, NUMBER, Unit
-from mechsheet.words.equations import NOTHING
+from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
+from mechsheet.words.equations import NOTHING, phrase
+
+CLOSING = 1e-12
+"""A gap below this part of the largest length counts as closed: rounding at a dead centre, not a limit passed."""
 
 
 class Ledger:
@@ -44,7 +48,10 @@ class Ledger:
         self.positive: dict[str, None] = {}
         self.tolerance: Node = al.ZERO  # set to its symbol by whoever knows the lengths
         self.group = 0
+        self.systems: dict[str, System] = {}  # by the symbol of each unknown
+        self.following = self.rows  # so many rows follow one another: the others are picked from what comes later
         self._names = FreshNames(taken)
+        self._size: Node | None = None
 
     def reserve(self, base: str, numbered: bool = True) -> str:
         """A name like `base` that nothing else has: `phi`, in the second group `phi_2` unless it is not `numbered`."""
@@ -82,8 +89,28 @@ class Ledger:
             self.constant_symbols.add(symbol)
         else:
             self.columns.append(equation)
-        self.values[symbol] = evaluate_equation(equation, self.values, self.rows)
+        self._compute(equation)
         return Symbol(symbol)
+
+    def _compute(self, equation: Equation) -> None:
+        """Its values; of the unknowns of a system all at once."""
+        if not isinstance(equation.expression, Root):
+            self.values[equation.symbol] = evaluate_equation(equation, self.values, self.rows)
+            return
+        system = self.systems[equation.symbol]
+        if equation.symbol == system.unknowns[0]:
+            for name, column in followed(system, self.values, self.rows).items():
+                column[self.following :] = np.nan
+                self.values[name] = column
+
+    def size(self) -> Node:
+        """The largest length, as a constant of its own."""
+        if self._size is None:
+            node = al.mul(Number(1.0 / CLOSING), self.tolerance)
+            self._size = self.define(
+                self.reserve("size", numbered=False), node, LENGTH, phrase("largest_length"), "constant"
+            )
+        return self._size
 
     def hoist(self, base: str, expression: Node, unit: Unit, label: Words, exists: Sequence[Condition] = ()) -> Node:
         """The expression itself when it is simple, else a new constant or intermediate column that holds it."""
@@ -141,4 +168,4 @@ class Ledger:
     def recompute(self, start: int) -> None:
         """Compute the columns again from the one at position `start` on."""
         for equation in self.columns[start:]:
-            self.values[equation.symbol] = evaluate_equation(equation, self.values, self.rows)
+            self._compute(equation)

@@ -9,14 +9,15 @@ its joints to the next; a sliding joint gives its displacement. Source: Soeyleme
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Binary, Node, Number, Symbol, Unary
 from mechsheet.kinematics.assur import Contact, Dyad, Pin
-from mechsheet.kinematics.closures import Loop, Vector
+from mechsheet.kinematics.closures import NO_LOOP, Loop, Vector
+from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.places import Place, angle_of
 from mechsheet.kinematics.poses import Poses
 
@@ -34,20 +35,25 @@ class _Step:
         return _Step(self.body, self.end, self.start)
 
 
-def loops_of(poses: Poses, dyads: Iterable[Dyad]) -> tuple[Loop, ...]:
-    """The loop of each dyad, in order of solution."""
+def loops_of(poses: Poses, dyads: Iterable[Dyad | Chain]) -> tuple[Loop, ...]:
+    """The loop of each dyad, in order of solution; none of a group that Newton's method solves."""
     mechanism = poses.mechanism
     driver = mechanism.driver
     solved = {mechanism.ground.name}
-    grouped = {body for dyad in dyads for body in (*dyad.first, *dyad.second)}
+    grouped = {body for dyad in dyads for body in dyad.bodies}
     solved |= {body for body in poses.graph.bodies if body not in grouped}
     found = []
     for dyad in dyads:
-        # a dyad that moves with the driven pair closes over the pair
+        if isinstance(dyad, Chain):
+            found.append(NO_LOOP)
+            solved |= {*dyad.bodies}
+            continue
+        # a dyad on the driven pair closes over the pair, seen from the link in whose frame it is solved
+        angles = {body: poses.members[body].angle if dyad.frame else pose.angle for body, pose in poses.known.items()}
         known = _route(poses, set(dyad.frame) or solved, dyad.outer[0], dyad.outer[1])
         first = _route(poses, set(dyad.first), dyad.outer[0], dyad.inner)
         second = _route(poses, set(dyad.second), dyad.outer[1], dyad.inner)
-        found.append(_loop(poses, known, first, second, driver.link or driver.joint))
+        found.append(_loop(poses, angles, (known, first, second), driver.link or driver.joint))
         if not dyad.frame:
             solved |= {*dyad.first, *dyad.second}
     return tuple(found)
@@ -89,8 +95,11 @@ def _shared(poses: Poses, body: str, other: str) -> Contact | None:
     return next((slide for slide in poses.graph.slides_of(body) if slide.other(body) == other), None)
 
 
-def _loop(poses: Poses, known: list[_Step], first: list[_Step], second: list[_Step], driven: str) -> Loop:
+def _loop(
+    poses: Poses, angles: Mapping[str, Angle], steps: tuple[list[_Step], list[_Step], list[_Step]], driven: str
+) -> Loop:
     """The loop cut at the ground, or at the first solved body where the ground is not on it."""
+    known, first, second = steps
     ground = poses.mechanism.ground.name
     base = next((index for index, step in enumerate(known) if step.body == ground), 0)
     left = [step.reverse for step in reversed(known[:base])] + first
@@ -101,11 +110,11 @@ def _loop(poses: Poses, known: list[_Step], first: list[_Step], second: list[_St
     else:
         right = [known[base], *right]
     sides: tuple[list[Vector], list[Vector]] = ([], [])
-    for side, steps in enumerate((left, right)):
-        for step in steps:
-            for sign, vector in _vectors(poses, step):
+    for side, way in enumerate((left, right)):
+        for step in way:
+            for sign, vector in _vectors(poses, angles[step.body], step):
                 sides[side if sign > 0 else 1 - side].append(vector)
-    ways = tuple(tuple(pair for step in steps if (pair := _names(step))[0] != pair[1]) for steps in (left, right))
+    ways = tuple(tuple(pair for step in way if (pair := _names(step))[0] != pair[1]) for way in (left, right))
     return Loop(tuple(sides[0]), tuple(sides[1]), ways[0], ways[1])
 
 
@@ -118,16 +127,15 @@ def _name(contact: Contact) -> str:
     return contact.point if isinstance(contact, Pin) else contact.joint.point
 
 
-def _vectors(poses: Poses, step: _Step) -> list[tuple[int, Vector]]:
+def _vectors(poses: Poses, angle: Angle, step: _Step) -> list[tuple[int, Vector]]:
     """From joint to joint on a body, as vectors from its origin with their signs."""
-    start, end = _located(poses, step.body, step.start), _located(poses, step.body, step.end)
+    start, end = (_located(poses, step.body, angle, contact) for contact in (step.start, step.end))
     found = [(-sign, vector) for sign, vector in start if (sign, vector) not in end]
     return found + [(sign, vector) for sign, vector in end if (sign, vector) not in start]
 
 
-def _located(poses: Poses, body: str, contact: Contact) -> list[tuple[int, Vector]]:
+def _located(poses: Poses, body: str, angle: Angle, contact: Contact) -> list[tuple[int, Vector]]:
     """From the body's origin to a joint's point."""
-    angle = poses.known[body].angle
     if isinstance(contact, Pin):
         return _parts(poses.own_place(body, contact.point), angle)
     joint = contact.joint

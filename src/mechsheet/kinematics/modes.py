@@ -60,7 +60,7 @@ def pick_mode(
     if given is not None:
         _take(ledger, solved.mode, given, start)
         return given, False
-    entries = _entries(mechanism, ledger, start, dimensions)
+    entries = entries_of(mechanism, ledger, start, dimensions)
     columns = {}
     for sign in (-1, 1):  # +1 last: it stays when nothing decides
         _take(ledger, solved.mode, sign, start)
@@ -71,12 +71,12 @@ def pick_mode(
     separation = 0.0
     for index, (_, wanted, scale) in enumerate(entries):
         plus, minus = positions[1][index], positions[-1][index]
-        gap = _difference(plus, minus, scale)
+        gap = difference(plus, minus, scale)
         if abs(gap) < SEPARATE:
             continue
         separation += gap**2
-        distance[1] += _difference(plus, wanted, scale) ** 2
-        distance[-1] += _difference(minus, wanted, scale) ** 2
+        distance[1] += difference(plus, wanted, scale) ** 2
+        distance[-1] += difference(minus, wanted, scale) ** 2
     if separation == 0:
         return 1, True
     apart = math.sqrt(distance[1]) - math.sqrt(distance[-1])
@@ -93,7 +93,7 @@ def _first_apart(entries: list[Entry], columns: dict[int, list[Array]], rows: ND
     """The first of `rows` in which the assemblies differ in what is sketched: at a dead centre they are one."""
     for row in rows:
         for (_, _, scale), plus, minus in zip(entries, columns[1], columns[-1], strict=True):
-            if abs(_difference(float(plus[row]), float(minus[row]), scale)) >= SEPARATE:
+            if abs(difference(float(plus[row]), float(minus[row]), scale)) >= SEPARATE:
                 return int(row)
     return int(rows[0])
 
@@ -102,7 +102,7 @@ Entry = tuple[str, float, float]
 """A sketched quantity: (symbol, rough value, its scale; 0 for an angle)."""
 
 
-def _entries(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mapping[str, float]) -> list[Entry]:
+def entries_of(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mapping[str, float]) -> list[Entry]:
     """What the sketch says of the columns from `start` on."""
     fresh = {equation.symbol: equation.unit.kind for equation in ledger.columns[start:]}
     size = max([abs(value) for value in dimensions.values()], default=1.0)
@@ -122,7 +122,7 @@ def _entries(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mappi
     return entries
 
 
-def _difference(a: float, b: float, scale: float) -> float:
+def difference(a: float, b: float, scale: float) -> float:
     """a - b as a part of the scale; angles (scale 0) modulo a turn."""
     return math.remainder(a - b, math.tau) if scale == 0 else (a - b) / scale
 

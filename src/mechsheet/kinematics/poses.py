@@ -237,8 +237,8 @@ class Poses:
             return self.ledger.hoist_angle("delta", angle, words)
         link = self.links[body]
         symbol = link.angle_symbol
-        if symbol == self.mechanism.driver.symbol:
-            return Angle(Symbol(symbol))
+        if symbol == self.mechanism.driver.symbol or symbol in self.ledger.values:
+            return Angle(Symbol(symbol))  # the driver's, or an unknown of a group solved by Newton's method
         words = phrase("angle_of_link", number=str(link.number), link=link_words(link))
         self.turned.append((symbol, angle))
         return Angle(self.ledger.define(symbol, angle.expression(), ANGLE, words, "variable"))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -51,6 +52,9 @@ class Search:
     def __init__(
         self, mechanism: Mechanism, equations: Equations, given: Mapping[str, Array], stepped: bool = True
     ) -> None:
+        if any(group.system for group in equations.groups):  # each row from the row above: these are the rows
+            values = tuple(given[mechanism.driver.symbol].tolist())
+            mechanism = replace(mechanism, driver=replace(mechanism.driver, values=values, law=None))
         self.mechanism = mechanism
         self.equations = equations
         self.given = given

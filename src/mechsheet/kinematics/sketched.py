@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from mechsheet.diagnostics import DescriptionWarning, Fault
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values, solve_unpicked
@@ -79,6 +80,9 @@ def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     """What a person should hear of the sketch although it picks an assembly in every group; empty for a good one."""
     if not mechanism.sketch.doubted:
         return ()
+    driver = driver_values(mechanism, dimension_values(mechanism))
+    if any(group.system for group in equations.groups):  # its assembly is that of the first position alone
+        return tuple(step_doubts(mechanism, equations, driver, sweep))
     fixed = [point for point in mechanism.sketch.points if point in mechanism.ground.points]
     found = [
         Fault(f'"{point}" is a point of the ground: sketching it decides nothing', key=f"assembly.{point}")
@@ -232,7 +236,7 @@ def _tried(mechanism: Mechanism, driver: Array) -> Array:
 
 def assemblies(equations: Equations) -> list[Equations]:
     """The equations in every assembly, the one picked first; of very many groups only each flipped alone."""
-    places = [place for place, group in enumerate(equations.groups) if group.mode]
+    places = [place for place, group in enumerate(equations.groups) if group.mode and group.system is None]
     if 2 ** len(places) <= MOST_ASSEMBLIES:
         flips = [set(part) for count in range(len(places) + 1) for part in itertools.combinations(places, count)]
     else:

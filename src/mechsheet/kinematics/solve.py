@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
@@ -18,15 +18,20 @@ from mechsheet.kinematics.assur import Drive, Dyad, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.driving import driver_values, given_values
-from mechsheet.kinematics.dyads import Solved
+from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
-from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.lines import solve_prp, solve_rpp
 from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
+from mechsheet.kinematics.newton.carriers import ChainWriter
+from mechsheet.kinematics.newton.chains import Chain
+from mechsheet.kinematics.newton.picking import pick_assembly, words_of
+from mechsheet.kinematics.newton.steps import settled
+from mechsheet.kinematics.newton.tracing import cannot_follow, way
 from mechsheet.kinematics.places import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rpr import solve_rpr
@@ -39,9 +44,6 @@ from mechsheet.words.equations import phrase, same
 
 PROBED_ROWS = 200
 """Rows at the start, and as many again spread over the rest, on which modes are picked."""
-
-CLOSING = 1e-12
-"""A gap below this part of the largest length counts as closed: rounding at a dead centre, not a limit passed."""
 
 
 def dimension_values(mechanism: Mechanism) -> dict[str, float]:
@@ -69,7 +71,10 @@ def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What is known when all positions and rates are written down: what forces are found from."""
+    """What is known when all positions and rates are written down: what forces are found from.
+
+    dyads  all groups, where there are forces: those that Newton's method solves are refused before
+    """
 
     poses: Poses
     drive: Drive
@@ -89,13 +94,22 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further:
     Raises MechanismError: mobility, a group of class III, a sketch between two modes, a group that never closes.
     """
     try:
-        return _solve(mechanism, modes or {}, further)
+        return _stepped(mechanism, _solve(mechanism, modes or {}, further))
     except (BetweenModesError, NeverClosesError) as error:
         if mechanism.sketch.at is not None or modes:
             raise
         from mechsheet.kinematics.sketched import with_position  # which needs this module
 
         raise MechanismError(with_position(fault, mechanism) for fault in error.faults) from error
+
+
+def _stepped(mechanism: Mechanism, equations: Equations) -> Equations:
+    """The equations with as many Newton steps as their rows need."""
+    if not any(group.system for group in equations.groups):
+        return equations
+    from mechsheet.kinematics.sweep import sweep  # which needs this module
+
+    return settled(mechanism, equations, driver_values(mechanism, dimension_values(mechanism)), sweep)
 
 
 def solve_unpicked(mechanism: Mechanism) -> Equations:
@@ -113,16 +127,20 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     ledger = _ledger(mechanism, dimensions)
     poses = Poses(mechanism, graph, ledger)
     _drive(poses, order.drive)
-    found: list[tuple[Dyad, Solved, int, bool]] = []
+    found: list[tuple[Dyad | Chain, Solved, int, bool]] = []
     given = modes or {}
     for index, dyad in enumerate(order.dyads, 1):
         ledger.group = index
         start = len(ledger.columns)
+        if isinstance(dyad, Chain):
+            found.append((dyad, *_solve_chain(poses, dyad, start, dimensions, given, modes is None)))
+            continue
         solved = _solve_dyad(poses, dyad)
         if modes is not None and mechanism.sketch.at is not None and solved.mode and solved.mode not in given:
             shown = _shown(mechanism, mechanism.sketch.at)
             opened = [group.mode for group in shown if group.open]
-            given = {group.mode: group.mode_value for group in shown} | dict(given)
+            # the numbers of more than two assemblies are those of the first row
+            given = {group.mode: group.mode_value for group in shown if group.system is None} | dict(given)
         value, is_open = 1, True
         if modes is not None:
             mode = given.get(solved.mode)
@@ -131,14 +149,17 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
             value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, mode)
             is_open = is_open or solved.mode in opened
         poses.settle_turns()
-        found.append((dyad, solved, value, is_open))
+        found.append((dyad, solved, assembly_of(value), is_open))
     _note_lengths(poses)
     rates = Written({}, {})
     if wanted(mechanism):
-        _refuse_forces(mechanism, found)
-        rates = add_rates(poses, order.drive, [(dyad, solved) for dyad, solved, _, _ in found])
+        _refuse_rates(mechanism, found)
+        closed = [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)]
+        _refuse_forces(mechanism, closed)
+        rates = add_rates(poses, order.drive, closed)
     if further is not None:
-        further(Found(poses, order.drive, order.dyads, rates))
+        dyads = tuple(dyad for dyad in order.dyads if isinstance(dyad, Dyad))
+        further(Found(poses, order.drive, dyads, rates))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     law = mechanism.driver.law
@@ -185,11 +206,13 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
 
 def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
     given = given_values(mechanism, dimensions)
-    rows = len(given[mechanism.driver.symbol])
+    rows = following = len(given[mechanism.driver.symbol])
     if rows > 2 * PROBED_ROWS:
+        following = PROBED_ROWS
         rest = np.linspace(PROBED_ROWS, rows - 1, PROBED_ROWS).astype(int)
         given = {name: np.concatenate([column[:PROBED_ROWS], column[rest]]) for name, column in given.items()}
     ledger = Ledger(dimensions, mechanism.driver.symbol, given, given_names(mechanism))
+    ledger.following = following
     ledger.tolerance = ledger.define(
         ledger.reserve("tol"),
         al.mul(NumberNode(CLOSING), _largest_length(mechanism)),
@@ -267,9 +290,60 @@ def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
             return solve_rpp(poses, dyad)
 
 
-def _refuse_forces(mechanism: Mechanism, found: list[tuple[Dyad, Solved, int, bool]]) -> None:
+def _solve_chain(
+    poses: Poses, chain: Chain, start: int, dimensions: dict[str, float], given: Mapping[str, int], unpicked: bool
+) -> tuple[Solved, int, bool]:
+    """A group without a closed form: (what was written down, its assembly, whether that was left open)."""
+    mechanism, ledger = poses.mechanism, poses.ledger
+    solution = ChainWriter(poses, chain).write()
+    mode, at = given.get(solution.system.mode), mechanism.sketch.at
+
+    def near(home: float) -> Mapping[str, float]:
+        return _traced(mechanism, number(at or 0.0, dimensions), home, solution.system.variables, solution.label.en)
+
+    shown = near if at is not None and not unpicked else None
+    system, assembly, is_open = pick_assembly(
+        mechanism, ledger, solution, start, dimensions, 1 if unpicked else mode, shown
+    )
+    poses.settle_turns()
+    solved = Solved(
+        system.mode, words_of(mechanism, system, ledger), system.variables[0], Symbol(system.determinant), None,
+        solution.pins, system.variables, solution.label,
+        Determinant(Symbol(system.determinant), 0, False, None), system=system,
+    )  # fmt: skip
+    return solved, assembly, is_open
+
+
+def _traced(mechanism: Mechanism, at: float, home: float, variables: Sequence[str], links: str) -> Mapping[str, float]:
+    """Values at the driver's value `home` of the position that the sketch shows at `at`, followed in small steps."""
+    from mechsheet.kinematics.sweep import sweep  # which needs this module
+
+    path = way(at, home, not mechanism.driver.joint)
+    driver = replace(mechanism.driver, values=tuple(float(value) for value in path), law=None)
+    followed = replace(mechanism, driver=driver, sketch=replace(mechanism.sketch, at=None))
+    values = sweep(followed, _solve(followed, {}), path)
+    if not np.all(np.isfinite([values[name][-1] for name in variables])):
+        raise cannot_follow(links)
+    return {name: float(values[name][-1]) for name in variables}
+
+
+def _refuse_rates(mechanism: Mechanism, found: list[tuple[Dyad | Chain, Solved, int, bool]]) -> None:
+    """Velocities and forces of groups that Newton's method solves are a matter of their own."""
+    labels = [solved.label.en for dyad, solved, _, _ in found if isinstance(dyad, Chain)]
+    if labels:
+        what, key = ("forces", "dynamics") if mechanism.dynamics is not None else ("velocities", "driver.speed")
+        raise MechanismError(
+            Fault(
+                f"{what} are not found where links must be solved all at once: {labels[0]}",
+                key=key,
+                hint="leave the speed, the masses and the loads out; positions are found",
+            )
+        )
+
+
+def _refuse_forces(mechanism: Mechanism, dyads: list[tuple[Dyad, Solved]]) -> None:
     """Forces in links that move with a driven pair are a matter of their own."""
-    labels = [solved.label.en for dyad, solved, _, _ in found if dyad.frame]
+    labels = [solved.label.en for dyad, solved in dyads if dyad.frame]
     if labels and mechanism.dynamics is not None:
         message = f"forces are not found where a joint between moving links is driven inside a moving loop: {labels[0]}"
         raise MechanismError(
@@ -277,14 +351,14 @@ def _refuse_forces(mechanism: Mechanism, found: list[tuple[Dyad, Solved, int, bo
         )
 
 
-def _groups(found: list[tuple[Dyad, Solved, int, bool]], loops: tuple[Loop, ...]) -> tuple[Group, ...]:
+def _groups(found: list[tuple[Dyad | Chain, Solved, int, bool]], loops: tuple[Loop, ...]) -> tuple[Group, ...]:
     return tuple(
         Group(
-            index, dyad.kind, (*dyad.first, *dyad.second), solved.pins, solved.unknowns, loop, solved.mode,
-            solved.assemblies, assembly_of(value), solved.closes, solved.apart, solved.degenerate, is_open, solved.label,
-            solved.transmission, solved.sides,
+            index, dyad.kind, dyad.bodies, solved.pins, solved.unknowns, loop, solved.mode,
+            solved.assemblies, assembly, solved.closes, solved.apart, solved.degenerate, is_open, solved.label,
+            solved.transmission, solved.sides, solved.system,
         )
-        for index, ((dyad, solved, value, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)
+        for index, ((dyad, solved, assembly, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)
     )  # fmt: skip
 
 

@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from mechsheet.formula.nodes import Root
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.newton.system import CLOSED, followed, refined
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
 from mechsheet.kinematics.solve import dimension_values, solve
 from mechsheet.model import Mechanism
@@ -38,17 +40,53 @@ def sweep(mechanism: Mechanism, equations: Equations, given: Array | Mapping[str
     for equation in equations.constants:
         known[equation.symbol] = evaluate_equation(equation, known, 1)[0]
     for equation in equations.columns:
+        if isinstance(equation.expression, Root):
+            if equation.symbol not in known:
+                driver = rowwise[mechanism.driver.symbol]
+                known |= _roots(mechanism, equations, equation.symbol, known, driver)
+            continue
         known[equation.symbol] = evaluate_equation(equation, known, rows, seen)
     return {symbol: np.broadcast_to(column, (rows,)) for symbol, column in known.items()}
 
 
-def rough_poses(mechanism: Mechanism, modes: Mapping[str, int]) -> dict[str, tuple[float, float, float]]:
+def _roots(
+    mechanism: Mechanism, equations: Equations, symbol: str, known: Mapping[str, Array], driver: Array
+) -> dict[str, Array]:
+    """The unknowns of a group that Newton's method solves: row by row of the mechanism's own rows, else from the nearest.
+
+    At other values of the driver than those of the rows each starts from the nearest row that has a position.
+    """
+    system = next(
+        group.system for group in equations.groups if group.system is not None and symbol in group.system.unknowns
+    )
+    own = driver_values(mechanism, dimension_values(mechanism))
+    if np.array_equal(own, driver):
+        return followed(system, known, len(driver))
+    base = sweep(mechanism, equations, own)
+    there = np.flatnonzero(np.isfinite(base[system.unknowns[0]]))
+    if not len(there) or not len(driver):
+        return {name: np.full(len(driver), np.nan) for name in system.unknowns}
+    order = there[np.argsort(own[there], kind="stable")]
+    after = np.clip(np.searchsorted(own[order], driver), 1, max(len(order) - 1, 1))
+    left, right = order[after - 1], order[np.minimum(after, len(order) - 1)]
+    nearest = np.where(np.abs(driver - own[left]) <= np.abs(driver - own[right]), left, right)
+    found, residual, determinant = refined(system, known, [base[name][nearest] for name in system.unknowns])
+    same = (residual <= CLOSED) & (determinant * base[system.determinant][nearest] > 0)
+    return {name: np.where(same, column, np.nan) for name, column in zip(system.unknowns, found, strict=True)}
+
+
+def rough_poses(
+    mechanism: Mechanism, modes: Mapping[str, int], equations: Equations | None = None
+) -> dict[str, tuple[float, float, float]]:
     """(x, y, theta) of each moving link's frame, rounded, in the first row in which every group closes.
 
     That row is away from dead centres when there is such a row: at a dead centre rough poses do not tell the assemblies
     apart. Raises MechanismError when there is none.
+
+    equations  with these modes, where they are known: the start values of Newton's method among them
     """
-    equations = solve(mechanism, modes)
+    if equations is None:
+        equations = solve(mechanism, modes)
     dimensions = dimension_values(mechanism)
     driver = driver_values(mechanism, dimensions)
     for count in (*CHUNKS, len(driver)):

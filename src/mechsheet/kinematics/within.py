@@ -17,7 +17,7 @@ from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, TriangleAngle
+from mechsheet.formula.nodes import Binary, Call, TriangleAngle, symbols
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads import DEAD, Determinant, Solved
 from mechsheet.kinematics.equations import Condition
@@ -49,12 +49,12 @@ def solve_within(poses: Poses, dyad: Dyad) -> Solved:
     (first,), (second,) = dyad.first, dyad.second
     between = Angle(al.mul(mode, psi))
     if dyad.whole[0] == first:
-        _turn_pair(poses, dyad, (p, q), at_p, line_a - between - line_s)
+        turned = _turn_pair(poses, dyad, (p, q), at_p, line_a - between - line_s)
         along, corner = line_a, poses.own_place(first, r)
     else:
-        turn = _turn(poses, dyad.first, line_s + between - line_a, str(poses.links[first].number))
-        poses.members[first] = member(turn, at_p, poses.own_place(first, p), p)
-        along, corner = turn + line_a, poses.place(dyad.first, r)
+        turned = _turn(poses, dyad.first, line_s + between - line_a, str(poses.links[first].number))
+        poses.members[first] = member(turned, at_p, poses.own_place(first, p), p)
+        along, corner = turned + line_a, poses.place(dyad.first, r)
     turn = _turn(poses, dyad.second, along + Angle(al.mul(mode, mu)) - line_b, str(poses.links[second].number))
     poses.members[second] = member(turn, corner, poses.own_place(second, r), r)
     sine = al.sin(Angle(mu))
@@ -65,7 +65,7 @@ def solve_within(poses: Poses, dyad: Dyad) -> Solved:
         apart=sine,
         degenerate=Call("AND", (separate.fails, Binary(">=", reaches.margin, reaches.least))),
         pins=(p, q, r),
-        unknowns=(poses.links[first].angle_symbol, poses.links[second].angle_symbol),
+        unknowns=(symbols(turned.node)[0], symbols(turn.node)[0]),
         label=phrase("group_pins", links=poses.both(dyad), pins=f"{p}, {q}, {r}"),
         determinant=Determinant(
             al.mul(al.mul(al.mul(mode, a), b), sine), 2, True, Condition(Call("ABS", (sine,)), al.number(DEAD))
@@ -76,10 +76,10 @@ def solve_within(poses: Poses, dyad: Dyad) -> Solved:
 
 def _turn(poses: Poses, bodies: Assembly, angle: Angle, name: str) -> Angle:
     label = phrase("turned_in_pair", link=poses.name(bodies))
-    return poses.ledger.hoist_angle(f"turn_{name}", angle, label)
+    return Angle(poses.ledger.column(f"turn_{name}", angle.node, ANGLE, label), angle.degrees)
 
 
-def _turn_pair(poses: Poses, dyad: Dyad, pins: tuple[str, str], before: Place, angle: Angle) -> None:
+def _turn_pair(poses: Poses, dyad: Dyad, pins: tuple[str, str], before: Place, angle: Angle) -> Angle:
     """The pair (and what is with it already), turned about P (`before` in its frame), from its frame to the first link's."""
     turn = _turn(poses, dyad.frame, angle, "pair")
     at = poses.own_place(dyad.first[0], pins[0])
@@ -91,6 +91,7 @@ def _turn_pair(poses: Poses, dyad: Dyad, pins: tuple[str, str], before: Place, a
             origin = cartesian(al.add(at.u, x), al.add(at.v, y))
         pin = next((point for point in (*pins, known.pin) if point in poses.graph.points[body]), "")
         poses.members[body] = Member(turn + known.angle, origin, pin)
+    return turn
 
 
 def member(turn: Angle, at: Place, own: Place, pin: str = "") -> Member:

@@ -21,6 +21,9 @@ from mechsheet.description.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
 from mechsheet.model import Mechanism
 
+MOST = 16
+"""Assemblies of one group."""
+
 _MODE = re.compile(r"mode[_0-9]*", re.IGNORECASE)
 """What means an assembly mode where no dimension is called so."""
 
@@ -82,8 +85,8 @@ def _modes_in(pairs: Sequence[tuple[str, str]], text: str, file: str) -> list[tu
 
 def _value_fault(name: str, value: str, file: str) -> Fault | None:
     number = typed_number(value)
-    if number is not None and not number.unit and not number.why and float(number.text) in (1, -1):
-        return None
+    if number is not None and not number.unit and not number.why and float(number.text) in (*range(1, MOST + 1), -1):
+        return None  # of a group of more than two assemblies the number of one
     hint = number.hint if number and number.why and not number.unit else ""
     return Fault(f"an assembly mode is 1 or -1, not {quoted(value)}", file, key=option_of(f"{name}={value}"), hint=hint)
 

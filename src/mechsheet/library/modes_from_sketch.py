@@ -61,6 +61,15 @@ def _wrong(mechanism: Mechanism, wanted: Mapping[str, int]) -> list[Group]:
 
 def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], group: Group) -> Source:
     """With what the sketch says of one group: entries that are there, or the one that tells its assemblies apart best."""
+    if group.system is not None:
+        raise MechanismError(
+            Fault(
+                f"{group.mode} is the number of one of {len(group.assemblies)} assemblies: sketch the one that is meant",
+                source.file,
+                key="assembly",
+                hint="; ".join(f"{number}: {words.en}" for number, words in enumerate(group.assemblies, 1)),
+            )
+        )
     dimensions = dimension_values(mechanism)
     at = mechanism.sketch.at
     driver = driver_values(mechanism, dimensions) if at is None else np.array([number(at, dimensions)])

@@ -37,7 +37,12 @@ def overview_text(mechanism: Mechanism) -> str:
     ]
     for group in equations.groups:
         mode = f"  {group.mode} = {group.mode_value:+d} ({group.mode_words.en})" if group.mode else ""
+        if group.system is not None:
+            mode = f"  {group.mode} = {group.mode_value} of {len(group.assemblies)}, by Newton's method"
         lines.append(f"group {group.number} {group.kind}: {group.label.en}{mode}")
+        if group.system is not None:
+            lines += [f"  {number}: {words.en}" for number, words in enumerate(group.assemblies, 1)]
+            lines.append(f"  {group.system.passes} passes a row")
     variables = [equation.symbol for equation in equations.columns if equation.role == "variable"]
     lines.append(f"variables: {', '.join(variables)}")
     rates = [equation.symbol for equation in equations.columns if equation.role == "rate"]

@@ -13,6 +13,7 @@ from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes.notes import notes_sheet
 from mechsheet.sheet.plan import Plan, plan_of
 from mechsheet.sheet.table.forces import forces_sheet
+from mechsheet.sheet.table.iterations import iterations_sheet
 from mechsheet.sheet.table.positions import positions_sheet
 from mechsheet.sheet.table.rates import rates_sheet
 from mechsheet.sheet.table.requested import table_sheets
@@ -40,6 +41,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         drawing.sheet,
         checks_sheet(plan, checks),
         extremes.sheet(),
+        *((iterations_sheet(plan),) if plan.iterations else ()),
         description_sheet(plan),
     )
     title = mechanism.title.of(plan.language)

@@ -16,6 +16,7 @@ from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
+from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
@@ -23,7 +24,7 @@ from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
 from mechsheet.sheet.table.flywheel import with_energy
-from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
+from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
 from mechsheet.sheet.workbook import Name
 from mechsheet.words.workbook import Language, words
 
@@ -47,6 +48,9 @@ NUMBER, DRIVER, STATUS = range(3)
 
 RATES_DRIVER, RATES_STATUS = range(2)
 """First columns of the sheets of rates and of forces."""
+
+BLOCKS = 100
+"""Blocks of passes are counted from so many times the number of their group."""
 
 FOOTER_TITLE = 100
 """Characters of the title in the footer, which holds 255 in all."""
@@ -87,6 +91,7 @@ class Plan:
 
     found   what can be said about the mechanism
     rates   the columns of the sheet of rates behind its first two; none without velocities
+    iterations  those of the sheet of Newton's method, where a group is solved by it
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
     arrow_rows  rows of the drawing's sheet in which its arrows stand, likewise
@@ -103,6 +108,7 @@ class Plan:
     columns: list[TableColumn] = field(default_factory=list)
     rates: list[TableColumn] = field(default_factory=list)
     forces: list[TableColumn] = field(default_factory=list)
+    iterations: list[TableColumn] = field(default_factory=list)
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
@@ -136,6 +142,23 @@ class Plan:
         """Symbols of groups that always close (lines that cross at one angle): they do not read what counts as zero."""
         always = [group for group in self.equations.groups if not self.equations.equations.of(group.closes).exists]
         return frozenset(symbol for group in always for symbol in (group.closes, *group.unknowns))
+
+    @cached_property
+    def newton(self) -> bool:
+        """Whether some group is solved by Newton's method: each row from the row above, and nothing between the rows."""
+        return any(group.system is not None for group in self.equations.groups)
+
+    @cached_property
+    def residuals(self) -> frozenset[str]:
+        """Symbols of what is nothing but rounding where Newton's method has arrived."""
+        systems = (group.system for group in self.equations.groups if group.system is not None)
+        found = {system.residual.partition(" ")[0] for system in systems}
+        return frozenset(each.symbol for each in self.equations.columns if each.symbol.partition(" ")[0] in found)
+
+    @property
+    def rows_only(self) -> bool:
+        """Whether extremes are those of the rows."""
+        return bool(self.mechanism.driver.values) or self.rows < 4 or self.newton
 
     @property
     def efforts(self) -> tuple[str, ...]:
@@ -206,7 +229,9 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     """The plan of a mechanism's workbook."""
     language = mechanism.language
     roles = {equation.role for equation in equations.columns}
-    further = [key for key, own in (("rates", RATES), ("forces", FORCES)) if roles & {*own}]
+    further = [
+        key for key, own in (("rates", RATES), ("forces", FORCES), ("iterations", ("iteration",))) if roles & {*own}
+    ]
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
@@ -323,11 +348,12 @@ def _plan_columns(plan: Plan) -> None:
     for symbol in plan.mechanism.given_by_row:
         _add_column(plan, symbol, "time" if driver.law else "listed", 0, False)
     for equation in plan.equations.columns:
-        if equation.role in (*RATES, *FORCES):
+        if equation.role in (*RATES, *FORCES, "iteration"):
             continue
         degrees = equation.role != "intermediate" and plan.mechanism.shown(equation.unit).in_degrees
         group = -1 if equation.role == "output" else equation.group
         _add_column(plan, equation.symbol, "equation", group, degrees, equation)
+    _plan_iterations(plan)
     plan.rates += _columns_beside(plan, "rates", RATES)
     if plan.rates:
         plan.at.spots["#rates"] = Spot(plan.at.titles["rates"], plan.at.first, RATES_STATUS, column=True)
@@ -347,6 +373,38 @@ def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[Table
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
         plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, column=True)
     return columns
+
+
+def _plan_iterations(plan: Plan) -> None:
+    """A block of columns for each pass of each group that Newton's method solves; the last says where it has arrived."""
+    found = [equation for equation in plan.equations.columns if equation.role == "iteration"]
+    title = plan.at.titles.get("iterations", "")
+    for col, equation in enumerate(found, RATES_STATUS + 1):
+        number = equation.symbol.rpartition(" ")[2]
+        system = plan.equations.groups[equation.group - 1].system
+        passes = system.passes if system else 0
+        block = BLOCKS * equation.group + (int(number) if number.isdecimal() else passes + 1)
+        plan.iterations.append(TableColumn(col, equation.symbol, "equation", block, True, equation))
+        plan.at.spots[equation.symbol] = Spot(title, plan.at.first, col, column=True)
+    if found:
+        _place_starts(plan, title)
+
+
+def _place_starts(plan: Plan, title: str) -> None:
+    """Behind the blocks: how many passes each row needs, where each group starts, and the start values."""
+    first, col = plan.at.first, plan.iterations[-1].col + 1
+    for group in plan.equations.groups:
+        system = group.system
+        if system is None:
+            continue
+        plan.at.spots[f"#needed_{group.number}"] = Spot(title, first, col, column=True)
+        col += 2
+        plan.at.spots[f"#start_{group.number}"] = Spot(title, first, col)
+        for symbol in (*system.unknowns, *(each.symbol for each in system.body)):
+            plan.at.spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, col)
+            col += 1
+        plan.at.spots[f"#starts_{group.number}"] = Spot(title, first, col + 1)
+        col += len(system.unknowns) + 3
 
 
 def _add_column(

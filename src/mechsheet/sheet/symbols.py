@@ -24,6 +24,8 @@ _FORCE = re.compile(r"([FT])([0-9]+|[0-9]+_[0-9]+)\.(x|y|n|c|t|work)")
 _SLIDE = {"n": "N", "c": "C", "t": "P"}
 """Normal force, couple and driving force of a slide."""
 
+_PASS = re.compile(r" (n|[0-9]+)$")
+"""Behind the symbol of a quantity within a pass of Newton's method."""
 _SHAKING = {"shaking.x": ("F", "s,x"), "shaking.y": ("F", "s,y"), "shaking.m": ("M", "s")}
 
 _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
@@ -34,6 +36,7 @@ def parts(symbol: str) -> tuple[str, str]:
 
     theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14)
     """
+    symbol = _PASS.sub("", symbol)
     if symbol in _SHAKING:
         return _SHAKING[symbol]
     force = _FORCE.fullmatch(symbol)

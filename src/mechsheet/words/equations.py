@@ -130,6 +130,20 @@ PHRASES = {
     "driving_torque": ("driving torque of {one} on {other}", "tahrik momenti, {one} → {other}"),
     "driving_force": ("driving force of {one} on {other}", "tahrik kuvveti, {one} → {other}"),
     "by_work": ("the same by virtual work", "aynısı, virtüel iş ile"),
+    # groups solved by Newton's method
+    "largest_length": ("the largest length given", "verilen en büyük uzunluk"),
+    "newton_distance": (
+        "F: {start}–{end} against the length of {link}", "F: {start}–{end}, {link} boyu ile karşılaştırılır"
+    ),
+    "newton_offset": (
+        "F: distance of {point} from the line of {symbol}", "F: {point} noktasının {symbol} doğrusuna uzaklığı",
+    ),
+    "newton_pin": ("F: gap at the pin {point}, {axis} part", "F: {point} mafsalındaki açıklık, {axis} bileşeni"),
+    "newton_slope": ("J: derivative of F{row} by {symbol}", "J: F{row} türevi, {symbol} ile"),
+    "newton_minor": ("a minor, for Cramer's rule", "bir minör, Cramer kuralı için"),
+    "newton_det": ("determinant of J: 0 where two assemblies meet", "J determinantı: iki montaj birleşince 0"),
+    "newton_residual": ("residual: largest |F|, in parts of the size", "kalan: en büyük |F|, büyüklüğe oranla"),
+    "newton_fits": ("whether it has arrived, in the same assembly", "aynı montajda varıldı mı"),
     # what cells and programs need besides
     "area": ("area of triangle {name}", "{name} üçgeninin alanı"),
     "area_for": ("area of the triangle of {symbol}", "{symbol} üçgeninin alanı"),
@@ -159,6 +173,12 @@ def listed(words: Iterable[Words]) -> Words:
     """Names beside each other."""
     found = tuple(words)
     return Words(" + ".join(each.en for each in found), " + ".join(each.tr for each in found))
+
+
+def several(words: Iterable[Words]) -> Words:
+    """Names one after another."""
+    found = tuple(words)
+    return Words(", ".join(each.en for each in found), ", ".join(each.tr for each in found))
 
 
 def link_words(link: Link) -> Words:

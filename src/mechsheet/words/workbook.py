@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from mechsheet.words.forces import FORCES
+from mechsheet.words.newton import NEWTON
 from mechsheet.words.notes import NOTES
 from mechsheet.words.page import PAGE
 from mechsheet.words.rates import RATES
@@ -21,6 +22,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "sheet.notes": ("Notes", "Notlar"),
     "sheet.table": ("Table", "Tablo"),
     "sheet.extremes": ("Extremes", "Uç değerler"),
+    "sheet.iterations": ("Iterations", "Yineleme"),
     "sheet.description": ("Description", "Tanım"),
     # names of cells that no description chooses
     "name.start": ("start", "başlangıç"),
@@ -122,6 +124,9 @@ WORDS: dict[str, tuple[str, str]] = {
     "group": ("Group", "Grup"),
     "status.ok": ("ok", "tamam"),
     "status.open": ("does not close: {links}", "kapanmıyor: {links}"),
+    "status.newton": (
+        "these links do not meet, or the step is too large: {links}", "uzuvlar birleşmiyor ya da adım çok büyük: {links}"
+    ),
     "status.undetermined": ("undetermined: {links}", "belirsiz: {links}"),
     "status.inputs": ("look at the yellow cells", "sarı hücrelere bakın"),
     "legend.input": ("type here", "buraya yazın"),
@@ -140,6 +145,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "hint.number": ("{symbol}: a number.", "{symbol}: bir sayı."),
     "hint.number.title": ("A number", "Bir sayı"),
     "hint.mode": ("+1 or -1: which of the two assemblies.", "+1 veya -1: iki montajdan hangisi."),
+    "hint.choice": ("1 to {most}: which of the assemblies.", "1 ile {most} arası: montajlardan hangisi."),
     "hint.mode.title": ("Assembly", "Montaj"),
     "hint.position": ("A whole number from 0 to {last}.", "0 ile {last} arasında bir tam sayı."),
     "hint.position.title": ("Position", "Konum"),
@@ -178,6 +184,7 @@ WORDS: dict[str, tuple[str, str]] = {
     **NOTES,
     **RATES,
     **FORCES,
+    **NEWTON,
     **PAGE,
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.near": ("the first row within half a turn of:", "ilk satır bundan en çok yarım tur uzaktadır:"),

@@ -29,7 +29,6 @@ from mechsheet.description import load, loads  # noqa: E402
 from mechsheet.diagnostics import MechanismError  # noqa: E402
 from mechsheet.engine import compile_book  # noqa: E402
 from mechsheet.formula.nodes import ErrorValue  # noqa: E402
-from mechsheet.kinematics.equations import assembly_of  # noqa: E402
 from mechsheet.kinematics.numeric import value as number_of  # noqa: E402
 from mechsheet.kinematics.places import number  # noqa: E402
 from mechsheet.kinematics.search import TURN, Search  # noqa: E402
@@ -72,7 +71,8 @@ class Sheets:
         self.equations = solve(mechanism)
         workbook, self.plan = lay_out(mechanism, self.equations)
         titles = self.plan.at.titles
-        needed = {titles[key] for key in ("mechanism", "positions", "rates", "checks", "extremes") if key in titles}
+        wanted = ("mechanism", "positions", "rates", "checks", "extremes", "iterations")
+        needed = {titles[key] for key in wanted if key in titles}
         self.rules = []
         sheets = []
         for sheet in workbook.sheets:
@@ -149,12 +149,13 @@ class Truth(Search):
             )
             listed = start + step * np.arange(self.plan.rows)
         groups = tuple(
-            replace(group, assembly=assembly_of(given.pop(group.mode))) if group.mode in given else group
+            replace(group, assembly=group.assembly_of(given.pop(group.mode))) if group.mode in given else group
             for group in equations.groups
         )
         if given:
             raise ValueError(f"unknown inputs: {given}")
-        super().__init__(mechanism, replace(equations, groups=groups), listed, stepped=not driver.values)
+        stepped = not (driver.values or self.plan.newton)
+        super().__init__(mechanism, replace(equations, groups=groups), listed, stepped=stepped)
 
     def value_at(self, symbol, driver_shown, of=None):
         """The quantity at a value of the driver as shown, as the sweep reaches it."""
@@ -265,7 +266,7 @@ class _Judge:
                 return True
             if symbol in self.plan.equations.positive and not value > 0:
                 return True
-            if symbol in {group.mode for group in self.plan.equations.groups} and value not in (1.0, -1.0):
+            if any(symbol == group.mode and value not in group.mode_values for group in self.plan.equations.groups):
                 return True
             if symbol == "#position" and value not in range(self.plan.rows):
                 return True
@@ -709,7 +710,9 @@ def change(sheets, random):
             inputs["#step"] = float(steps[int(random.integers(len(steps)))]) * degrees
     for group in plan.equations.groups:
         if group.mode and random.random() < 0.3:
-            inputs[group.mode] = -float(group.mode_value)
+            inputs[group.mode] = float(
+                next(value for value in (*group.mode_values[::-1], 0) if value != group.mode_value)
+            )
     return inputs
 
 

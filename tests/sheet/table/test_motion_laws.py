@@ -189,3 +189,11 @@ def test_equations_are_printed_from_the_time_on():
     first = lines.index("driver") + 1
     assert lines[first].strip() == "t = n*duration/5"
     assert lines[first + 1].strip().startswith("theta12 = start + (stop - start)*(t/duration - sin(2*pi")
+
+
+def test_a_whole_turn_in_time_leaves_a_rocker_a_rocker():
+    """The rows end in time, but the ends of a whole turn are one position: what comes back there has not turned on."""
+    laid = Laid(moved(FOUR_BAR, "cycloidal", 2, 15, 0, 360))
+    fine = loads(moved(FOUR_BAR, "constant", 2, 3601, 0, 360)).solve()["theta14"]
+    assert laid.spot("#swing_theta14") == pytest.approx(np.ptp(fine), rel=1e-4)
+    assert "rocker" in laid.words("swing_theta14") or "swings" in laid.words("swing_theta14")

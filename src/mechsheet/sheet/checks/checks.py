@@ -13,6 +13,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.assemblies import assembly_columns
 from mechsheet.sheet.checks.efforts import effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
@@ -35,10 +36,18 @@ DRIVER_COL, COUNT_COL, DATA = range(3)
 LEAP = 90.0
 """A link that turns by more [deg] from one row to the next: the rows do not show what happens between."""
 
-Kind = Literal["gap", "margin", "leap", "velocity", "acceleration", "torque", "effort", "force"]
+Kind = Literal[
+    "gap", "margin", "leap", "assembly", "residual", "needed", "det", "velocity", "acceleration", "torque", "effort", "force"
+]  # fmt: skip
 
 MEASURED: tuple[Kind, ...] = ("gap", "velocity", "acceleration", "torque")
 """What is nothing but rounding where all is well."""
+
+ARRIVED: tuple[Kind, ...] = ("residual", "needed", "det")
+"""What is said of where Newton's method has arrived."""
+
+COUNTED: tuple[Kind, ...] = ("leap", "assembly")
+"""Columns of 0 and 1."""
 
 SIZES: tuple[Kind, ...] = ("effort", "force")
 """Columns of sizes, whose largest the first sheet names."""
@@ -74,6 +83,7 @@ class Checks:
             for number, symbol in plan.equations.margins.items()
         ]
         self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
+        self.checks += [Check(*found) for found in assembly_columns(plan, self.title, CellRef(self.first, COUNT_COL))]
         self.checks += [Check(*found) for found in fit_columns(plan, self.title, first)]
         self.checks += [Check(*found) for found in effort_columns(plan, self.title, first)]
         self._places()
@@ -99,7 +109,7 @@ class Checks:
             for index, check in enumerate(self.checks)
             if check.kind == kind
         )
-        return al.ZERO if not cells else Call("SUM" if kind == "leap" else "MAX", cells)
+        return al.ZERO if not cells else Call("SUM" if kind in COUNTED else "MIN" if kind == "det" else "MAX", cells)
 
     def worst_at(self, kind: Kind) -> Node:
         """The driver's value where the first column of a kind with the worst value has it."""
@@ -220,9 +230,9 @@ class _Writer:
         unit = self._unit(check.kind)
         words = plan.text(f"checks.{check.kind}", number=check.group)
         self._put(at.head_row, col, f"{words} [{unit}]" if unit else words, styles.HEAD)
-        style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", *SIZES) else 0)
-        style = styles.ERROR if check.kind in MEASURED else style
-        skip = 0 if check.kind in (*MEASURED, *SIZES) else 1
+        style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", "det", *SIZES) else 0)
+        style = styles.ERROR if check.kind in (*MEASURED, "residual") else style
+        skip = 0 if check.kind in (*MEASURED, *SIZES, *ARRIVED) else 1
         rows = plan.rows - skip - (1 if check.kind == "margin" else 0)
         if rows > 0:
             self._formula(at.first + skip, col, shifted(check.formula, skip), style, rows)
@@ -230,7 +240,7 @@ class _Writer:
         most = formula('IF(COUNT(column)=0,"",worst)', column=column, worst=Call(_WORST[check.kind], (column,)))
         self._formula(at.most_row, col, most, styles.numbered(styles.RESULT, style.number_format))
         drivers = RangeRef(CellRef(at.first, DRIVER_COL, True, True), CellRef(at.last, DRIVER_COL, True, True))
-        sought: Node = al.ONE if check.kind == "leap" else CellRef(at.most_row, col, True)
+        sought: Node = al.ONE if check.kind in COUNTED else CellRef(at.most_row, col, True)
         where = formula(
             'IFERROR(INDEX(drivers,MATCH(sought,column,0)),"")', drivers=drivers, sought=sought, column=column
         )
@@ -239,7 +249,7 @@ class _Writer:
     def _unit(self, kind: Kind) -> str:
         """The unit of a column."""
         plan = self.plan
-        if kind in ("leap", "torque"):
+        if kind in ("torque", *COUNTED, *ARRIVED):
             return ""
         if kind == "effort":
             return plan.equations.of(plan.efforts[0]).unit.text
@@ -256,6 +266,7 @@ class _Writer:
 
 
 _WORST = {"gap": "MAX", "margin": "MIN", "leap": "SUM", "velocity": "MAX", "acceleration": "MAX"}
+_WORST |= {"assembly": "SUM", "residual": "MAX", "needed": "MAX", "det": "MIN"}
 _WORST |= dict.fromkeys(("torque", "effort", "force"), "MAX")
 
 
@@ -270,7 +281,7 @@ def typed_over(plan: Plan) -> Node:
         for a, b in cols
         if a <= b
     ]
-    for key, columns in (("rates", plan.rates), ("forces", plan.forces)):
+    for key, columns in (("rates", plan.rates), ("forces", plan.forces), ("iterations", plan.iterations)):
         if columns:
             title = plan.at.titles[key]
             corners = (plan.at.first, RATES_DRIVER), (plan.at.last, columns[-1].col)

@@ -13,7 +13,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
@@ -193,7 +194,7 @@ class Extremes:
         probes.put(row, STATUS, plan.text(f"extremes.{way}"), styles.LABEL)
         probes.put(row + 1, STATUS, name, styles.LABEL)
         of_rows = self._best_row(column, way, block)
-        if plan.mechanism.driver.values or plan.rows < 4:
+        if plan.rows_only:
             probes.work(row, VALUE, "value", value=of_rows)
             probes.work(row + 1, SIDE + 2, "0")
             self._result(symbol, way, block)
@@ -242,10 +243,6 @@ class Extremes:
         low, high = self._ends_of_stretch()
         turns = self._half_turn(symbol)
         near = "ABS(start-end)<half" if turns else "TRUE"
-        if (
-            plan.mechanism.driver.law is not None
-        ):  # rows follow each other in time: the last is no neighbour of the first
-            near, turns = "FALSE", 0.0
         start, end = (
             CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
         )
@@ -255,14 +252,15 @@ class Extremes:
             row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
             first=first, last=last, rows=plan.rows, **holes,
         )  # fmt: skip
+        around = self._around(wraps)
         middle = probes.work(
             row + 1, SIDE + 3, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))",
-            wraps=wraps, here=here, first=first, last=last,
+            wraps=around, here=here, first=first, last=last,
         )  # fmt: skip
-        turned = formula("IF(wraps=1,rows-1,rows)", wraps=wraps, rows=plan.rows)
+        turned = formula("IF(wraps=1,rows-1,rows)", wraps=around, rows=plan.rows)
         before, after = (
             probes.work(row + 1, SIDE + work, f"INDEX(column,1+MOD(middle{sign}1-1,IF(wraps>0,turned,2*rows)))",
-                        column=column, middle=middle, wraps=wraps, turned=turned, rows=plan.rows)
+                        column=column, middle=middle, wraps=around, turned=turned, rows=plan.rows)
             for work, sign in ((4, "-"), (6, "+"))
         )  # fmt: skip
         value = probes.work(row + 1, SIDE + 5, "INDEX(column,middle)", column=column, middle=middle)
@@ -272,19 +270,23 @@ class Extremes:
         )  # fmt: skip
         inside = formula(
             "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(low,here-1,MIN(high,here+1,vertex)))",
-            wraps=wraps, here=here, vertex=vertex, low=low, high=high,
+            wraps=around, here=here, vertex=vertex, low=low, high=high,
         )  # fmt: skip
         vertex_at = probes.work(row + 1, AT, "inside", inside=inside)
         beside = formula("middle+IF(middle-here>1E-6,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
         probes.work(
             row + 2, AT,
             "IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,IF(wraps>0,beside,MAX(low,MIN(high,beside)))))",
-            here=here, first=first, last=last, low=low, high=high, wraps=wraps, beside=beside,
+            here=here, first=first, last=last, low=low, high=high, wraps=around, beside=beside,
         )  # fmt: skip
 
     def _ends_of_stretch(self) -> tuple[CellRef, CellRef]:
         """Where the first stretch begins and ends, between rows."""
         return self.limits.of_stretch(1, FROM), self.limits.of_stretch(1, TO)
+
+    def _around(self, wraps: Node) -> Node:
+        """Whether probes go on beyond the last row, into the first: never by a motion law, whose rows end in time."""
+        return wraps if self.plan.mechanism.driver.law is None else al.ZERO
 
     def _half_turn(self, symbol: str) -> float:
         """Half a turn in the unit of a quantity that is an angle, else 0."""
@@ -296,7 +298,7 @@ class Extremes:
     def _further_probes(self, block: Block) -> None:
         """At the vertex of the parabola through the row and the two probes; then through the three probes."""
         probes, row = self.probes, block.row
-        low, high, wraps = *self._ends_of_stretch(), probes.cell(row + 1, SIDE + 2)
+        low, high, wraps = *self._ends_of_stretch(), self._around(probes.cell(row + 1, SIDE + 2))
         middle = probes.cell(row + 1, AT)
         for probe in range(3, PROBES + 1):
             points = [
@@ -311,7 +313,7 @@ class Extremes:
     def _result(self, symbol: str, way: Way, block: Block) -> None:
         """The best of the row and the probes, where it is, and whether the probes have settled."""
         plan, probes, row = self.plan, self.probes, block.row
-        count = 1 if plan.mechanism.driver.values or plan.rows < 4 else PROBES + len(self.ends) + 1
+        count = 1 if plan.rows_only else PROBES + len(self.ends) + 1
         values = probes.cells_down(row, VALUE, count)
         # each stretch would need probes of its own
         known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
@@ -325,7 +327,7 @@ class Extremes:
                         drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
             probes.work(row + 2, SIDE + 2, "FALSE")
             return
-        wraps = probes.cell(row + 1, SIDE + 2)
+        wraps = self._around(probes.cell(row + 1, SIDE + 2))
         within = formula(
             "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=plan.rows
         )
@@ -371,6 +373,8 @@ class Extremes:
 
 def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
+    if plan.newton:
+        return Text(plan.text("verdict.rows.only"))
     unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
     return formula('IF(_stretches>1,rows,IF(IFERROR(OR(_unsettled,unsettled),FALSE),about,""))', unsettled=unsettled,
                    about=plan.text("verdict.about"), rows=plan.text("verdict.rows.only"))  # fmt: skip

@@ -12,8 +12,8 @@ from typing import TypeAlias
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.equations import LinkPose
+from mechsheet.kinematics.ledger import CLOSING
 from mechsheet.kinematics.places import angle_of, length_node
-from mechsheet.kinematics.solve import CLOSING
 from mechsheet.model import Cartesian, Distances, Link, Polar
 from mechsheet.sheet.table.lowering import Assignments
 

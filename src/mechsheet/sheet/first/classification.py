@@ -56,6 +56,7 @@ class Classification:
     rates         True where there are velocities
     forces        True where there are masses or loads
     flywheel      True where the description asks for one
+    newton        True where a group is solved by Newton's method
     """
 
     four_bars: tuple[FourBar, ...]
@@ -67,12 +68,14 @@ class Classification:
     rates: bool = False
     forces: bool = False
     flywheel: bool = False
+    newton: bool = False
 
     @property
     def entries(self) -> list[str]:
         """Keys of the lines of the block, in order: the names of their cells, too."""
         lines = ["inputs", "rows_closed", *(["limits", "input_from", "input_to", "passes"] if self.limits else [])]
         lines += ["largest_gap", "leaps"]
+        lines += ["same_assembly", "largest_residual", "passes_needed", "least_det"] if self.newton else []
         lines += [f"grashof_{loop.group}" for loop in self.four_bars]
         lines += [f"swing_{link.angle_symbol}" for link in self.swings]
         lines += [f"stroke_{joint.symbol}" for joint in self.strokes]
@@ -87,6 +90,7 @@ class Classification:
         """Keys of the lines that say where something occurs."""
         found = {f"transmission_{group.number}" for group in self.transmission}
         found |= {"largest_effort", "largest_force"} if self.forces else set()
+        found |= {"least_det"} if self.newton else set()
         return frozenset({*found, "largest_gap", *(["passes"] if self.limits else [])})
 
     @property
@@ -117,13 +121,15 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         mechanism.driver.speed is not None and bool(equations.groups),
         bool(equations.equations.efforts),
         mechanism.flywheel is not None,
+        any(group.system is not None for group in equations.groups),
     )
 
 
 def _returning(
     mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
-    if not mechanism.driver.link or not mechanism.driver.stepped:
+    newton = any(group.system is not None for group in equations.groups)  # no ratio of two times from rows alone
+    if not mechanism.driver.link or not mechanism.driver.stepped or newton:
         return ()
     final = _final_links(mechanism, equations)
     ground = mechanism.ground.name

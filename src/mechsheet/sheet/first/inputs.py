@@ -18,13 +18,14 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Area, Conditional
 
-Kind = Literal["number", "length", "step", "mode"]
+Kind = Literal["number", "length", "step", "mode", "choice"]
 
 CAN_BE: dict[Kind, str] = {
     "number": "ISNUMBER(cell)",
     "length": "(N(cell)>0)",
     "step": "(N(cell)<>0)",
     "mode": "(ABS(N(cell))=1)",
+    "choice": "((ABS(2*N(cell)-most-1)<most)*(MOD(N(cell),1)=0))",
 }
 """What holds of a cell of each kind; an empty cell counts as 0 for N, and so does a text."""
 
@@ -35,12 +36,20 @@ CHOICES = 29
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """A yellow cell: the key of its place, what people call it, its row on the first sheet."""
+    """A yellow cell: the key of its place, what people call it, its row on the first sheet.
+
+    most  choices are 1 to that
+    """
 
     key: str
     name: str
     kind: Kind
     row: int
+    most: int = 1
+
+    def can_be(self, cell: Node) -> Node:
+        """Whether its cell holds what it can."""
+        return formula(CAN_BE[self.kind], cell=cell, **({"most": self.most} if self.kind == "choice" else {}))
 
 
 def inputs_of(plan: Plan) -> list[Input]:
@@ -63,7 +72,9 @@ def inputs_of(plan: Plan) -> list[Input]:
             found.append(Input(f"#{key}", plan.text(f"name.{key}"), kind, plan.blocks["sweep"].rows[key]))
     for group in plan.equations.groups:
         if group.mode:
-            found.append(Input(group.mode, plain(group.mode), "mode", plan.blocks["assembly"].rows[group.mode]))
+            kind = "mode" if group.system is None else "choice"
+            row = plan.blocks["assembly"].rows[group.mode]
+            found.append(Input(group.mode, plain(group.mode), kind, row, len(group.assemblies)))
     return found
 
 
@@ -73,7 +84,7 @@ def first_wrong(plan: Plan) -> Node:
     none = 10.0 ** len(str(len(found) + 1)) - 1  # more than there are
     numbers: list[Node] = [al.number(none)]
     for number, each in enumerate(found, 1):
-        can_be = formula(CAN_BE[each.kind], cell=plan.at.cell(each.key, plan.main, None))
+        can_be = each.can_be(plan.at.cell(each.key, plan.main, None))
         numbers.append(formula("number+none*can_be", number=number, none=none, can_be=can_be))
     return formula("MOD(first,none)", first=al.smallest(numbers), none=none)
 
@@ -120,7 +131,7 @@ def red_where_wrong(plan: Plan, nowhere: Node | None) -> list[Conditional]:
         return Conditional(Area(row, VALUE, row, VALUE), wrong, styles.BAD)
 
     rules = [
-        red(each.row, formula(f"NOT({CAN_BE[each.kind]})", cell=CellRef(each.row, VALUE, True, True)))
+        red(each.row, formula("NOT(can_be)", can_be=each.can_be(CellRef(each.row, VALUE, True, True))))
         for each in inputs_of(plan)
     ]
     if nowhere is not None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
-from mechsheet.kinematics.equations import Group
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.kinematics.equations import Group, System
+from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
@@ -25,8 +26,9 @@ from mechsheet.sheet.plan import (
     VERDICT_ROW,
     Plan,
 )
-from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import (
     Anchor,
@@ -236,18 +238,42 @@ def _assembly(writer: Writer) -> None:
             Validation(
                 Area(row, VALUE, row, VALUE),
                 "list",
-                choices=("1", "-1"),
+                choices=tuple(str(value) for value in group.mode_values),
                 input_title=plan.text("hint.mode.title"),
-                input_message=plan.text("hint.mode"),
+                input_message=_mode_hint(plan, group),
                 error_title=plan.text("hint.mode.title"),
-                error_message=plan.text("hint.mode"),
+                error_message=_mode_hint(plan, group),
             )
         )
 
 
+def _mode_hint(plan: Plan, group: Group) -> str:
+    return plan.text("hint.mode") if group.system is None else plan.text("hint.choice", most=len(group.assemblies))
+
+
 def _mode_words(plan: Plan, group: Group, row: int) -> Node:
+    if group.system is not None:
+        return plan.at.bind(start_words(plan, group.system), plan.main)
     plus, minus = (Text(words.of(plan.language)) for words in group.assemblies)
     return formula("IF(cell>0,plus,minus)", cell=CellRef(row, VALUE, True, True), plus=plus, minus=minus)
+
+
+def start_words(plan: Plan, system: System) -> Node:
+    """Where the group starts, as the passes from the start values have it."""
+    parts: list[Node | str] = [f"{plan.text('newton.start')} "]
+    for index, (unknown, variable) in enumerate(zip(system.unknowns, system.variables, strict=True)):
+        value: Node = Symbol(in_pass(unknown, 0))
+        unit = plan.mechanism.shown(plan.equations.of(variable).unit)
+        shown = formula("DEGREES(value)", value=value) if unit.in_degrees else value
+        digits = 1 if unit.in_degrees else 3
+        parts += [
+            f"{', ' if index else ''}{plain(variable)} = ",
+            formula("ROUND(shown,digits)", shown=shown, digits=digits),
+        ]
+        parts.append(unit.text if unit.in_degrees else "")
+    arrived = formula("residual<=closed", residual=Symbol(in_pass(system.residual, 0)), closed=CLOSED)
+    return formula("IFERROR(IF(arrived,words,nowhere),nowhere)", arrived=arrived, words=joined(*parts),
+                   nowhere=plan.text("newton.nowhere"))  # fmt: skip
 
 
 def _at_position(plan: Plan, column: RangeRef) -> Node:

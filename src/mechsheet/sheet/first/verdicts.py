@@ -10,7 +10,7 @@ import math
 from typing import Literal
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
@@ -46,6 +46,8 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         block.input_range()
         block.passes()
     block.gap_and_leaps()
+    if found.newton:
+        block.newton()
     for loop in found.four_bars:
         block.grashof(loop)
     for link in found.swings:
@@ -255,6 +257,30 @@ class _Block:
         self.line("leaps", self.text("leaps"), "", self.checks.worst("leap"), 0, words)
         self.colour("leaps", "count>0", styles.WARN, count=cell)
 
+    # --- groups solved by Newton's method ---------------------------------------------------------------------
+
+    def newton(self) -> None:
+        """Whether each row is of the same assembly, how well the links meet, how many passes that took, the least |det|."""
+        key, cell = "same_assembly", self.value("same_assembly")
+        kept, lost = self.text(f"{key}.kept"), self.text(f"{key}.lost")
+        words = formula('IF(closed=0,"",IF(count=0,kept,lost))', closed=self.value("rows_closed"), count=cell, kept=kept,
+                        lost=lost)  # fmt: skip
+        self.line(key, self.text(key), "", self.checks.worst("assembly"), 0, words)
+        self.colour(key, "count>0", styles.BAD, count=cell)
+        self.colour(key, "said=kept", styles.GOOD, said=self.words(key), kept=kept)
+        style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
+        self.line("largest_residual", self.text("residual"), "", self.checks.worst("residual"), style,
+                  Text(self.text("residual.fine")))  # fmt: skip
+        key, cell = "passes_needed", self.value("passes_needed")
+        most = max(group.system.passes for group in self.plan.equations.groups if group.system is not None)
+        words = formula("IF(count>most,many,fine)", count=cell, most=most, many=self.text(f"{key}.many", passes=most),
+                        fine=self.text(f"{key}.fine", passes=most))  # fmt: skip
+        self.line(key, self.text(key), "", self.checks.worst("needed"), 0, words)
+        self.colour(key, "count>most", styles.WARN, count=cell, most=most)
+        key = "least_det"
+        self.line(key, self.text(key), "", self.checks.worst("det"), 4, Text(self.text(f"{key}.words")))
+        self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("det")))
+
     # --- four-bar loops ---------------------------------------------------------------------------------------
 
     def _rounding(self) -> Node:
@@ -293,6 +319,8 @@ class _Block:
         symbol = link.angle_symbol
         turn = whole_turn(self.plan.at.spots[symbol].degrees)
         closed = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.plan.rows)
+        if self.plan.newton:  # of what is between the rows nothing is said
+            closed = Boolean(False)
         back = Symbol(f"#wraps_{symbol}")  # the ends of the whole turn are neighbours
         words = formula(
             "IF(closed,IF(back>0,rocker,crank),part)", closed=closed, back=back,
@@ -487,11 +515,16 @@ class _Block:
             said = formula('IF(ISNUMBER(value),what&words,"")', value=self.value(key), what=what, words=self.words(key))
             parts.append(said)
         gap = self.words("largest_gap")
+        good = joined(*parts)
+        lost: Node | None = None
+        if plan.found.newton:
+            lost = self.words("same_assembly")
+            good = formula("IF(lost=kept,good,lost)", lost=lost, kept=self.text("same_assembly.kept"), good=good)
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
             fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
             closed=self.text("gap.closed"),
-            good=joined(*parts), inputs=self.words("inputs"),
+            good=good, inputs=self.words("inputs"),
         )  # fmt: skip
         self.writer.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
@@ -499,6 +532,8 @@ class _Block:
         # rules read this sheet only: other programs refuse another's cells
         bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
                       inputs=self.words("inputs"))  # fmt: skip
+        if lost is not None:
+            bad = formula("OR(bad,AND(count>0,leapt>0))", bad=bad, count=count, leapt=self.value("same_assembly"))
         doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))

@@ -278,6 +278,8 @@ class _Page:
             return
         loops = LoopRates(self.plan)
         for group in self.plan.equations.groups:
+            if group.system is not None:
+                continue
             for key, equation in (
                 ("velocities", loops.velocities(group.closure)),
                 ("accelerations", loops.accelerations(group.closure)),
@@ -289,9 +291,30 @@ class _Page:
         for number in dict.fromkeys(equation.group for equation in equations):
             if number != 0:
                 self._group(group_title(self.plan, number))
+                self._newton(number, equations)
             for equation in equations:
-                if equation.group == number:
+                # of the passes of Newton's method the last stands for all
+                if equation.group == number and not (equation.role == "iteration" and equation.symbol[-1].isdecimal()):
                     self._equation(equation, self._unit(equation))
+
+    def _newton(self, number: int, equations: list[Assignment]) -> None:
+        """F(x) = 0, the Jacobian and the iteration of a group that Newton's method solves, before their parts."""
+        system = self.plan.equations.groups[number - 1].system if number > 0 else None
+        if system is None or not any(equation.role == "iteration" for equation in equations):
+            return
+        names = ", ".join(plain(name) for name in system.variables)
+        count = len(system.unknowns)
+        forces = ", ".join(plain(name) for name in system.equations)
+        for text, key in (
+            (f"x = ({names}),  F = ({forces}) = 0", "newton.system"),
+            (f"J = ∂F/∂x,  {count} × {count}", "newton.jacobian"),
+            ("x(k+1) = x(k) − J⁻¹ F", "newton.iteration"),
+        ):
+            self._entry("", "", text, self.text(key), self.plan.at.titles["iterations"])
+        group = self.plan.equations.groups[number - 1]
+        for place, words in enumerate(group.assemblies, 1):
+            said = f"{place}: {words.of(self.plan.language)}"
+            self._entry(plain(group.mode), "", said, self.text("newton.assembly"), "")
 
     def _group(self, title: str) -> None:
         for col in range(PLACE + 1):

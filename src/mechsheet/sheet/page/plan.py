@@ -10,6 +10,7 @@ from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations
+from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.kinematics.solve import dimension_order, dimension_values
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
@@ -80,6 +81,7 @@ class PagePlan(Plan):
 
 def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     """The plan of a mechanism's page."""
+    need_closed_form(equations, "the layout page cannot hold this", "workbook.layout", 'layout = "sheets" does')
     language, drawn = mechanism.language, mechanism.drawn
     titles = dict.fromkeys(SHEETS, words(language, "sheet.mechanism"))
     titles["description"] = words(language, "sheet.description")

@@ -3,6 +3,7 @@
     exists, beside an equation      the group's margin in a column of its own, read as IF(margin < -tol, NA(), the equation):
                                     never what a program makes of ACOS(2)
     Direction(y, x)                 ATAN2 and as many turns as bring it within half a turn of the row above
+    Root(x, given)                  passes of Newton's method beside each other, started from the row above
     TriangleAngle(a, b, c)          the law of cosines by ATAN2 of b^2 + c^2 - a^2 and four times the area: ACOS is an error
                                     where rounding makes a cosine of 1 + 1e-16, and loses digits in a thin triangle
 
@@ -21,19 +22,26 @@ from mechsheet.formula.nodes import (
     Direction,
     Node,
     Previous,
+    Root,
     Symbol,
     TriangleAngle,
     symbols,
+    transform,
     walk,
 )
-from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, LinkPose, Role
+from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, LinkPose, Role, System
 from mechsheet.kinematics.naming import FreshNames, given_names
+from mechsheet.kinematics.newton.carriers import ITERATED
+from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.model import Mechanism, Words
 from mechsheet.sheet.quoted import formula
-from mechsheet.units import LENGTH, Unit
+from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
 TURN = al.mul(al.TWO, al.PI)
+
+FITS = "fits"
+"""Of a group solved by Newton's method: whether the passes have arrived in the same assembly."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +126,7 @@ class _Lowering:
         self.names = FreshNames([*given_names(mechanism), *found])
         self.tests: dict[tuple[Condition, ...], Node] = {}
         self.margins: dict[int, str] = {}
+        self.systems = [group.system for group in equations.groups if group.system is not None]
         self.constants: list[Assignment] = []
         self.columns: list[Assignment] = []
 
@@ -125,9 +134,9 @@ class _Lowering:
         """All of them, and the groups."""
         for equation in self.equations.all:
             self._lower(equation)
-        return Assignments(
-            self.equations, tuple(self.constants), tuple(self.columns), self.equations.groups, self.margins
-        )
+        # where a group is found by Newton's method there are no rows between the rows, and limits are known to the step
+        margins = {} if self.systems else self.margins
+        return Assignments(self.equations, tuple(self.constants), tuple(self.columns), self.equations.groups, margins)
 
     def _lower(self, equation: Equation) -> None:
         match equation.expression:
@@ -135,16 +144,23 @@ class _Lowering:
                 self._add(equation, self._tolerance(equation.expression))
             case Direction(y, x):
                 self._direction(equation, y, x)
+            case Root(unknown, _):
+                system = next(each for each in self.systems if unknown in each.unknowns)
+                if unknown == system.unknowns[0]:
+                    self._passes(equation, system)
+                self._add(equation, _next(system, unknown, system.passes), says=_step(system, unknown))
+            case expression if any(equation.symbol in system.variables for system in self.systems):
+                self._iterated(equation, expression)
             case TriangleAngle(opposite, beside, other):
                 self._triangle_angle(equation, opposite, beside, other)
             case expression:
                 self._add(equation, self._where_it_exists(equation, expression))
 
-    def _add(self, equation: Equation, expression: Node, first: Node | None = None) -> Symbol:
+    def _add(self, equation: Equation, expression: Node, first: Node | None = None, says: Node | None = None) -> Symbol:
         target = self.constants if equation.role == "constant" else self.columns
         target.append(
             Assignment(
-                equation.symbol, expression, equation.expression, equation.role, equation.unit, equation.label,
+                equation.symbol, expression, says or equation.expression, equation.role, equation.unit, equation.label,
                 equation.group, first,
             )
         )  # fmt: skip
@@ -156,11 +172,46 @@ class _Lowering:
         lengths = tuple(Symbol(name) for name in self.equations.positive if name != self.driver)
         modes = [Symbol(group.mode) for group in self.equations.groups if group.mode]
         wrong: list[Node] = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
-        wrong += [formula("ABS(mode)<>1", mode=mode) for mode in modes]
+        numbered = {Symbol(system.mode): float(len(system.starts)) for system in self.systems}
+        wrong += [formula("ABS(mode)<>1", mode=mode) for mode in modes if mode not in numbered]
+        wrong += [formula("ABS(2*mode-most-1)>=most", mode=mode, most=most) for mode, most in numbered.items()]
         if not wrong:
             return expression
         test = wrong[0] if len(wrong) == 1 else Call("OR", tuple(wrong))
         return formula("IF(wrong, NA(), least)", wrong=test, least=expression)
+
+    def _passes(self, equation: Equation, system: System) -> None:
+        """All passes but the last step: where each begins, and what follows there."""
+        labels = {each.symbol: each.label for each in self.equations.columns}
+        units = {each.symbol: each.unit for each in self.equations.columns}
+        for number in range(1, system.passes + 1):
+            for unknown, variable in zip(system.unknowns, system.variables, strict=True):
+                node, first = _next(system, unknown, number - 1), None
+                if number == 1:
+                    first = Symbol(in_pass(unknown, 0))
+                    node = formula(
+                        "IF(ISNUMBER(there),last,start)", there=Previous(variable), last=Previous(unknown),
+                        start=Previous(in_pass(unknown, 1)),
+                    )  # fmt: skip
+                own = replace(equation, symbol=in_pass(unknown, number), expression=Symbol(unknown),
+                              unit=units[unknown], label=labels[unknown])  # fmt: skip
+                self._add(own, node, first, _step(system, unknown) if number > 1 else Symbol(variable))
+            for part in system.body:
+                own = replace(part, symbol=in_pass(part.symbol, number), group=equation.group)
+                self._add(own, in_this_pass(system, part.expression, number))
+
+    def _iterated(self, equation: Equation, expression: Node) -> None:
+        """What the passes have arrived at, where it fits and the determinant has kept its sign."""
+        system = next(each for each in self.systems if equation.symbol in each.variables)
+        fits = ITERATED.format(symbol=FITS if equation.group == 1 else f"{FITS}_{equation.group}")
+        if equation.symbol == system.variables[0]:
+            test = formula(
+                "AND(residual<=closed,det*first>0)", residual=Symbol(system.residual), closed=CLOSED,
+                det=Symbol(system.determinant), first=Symbol(in_pass(system.determinant, 0)),
+            )  # fmt: skip
+            own = replace(equation, symbol=fits, role="iteration", unit=NUMBER, label=phrase("newton_fits"))
+            self._add(own, test, says=formula("residual<=closed", residual=Symbol(system.residual), closed=CLOSED))
+        self._add(equation, formula("IF(fits,value,NA())", fits=Symbol(fits), value=expression))
 
     def _triangle_angle(self, equation: Equation, opposite: Node, beside: Node, other: Node) -> None:
         """By ATAN2. All angles of a group have the same sine side, so that they fit together to the last digit; a link's
@@ -204,6 +255,31 @@ class _Lowering:
         turns = formula("IFERROR(ROUND((above-raw)/turn,0),0)", above=Previous(equation.symbol), raw=raw, turn=TURN)
         first, further = (guarded(apart, angle) for angle in (raw, al.add(raw, al.mul(TURN, turns))))
         self._add(equation, further, first=first)
+
+
+def in_pass(symbol: str, number: int) -> str:
+    """The symbol of what a system's body calls so, in the pass of that number; 0 is where it all begins."""
+    return f"{symbol.partition(' ')[0]} {number}"
+
+
+def in_this_pass(system: System, node: Node, number: int) -> Node:
+    """An expression of a system's body in the pass of that number."""
+    own = {*system.unknowns, *(each.symbol for each in system.body)}
+
+    def change(part: Node) -> Node:
+        return Symbol(in_pass(part.name, number)) if isinstance(part, Symbol) and part.name in own else part
+
+    return transform(node, change)
+
+
+def _step(system: System, unknown: str) -> Node:
+    """x - J^-1 F, as people write it."""
+    return al.sub(Symbol(unknown), system.corrections[system.unknowns.index(unknown)])
+
+
+def _next(system: System, unknown: str, number: int) -> Node:
+    """An unknown after the pass of that number: x - (J^-1 F)."""
+    return in_this_pass(system, _step(system, unknown), number)
 
 
 def pins_apart(equations: Equations, direction: Equation) -> tuple[Condition, ...]:

@@ -188,7 +188,7 @@ def status(plan: Plan) -> Node:
     closing = [formula("ISNUMBER(value)", value=Symbol(group.closes)) for group in plan.equations.groups]
     if not closing:
         return formula("IF(_inputs=0,ok,inputs)", ok=plan.text("status.ok"), inputs=plan.text("status.inputs"))
-    if len(closing) == 1:
+    if len(closing) == 1 and not plan.newton:  # whose words are long
         return formula(
             "IF(closes,ok,reason)", closes=closing[0], ok=plan.text("status.ok"), reason=status_words(plan)[0]
         )
@@ -215,7 +215,8 @@ def status_words(plan: Plan) -> list[str]:
     found = []
     for group in plan.equations.groups:
         links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
-        found.append(plan.text("status.undetermined" if group.only_undetermined else "status.open", links=links))
+        key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
+        found.append(plan.text(f"status.{key}", links=links))
     return found
 
 
@@ -289,6 +290,8 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     if column.equation is None:
         return _decimals(styles.COLUMN, places(plan, "angle" if plan.mechanism.driver.unit.in_degrees else "length"))
     unit = column.equation.unit
+    if column.symbol in plan.residuals:
+        return styles.numbered(styles.INNER, styles.ERROR.number_format)
     if column.inner:
         return _decimals(styles.INNER, 4 if unit.kind == "angle" else places(plan, unit.kind))
     return _decimals(styles.COLUMN, places_of(plan, unit))

@@ -5,7 +5,7 @@ Grey are the influence coefficients and what they are found from; black is what 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
@@ -36,11 +36,21 @@ def rates_sheet(plan: Plan) -> Sheet:
     return sheet_beside(plan, "rates", plan.rates, _status(plan), "7C3AED")
 
 
-def sheet_beside(plan: Plan, key: str, columns: Sequence[TableColumn], status: Node, tab_color: str) -> Sheet:
-    """A sheet with further columns in the rows of the positions: the driver's value and a word about the row before them."""
+def sheet_beside(
+    plan: Plan,
+    key: str,
+    columns: Sequence[TableColumn],
+    status: Node,
+    tab_color: str,
+    titled: Callable[[int], str] | None = None,
+) -> Sheet:
+    """A sheet with further columns in the rows of the positions: the driver's value and a word about the row before them.
+
+    titled  what stands over the columns of a group, by its number; its name by default
+    """
     title, first, rows = plan.at.titles[key], plan.at.first, plan.rows
     said: dict[int, Rich | str] = {column.col: mathematics(plan, column) for column in columns}
-    cells, fills = _first_columns(plan, plan.at.bind(status, title, first))
+    cells, fills = _first_columns(plan, key, plan.at.bind(status, title, first))
     comments: list[Comment] = []
     for column in columns:
         cells.append(Cell(SYMBOL_ROW, column.col, heading(plan, column), styles.HEAD))
@@ -48,7 +58,7 @@ def sheet_beside(plan: Plan, key: str, columns: Sequence[TableColumn], status: N
         if column.equation is not None:
             comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
         fills += column_fills(plan, column, title, first, rows)
-    headings, merges = _headings(plan, key, columns)
+    headings, merges = _headings(plan, key, columns, titled or (lambda number: group_title(plan, number)))
     beside = max(18.0, 1.1 * len(plan.text(f"{key}.title")) - 11.0)  # the sheet's title stands over both
     widths = {RATES_DRIVER: 11.0, RATES_STATUS: beside} | {col: width_for(text) for col, text in said.items()}
     inner = {column.col for column in columns if column.inner}
@@ -74,7 +84,7 @@ def sheet_beside(plan: Plan, key: str, columns: Sequence[TableColumn], status: N
     )
 
 
-def _first_columns(plan: Plan, said: Node) -> tuple[list[Cell], list[Fill]]:
+def _first_columns(plan: Plan, key: str, said: Node) -> tuple[list[Cell], list[Fill]]:
     """The driver's value, and what the sheet says of the row."""
     first, rows = plan.at.first, plan.rows
     driver = plan.columns[DRIVER]
@@ -82,7 +92,9 @@ def _first_columns(plan: Plan, said: Node) -> tuple[list[Cell], list[Fill]]:
     value = CellRef(first, DRIVER, sheet=plan.table)
     cells = [
         Cell(SYMBOL_ROW, RATES_DRIVER, rich(driver.symbol, f" [{unit}]" if unit else ""), styles.HEAD),
-        Cell(SYMBOL_ROW, RATES_STATUS, plan.text("rates.head"), styles.HEAD),
+        Cell(
+            SYMBOL_ROW, RATES_STATUS, plan.text("iterations.head" if key == "iterations" else "rates.head"), styles.HEAD
+        ),
         Cell(FORMULA_ROW, RATES_DRIVER, None, styles.FORMULA_TEXT),
         Cell(FORMULA_ROW, RATES_STATUS, None, styles.FORMULA_TEXT),
     ]
@@ -92,9 +104,11 @@ def _first_columns(plan: Plan, said: Node) -> tuple[list[Cell], list[Fill]]:
     ]
 
 
-def _headings(plan: Plan, key: str, columns: Sequence[TableColumn]) -> tuple[list[Cell], list[Merge]]:
+def _headings(
+    plan: Plan, key: str, columns: Sequence[TableColumn], titled: Callable[[int], str]
+) -> tuple[list[Cell], list[Merge]]:
     """The sheet's title over its first columns, then each group's."""
-    cells, merges = group_headings(columns, GROUP_ROW, lambda number: group_title(plan, number))
+    cells, merges = group_headings(columns, GROUP_ROW, titled)
     moved = [Cell(cell.row, cell.col + RATES_STATUS + 1, cell.content, cell.style) for cell in cells]
     areas = [
         Merge(

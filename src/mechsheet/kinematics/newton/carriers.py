@@ -1,0 +1,357 @@
+"""The equations of a group of class III or higher: its carriers, what its other links ask of them, and their derivatives.
+
+    distance of two pins P, Q of a link l      F = ((xP - xQ)^2 + (yP - yQ)^2 - l^2) / 2,   dF = (P - Q) . (dP - dQ)
+    distance of a pin P from a line along d    F = d x (P - B) - h,                         dF = d x (dP - dB)
+    a pin between two carriers                 F = P - Q, both parts,                       dF = dP - dQ
+
+B being the place at P of the link that carries the line. A place P of a carrier moves with one unknown alone by
+dP = J (P - A) for the angle about its pin A (J turns by a right angle), by the line's direction for the displacement along
+it; with the unknown of a carrier below, as the pin A moves, or as the carrier below does where it slides on that one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.algebra import Angle
+from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols, transform
+from mechsheet.kinematics.equations import Condition, Equation, System
+from mechsheet.kinematics.newton.chains import Assembly, Binary, Carrier, Chain
+from mechsheet.kinematics.newton.cramer import Cramer, cramer
+from mechsheet.kinematics.newton.system import CLOSED
+from mechsheet.kinematics.poses import Guide, Poses
+from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, turned
+from mechsheet.model import Words
+from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
+from mechsheet.words.equations import link_words, phrase, several
+
+ITERATED = "{symbol} n"
+"""The symbol of a quantity within a pass, before it is asked whether it fits (no description can use a blank in a name)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """One equation: F, its derivative by each unknown, and the power of a length that it has."""
+
+    value: Node
+    slopes: tuple[Node, ...]
+    power: int
+    label: Words
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A group that has been written down."""
+
+    chain: Chain
+    system: System
+    label: Words
+    pins: tuple[str, ...]
+
+
+class ChainWriter:
+    """Writes one group into the ledger."""
+
+    def __init__(self, poses: Poses, chain: Chain) -> None:
+        self.poses, self.ledger, self.chain = poses, poses.ledger, chain
+        self.carrier = {body: each for each in chain.carriers for body in each.assembly}
+        self.variables: dict[Assembly, str] = {}
+        self.guides: dict[Assembly, Guide] = {}
+        self.signs: dict[Assembly, int] = {}
+
+    def write(self) -> Solution:
+        """Carriers, equations, passes; then the poses of the links between them."""
+        ledger = self.ledger
+        start = len(ledger.columns)
+        mode = ledger.mode()
+        for carrier in self.chain.carriers:
+            self._reach(carrier)
+        demands = [self._asked(each) for each in self.chain.binaries]
+        demands += [demand for shut in self.chain.shut for demand in self._closed(*shut)]
+        system = self._system(start, demands, mode.name)
+        for binary in self.chain.binaries:
+            self._pose(binary)
+        for base, symbol in (("residual", system.residual), ("det", system.determinant)):
+            ledger.column(base, Symbol(symbol), NUMBER, phrase(f"newton_{base}"))
+        links = several(self.poses.name(each) for each in self.chain.assemblies)
+        pins = tuple(dict.fromkeys(point for body in self.chain.bodies for point in self._joints(body)))
+        label = phrase("group_pins", links=links, pins=", ".join(pins)) if pins else links
+        return Solution(self.chain, system, label, pins)
+
+    def _joints(self, body: str) -> list[str]:
+        graph = self.poses.graph
+        return [point for point in graph.points[body] if len(graph.bodies_at(point)) > 1]
+
+    # --- carriers -----------------------------------------------------------------------------------------------
+
+    def _reach(self, carrier: Carrier) -> None:
+        """Its angle or displacement, as a number for now, and with it its pose and points."""
+        poses, assembly = self.poses, carrier.assembly
+        joint = carrier.reached.joint
+        if isinstance(joint, str):
+            body = assembly[0]
+            link = poses.links.get(body)
+            symbol = link.angle_symbol if link else self.ledger.reserve(f"delta_{poses.graph.blocks[body].symbol}")
+            if link:
+                words = phrase("angle_of_link", number=str(link.number), link=link_words(link))
+            else:
+                words = phrase("angle_of", link=poses.name((body,)))
+            self.ledger.define(symbol, Number(0.0), ANGLE, words, "variable" if link else "intermediate")
+            poses.fix(assembly, Angle(Symbol(symbol)), poses.place(assembly, joint), *poses.xy[joint])
+        else:
+            guide = poses.guide(joint, assembly)
+            symbol = guide.symbol
+            poses.displacement(symbol, Number(0.0))
+            step: Node = Symbol(symbol) if guide.sign > 0 else al.neg(Symbol(symbol))
+            x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
+            y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
+            self.guides[assembly] = guide
+            poses.fix(assembly, guide.angle, guide.moving, x, y)
+        self.variables[assembly] = symbol
+
+    def _moves(self, body: str, place: Vector, unknown: Assembly) -> Vector:
+        """How a place of a body moves with the unknown of a carrier alone."""
+        carrier = self.carrier.get(body)
+        if carrier is None:
+            return NOWHERE
+        joint = carrier.reached.joint
+        own = carrier.assembly == unknown
+        if isinstance(joint, str):
+            pin = self.poses.xy[joint]
+            return turned(minus(place, pin)) if own else self._moves(self._below(carrier, joint), pin, unknown)
+        if own:
+            guide = self.guides[carrier.assembly]
+            direction = al.cos(guide.delta), al.sin(guide.delta)
+            return direction if guide.sign > 0 else (al.neg(direction[0]), al.neg(direction[1]))
+        inside = joint.body if joint.body in carrier.assembly else joint.on
+        return self._moves(joint.other(inside), place, unknown)
+
+    def _below(self, carrier: Carrier, point: str) -> str:
+        """A body at the other side of the pin over which a carrier is reached."""
+        order = [each.assembly for each in self.chain.carriers]
+        earlier = {body for assembly in order[: order.index(carrier.assembly)] for body in assembly}
+        bodies = self.poses.graph.bodies_at(point)
+        known = [body for body in bodies if body not in self.chain.bodies]
+        return (known or [body for body in bodies if body in earlier])[0]
+
+    def _holder(self, point: str, but: Assembly) -> str:
+        """A body that is known or a carrier, and has the point."""
+        bodies = [body for body in self.poses.graph.bodies_at(point) if body not in but]
+        known = [body for body in bodies if body not in self.chain.bodies]
+        return (known or [body for body in bodies if body in self.carrier])[0]
+
+    # --- what is asked ------------------------------------------------------------------------------------------
+
+    def _asked(self, binary: Binary) -> Demand:
+        """The equation of a link with two joints."""
+        poses, assembly = self.poses, binary.assembly
+        first, second = (end.joint for end in binary.ends)
+        if not isinstance(first, str):
+            raise TypeError(f"no pin at the first end: {binary}")
+        p, body_p = poses.xy[first], self._holder(first, assembly)
+        if isinstance(second, str):
+            q, body_q = poses.xy[second], self._holder(second, assembly)
+            length, _ = poses.arm(assembly, first, second)
+            way = minus(p, q)
+            value = al.div(al.sub(dot_of(way), al.square(length)), al.TWO)
+            slopes = tuple(
+                dot(way, minus(self._moves(body_p, p, each), self._moves(body_q, q, each))) for each in self.unknowns
+            )
+            label = phrase("newton_distance", start=first, end=second, link=poses.name(assembly))
+            return Demand(value, slopes, 2, label)
+        guide = poses.guide(second, assembly)
+        self.guides[assembly] = guide
+        inside = second.body if second.body in assembly else second.on
+        carrier = second.other(inside)
+        direction = al.cos(guide.delta), al.sin(guide.delta)
+        offset = (poses.place(assembly, first) - guide.moving).turned(guide.angle - guide.delta)[1]
+        value = al.sub(cross(direction, minus(p, (guide.x, guide.y))), offset)
+        slopes = tuple(
+            cross(direction, minus(self._moves(body_p, p, each), self._moves(carrier, p, each)))
+            for each in self.unknowns
+        )
+        return Demand(value, slopes, 1, phrase("newton_offset", point=first, symbol=second.joint.symbol))
+
+    def _closed(self, point: str, one: Assembly, other: Assembly) -> list[Demand]:
+        """Both parts of a pin between two carriers, or between one and what is known."""
+        poses = self.poses
+        bodies = [
+            next(body for body in (assembly or poses.graph.bodies) if point in poses.graph.points[body])
+            for assembly in (one, other)
+        ]
+        pose = poses.known[bodies[1]]
+        x, y = (poses.place(other, point) - pose.base).turned(pose.angle)
+        there = al.add(pose.x, x), al.add(pose.y, y)
+        here = poses.xy[point]
+        gap = minus(here, there)
+        moved = [
+            minus(self._moves(bodies[0], here, each), self._moves(bodies[1], there, each)) for each in self.unknowns
+        ]
+        return [
+            Demand(
+                gap[axis], tuple(each[axis] for each in moved), 1, phrase("newton_pin", point=point, axis="xy"[axis])
+            )
+            for axis in (0, 1)
+        ]
+
+    @property
+    def unknowns(self) -> tuple[Assembly, ...]:
+        """The carriers, each with one unknown."""
+        return tuple(each.assembly for each in self.chain.carriers)
+
+    # --- the system ---------------------------------------------------------------------------------------------
+
+    def _system(self, start: int, demands: Sequence[Demand], mode: str) -> System:
+        """Put the passes before the columns that were written from `start` on, and let these read what they arrive at."""
+        ledger = self.ledger
+        variables = tuple(self.variables[each] for each in self.unknowns)
+        written = ledger.columns[start:]
+        iterated = {name: ITERATED.format(symbol=name) for name in variables}
+        read = {name for demand in demands for node in (demand.value, *demand.slopes) for name in symbols(node)}
+        needed: set[str] = set()
+        for equation in reversed(written):
+            if equation.symbol in read:
+                needed.add(equation.symbol)
+                read.update(equation.reads)
+        moving = set(variables)
+        for equation in written:
+            if not moving.isdisjoint(equation.reads):
+                moving.add(equation.symbol)
+                if equation.symbol in needed:
+                    iterated[equation.symbol] = ITERATED.format(symbol=equation.symbol)
+        body = [
+            replace(_reading(each, iterated), symbol=iterated[each.symbol], role="iteration")
+            for each in written
+            if each.symbol in iterated and each.symbol not in variables
+        ]
+        count = len(variables)
+        names = [self._name("F", row) for row in range(1, count + 1)]
+        entries = [[self._name("J", row, column) for column in range(1, count + 1)] for row in range(1, count + 1)]
+        size = ledger.size()
+        jacobian: list[list[Node]] = []
+        for row, demand in enumerate(demands):
+            unit = self._unit(demand.power)
+            body.append(self._part(names[row], renamed(demand.value, iterated), unit, demand.label))
+            slopes: list[Node] = []
+            for column, slope in enumerate(demand.slopes):
+                node = renamed(slope, iterated)
+                if not al.is_simple(node):
+                    label = phrase("newton_slope", row=str(row + 1), symbol=variables[column])
+                    body.append(self._part(entries[row][column], node, self._unit(demand.power), label))
+                    node = Symbol(entries[row][column])
+                slopes.append(node)
+            jacobian.append(slopes)
+        found: Cramer = cramer(jacobian, [Symbol(name) for name in names])
+        minors = {name: self._name(name) for name, _ in found.minors}
+        for name, node in found.minors:
+            body.append(self._part(minors[name], renamed(node, minors), NUMBER, phrase("newton_minor")))
+        determinant, residual = self._name("det"), self._name("residual")
+        det = self._part(determinant, renamed(found.determinant, minors), NUMBER, phrase("newton_det"))
+        largest = al.largest([
+            al.div(Call("ABS", (Symbol(name),)), size if demand.power == 1 else al.square(size))
+            for name, demand in zip(names, demands, strict=True)
+        ])  # fmt: skip
+        body += [det, self._part(residual, largest, NUMBER, phrase("newton_residual"))]
+        system = System(
+            tuple(iterated[name] for name in variables), variables, tuple(body), tuple(names),
+            tuple(tuple(row) for row in jacobian), determinant, residual,
+            tuple(al.div(renamed(node, minors), Symbol(determinant)) for node in found.numerators),
+            _given(body, iterated), mode, ledger.driver,
+        )  # fmt: skip
+        fits = Condition(al.sub(al.number(CLOSED), Symbol(residual)), al.ZERO)
+        heads = [
+            replace(each, symbol=iterated[each.symbol], expression=root, role="iteration", label=each.label)
+            for root, each in zip(system.roots(), (_of(written, name) for name in variables), strict=True)
+        ]
+        after = [
+            replace(each, expression=Symbol(iterated[each.symbol]), exists=(fits,))
+            if each.symbol in variables
+            else each
+            for each in written
+            if each.symbol in moving
+        ]
+        before = [each for each in written if each.symbol not in moving]
+        ledger.columns[start:] = [*before, *heads, *body, *after]
+        for each in (*heads, *body):  # until the passes have been made
+            ledger.values[each.symbol] = np.zeros(ledger.rows)
+        return system
+
+    def _part(self, symbol: str, node: Node, unit: Unit, label: Words) -> Equation:
+        return Equation(symbol, node, "iteration", unit, label, self.ledger.group)
+
+    def _name(self, base: str, *places: int) -> str:
+        """F_1 of the first group, F_1_2 of the second: as headings have it, F with subscripts."""
+        numbers = [*places, self.ledger.group] if self.ledger.group > 1 else places
+        return ITERATED.format(symbol="_".join((base, *(str(number) for number in numbers))))
+
+    def _unit(self, power: int) -> Unit:
+        length = self.poses.mechanism.length_unit
+        return Unit("number", length + {1: "", 2: "²"}[power])
+
+    # --- the links between the carriers ---------------------------------------------------------------------------
+
+    def _pose(self, binary: Binary) -> None:
+        """Between its pins, or along its line."""
+        poses, assembly = self.poses, binary.assembly
+        first, second = (end.joint for end in binary.ends)
+        if not isinstance(first, str):
+            raise TypeError(f"no pin at the first end: {binary}")
+        p = poses.xy[first]
+        place = poses.place(assembly, first)
+        if isinstance(second, str):
+            q = poses.xy[second]
+            _, line = poses.arm(assembly, first, second)
+            words = phrase("direction_of", what=f"{first}→{second}")
+            name = f"{first}{second}"
+            s_x, s_y = (
+                self.ledger.hoist(
+                    f"s_{axis}_{name}", part, LENGTH, phrase("part_of_way", start=first, end=second, axis=axis)
+                )
+                for axis, part in zip("xy", minus(q, p), strict=True)
+            )
+            phi = self.ledger.direction(f"phi_{name}", s_x, s_y, words)
+            poses.fix(assembly, Angle(phi) - line, place, *p)
+            return
+        guide = self.guides[assembly]
+        x, y = (place - guide.moving).turned(guide.angle)
+        way = minus(minus(p, (guide.x, guide.y)), (x, y))
+        reach = al.add(al.mul(way[0], al.cos(guide.delta)), al.mul(way[1], al.sin(guide.delta)))
+        poses.displacement(guide.symbol, reach if guide.sign > 0 else al.neg(reach))
+        poses.fix(assembly, guide.angle, place, *p)
+
+
+def _given(body: Sequence[Equation], iterated: dict[str, str]) -> tuple[str, ...]:
+    """What the body reads besides itself and the unknowns."""
+    own = {*iterated.values(), *(equation.symbol for equation in body)}
+    found = dict.fromkeys(name for equation in body for name in equation.reads)
+    return tuple(name for name in found if name not in own)
+
+
+def dot_of(way: Vector) -> Node:
+    """|way|^2."""
+    return al.add(al.square(way[0]), al.square(way[1]))
+
+
+def renamed(node: Node, names: dict[str, str]) -> Node:
+    """The expression with some of its symbols under other names."""
+
+    def change(part: Node) -> Node:
+        return Symbol(names[part.name]) if isinstance(part, Symbol) and part.name in names else part
+
+    return transform(node, change)
+
+
+def _reading(equation: Equation, names: dict[str, str]) -> Equation:
+    return replace(
+        equation,
+        expression=renamed(equation.expression, names),
+        exists=tuple(replace(each, margin=renamed(each.margin, names)) for each in equation.exists),
+    )
+
+
+def _of(equations: Sequence[Equation], symbol: str) -> Equation:
+    return next(each for each in equations if each.symbol == symbol)

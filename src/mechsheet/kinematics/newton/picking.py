@@ -1,0 +1,201 @@
+"""Which assembly of a group the sketch means: all of the first position are listed, and the nearest is taken."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from mechsheet.diagnostics import Fault
+from mechsheet.kinematics.equations import System
+from mechsheet.kinematics.ledger import CLOSING, Ledger
+from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of
+from mechsheet.kinematics.newton.carriers import Solution
+from mechsheet.kinematics.newton.starts import assemblies_in
+from mechsheet.kinematics.newton.system import refined
+from mechsheet.kinematics.numeric import Array
+from mechsheet.model import Mechanism, Words
+from mechsheet.units import Unit
+
+NEARLY = 0.05
+"""A sketch is nearer to one assembly than to the next by at least this part of what lies between them."""
+
+LOOKED_AT = 40
+"""Rows looked at for the first that has a position."""
+
+DEAD = 1e-7
+"""Below this sine-like measure of its determinant a position is one where two assemblies meet."""
+
+DEGREES_SHOWN = 3
+DIGITS = 5
+"""Start values have so many decimals [deg], or digits of the size."""
+
+
+class DeadStartError(BetweenModesError):
+    """Two assemblies meet in the first position: Newton's method has no direction there."""
+
+
+def pick_assembly(
+    mechanism: Mechanism,
+    ledger: Ledger,
+    solution: Solution,
+    start: int,
+    dimensions: Mapping[str, float],
+    given: int | None,
+    near: Callable[[float], Mapping[str, float]] | None = None,
+) -> tuple[System, int, bool]:
+    """(the system with its start values, the number of the assembly from 0, whether it was left open).
+
+    start  the group's first column;  given: the assembly's number from 1;  near: the unknowns' values that are meant, at
+    a value of the driver
+    """
+    system = solution.system
+    turning = tuple(_turns(ledger, name) for name in system.variables)
+    size = ledger.number(ledger.tolerance) / CLOSING
+    row, found = _first_position(system, ledger, turning, size)
+    if row is None:
+        raise NeverClosesError(solution.label.en)
+    unit = mechanism.angle_unit
+    starts = tuple(
+        tuple(_rounded(x, turns, size, unit) for x, turns in zip(state, turning, strict=True)) for state in found
+    )
+    system = replace(system, starts=starts, home=float(ledger.values[system.driver][row]), row=row)
+    for name in system.unknowns:
+        ledger.systems[name] = system
+    _refuse_dead(system, ledger, row, found, solution)
+    entries = entries_of(mechanism, ledger, start, dimensions)
+    places: list[list[float]] = []
+    for number in range(1, len(found) + 1):
+        _take(ledger, system, start, number)
+        places.append([float(ledger.values[symbol][row]) for symbol, _, _ in entries])
+    index, is_open = 0, True
+    if given is not None:
+        index, is_open = min(max(given, 1), len(found)) - 1, False
+    elif near is not None:
+        meant = near(system.home)
+        wanted = [meant[name] for name in system.variables]
+        index, is_open = int(np.argmin([_gap(state, wanted, turning, size) for state in found])), False
+    elif entries and len(found) > 1:
+        index, is_open = _nearest(entries, places, solution), False
+    elif entries:
+        is_open = False
+    _take(ledger, system, start, index + 1)
+    return system, index, is_open
+
+
+def words_of(mechanism: Mechanism, system: System, ledger: Ledger) -> tuple[Words, ...]:
+    """What tells each assembly: its unknowns in the first position."""
+    found = []
+    for start in system.starts:
+        parts = []
+        for name, number in zip(system.variables, start, strict=True):
+            turns = _turns(ledger, name)
+            unit = mechanism.angle_unit
+            shown = unit.to_shown(number) if turns else number
+            parts.append(f"{name} = {float(shown):.4g}{unit.text if turns else ''}")
+        text = ", ".join(parts)
+        found.append(Words(text, text))
+    return tuple(found)
+
+
+def _turns(ledger: Ledger, symbol: str) -> bool:
+    return next(each for each in ledger.columns if each.symbol == symbol).unit.kind == "angle"
+
+
+def _rounded(number: float, turns: bool, size: float, unit: Unit) -> float:
+    """As a start cell shows it."""
+    if turns:
+        return float(
+            unit.to_internal(round(float(unit.to_shown(number)), DEGREES_SHOWN if unit.in_degrees else DIGITS))
+        )
+    return round(number, DIGITS - 1 - math.floor(math.log10(size)))
+
+
+def _first_position(
+    system: System, ledger: Ledger, turning: tuple[bool, ...], size: float
+) -> tuple[int | None, list[Array]]:
+    """The first row in which there is an assembly, with all that there are."""
+    rows = min(ledger.following, ledger.rows)
+
+    def there(row: int) -> list[Array]:
+        known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
+        if not all(map(math.isfinite, known.values())):
+            return []
+        return assemblies_in(system, known, turning, size)
+
+    tried = range(0, rows, max(1, math.ceil(rows / LOOKED_AT)))
+    before = -1
+    for row in tried:
+        found = there(row)
+        if found:
+            for earlier in range(before + 1, row):
+                first = there(earlier)
+                if first:
+                    return earlier, first
+            return row, found
+        before = row
+    return None, []
+
+
+def _take(ledger: Ledger, system: System, start: int, number: int) -> None:
+    ledger.set_mode(system.mode, number)
+    ledger.recompute(start)
+
+
+def _refuse_dead(system: System, ledger: Ledger, row: int, found: list[Array], solution: Solution) -> None:
+    """Start values lead to their own assembly, or two assemblies lie so near that they cannot be told apart."""
+    known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
+    reached, _, _ = refined(
+        system, known, [np.array([start[at] for start in system.starts]) for at in range(len(found[0]))]
+    )
+    for index, state in enumerate(found):
+        if np.max(np.abs(np.array([column[index] for column in reached]) - state)) > 1e-6 * max(
+            1.0, np.abs(state).max()
+        ):
+            raise DeadStartError(
+                Fault(
+                    f"two assemblies of {solution.label.en} meet in the first position",
+                    key="driver",
+                    hint="begin the sweep at another value of the driver, or walk it the other way",
+                )
+            )
+
+
+def _gap(state: Array, wanted: list[float], turning: tuple[bool, ...], size: float) -> float:
+    gaps = (
+        math.remainder(one - other, math.tau) if turns else (one - other) / size
+        for one, other, turns in zip(state, wanted, turning, strict=True)
+    )
+    return math.hypot(*gaps)
+
+
+def _nearest(entries: list[tuple[str, float, float]], places: list[list[float]], solution: Solution) -> int:
+    """The assembly nearest to the sketch. BetweenModesError where the next one is as near."""
+    missed = [
+        math.hypot(*(difference(x, wanted, scale) for x, (_, wanted, scale) in zip(place, entries, strict=True)))
+        for place in places
+    ]
+    order = sorted(range(len(places)), key=missed.__getitem__)
+    best, following = order[:2]
+    between = math.hypot(
+        *(difference(x, y, scale) for x, y, (_, _, scale) in zip(places[best], places[following], entries, strict=True))
+    )
+    if missed[following] - missed[best] < NEARLY * between or between == 0:
+        shown = "; ".join(
+            f"{number + 1} is at "
+            + ", ".join(
+                f"{name} = {math.degrees(x) if scale == 0 else x:.4g}"
+                for x, (name, _, scale) in zip(places[number], entries, strict=True)
+            )
+            for number in (best, following)
+        )
+        raise BetweenModesError(
+            Fault(
+                f"the sketch lies between two of the {len(places)} assemblies of {solution.label.en}",
+                key="assembly",
+                hint=f"{shown}: sketch a point nearer to the one that is meant",
+            )
+        )
+    return best

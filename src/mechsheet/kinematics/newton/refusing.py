@@ -1,0 +1,14 @@
+"""Where a closed form is needed and a group has none: the same words everywhere."""
+
+from __future__ import annotations
+
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.equations import Equations
+
+
+def need_closed_form(equations: Equations, what: str, key: str = "", hint: str = "") -> None:
+    """Raise MechanismError where a group is solved by Newton's method; `what` is not written then."""
+    group = next((group for group in equations.groups if group.system is not None), None)
+    if group is not None:
+        message = f"{what}: {group.label.en} have no closed form, each row needs the row above"
+        raise MechanismError(Fault(message, key=key, hint=hint))

@@ -1,0 +1,140 @@
+"""Whether the rows are near enough to each other for Newton's method: held against the same motion in smaller steps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.equations import PASSES, Equations, System
+from mechsheet.kinematics.newton.system import MOST_PASSES
+from mechsheet.kinematics.numeric import Array
+from mechsheet.model import Mechanism
+
+FINER = (2, 4, 8)
+"""Parts into which the steps are divided."""
+
+MOST_ROWS = 4_000
+ALIKE = 1e-6
+TRIED = (PASSES, 8, 10, MOST_PASSES)
+
+Sweep = Callable[[Mechanism, Equations, Array], dict[str, Array]]
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """What rows do with so many passes: which are lost that smaller steps find, which lie elsewhere."""
+
+    lost: Array
+    elsewhere: Array
+
+    @property
+    def fine(self) -> bool:
+        """Whether nothing is amiss."""
+        return not (self.lost.any() or self.elsewhere.any())
+
+
+class Steps:
+    """A mechanism's rows, and the same motion in the smallest steps that are tried."""
+
+    def __init__(self, mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sweep) -> None:
+        self.mechanism, self.equations, self.driver, self.sweep = mechanism, equations, driver, sweep
+        self.unknowns = [name for group in equations.groups if group.system for name in group.system.unknowns]
+        self.parts = max((parts for parts in FINER if parts * len(driver) <= MOST_ROWS), default=1)
+        self.truth = self._at(driver, with_passes(equations, MOST_PASSES), self.parts)
+
+    def _at(self, driver: Array, equations: Equations, parts: int) -> list[Array]:
+        """The unknowns at these values of the driver, followed in steps divided into so many parts."""
+        path = np.interp(np.arange((len(driver) - 1) * parts + 1) / parts, np.arange(len(driver)), driver)
+        rows = replace(self.mechanism.driver, values=tuple(float(value) for value in path), law=None)
+        values = self.sweep(replace(self.mechanism, driver=rows), _finer(equations, parts), path)
+        return [values[name][::parts] for name in self.unknowns]
+
+    def trial(self, equations: Equations, parts: int = 1) -> Trial:
+        """The rows with these equations, in steps divided into so many parts."""
+        lost = np.zeros(len(self.driver), dtype=bool)
+        elsewhere = lost.copy()
+        for true, own in zip(self.truth, self._at(self.driver, equations, parts), strict=True):
+            gap = np.abs(own - true)
+            lost |= np.isnan(own) & ~np.isnan(true)
+            with np.errstate(invalid="ignore"):
+                elsewhere |= (gap > ALIKE * np.maximum(1.0, np.abs(true))) & (
+                    np.abs(gap - math.tau * np.round(gap / math.tau)) > ALIKE
+                )
+        return Trial(lost, elsewhere)
+
+
+def with_passes(equations: Equations, passes: int) -> Equations:
+    """The equations with so many Newton steps a row."""
+    return _with_systems(equations, lambda system: replace(system, passes=passes))
+
+
+def _finer(equations: Equations, parts: int) -> Equations:
+    """The equations over rows of which each step is divided into so many parts."""
+    return _with_systems(equations, lambda system: replace(system, row=system.row * parts))
+
+
+def _with_systems(equations: Equations, change: Callable[[System], System]) -> Equations:
+    groups = (
+        group if group.system is None else replace(group, system=change(group.system)) for group in equations.groups
+    )
+    return replace(equations, groups=tuple(groups))
+
+
+def settled(mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sweep) -> Equations:
+    """The equations with as many passes as the rows need: the description's, else at least `PASSES`.
+
+    Raises MechanismError where a row would be of another assembly, with the largest step that works.
+    """
+    steps = Steps(mechanism, equations, driver, sweep)
+    asked = mechanism.solution.passes
+    best: Equations | None = None
+    fewest = math.inf
+    for passes in TRIED if asked is None else (asked,):
+        own = with_passes(equations, passes)
+        trial = steps.trial(own)
+        if trial.fine:
+            return own
+        amiss = float(trial.lost.sum() + len(driver) * trial.elsewhere.sum())
+        if amiss < fewest:
+            best, fewest, worst = own, amiss, trial
+    if best is None:
+        raise ValueError("no number of passes")
+    if worst.elsewhere.any():
+        row = int(np.argmax(worst.elsewhere))
+        raise MechanismError(_too_far(mechanism, driver, row, working_step(steps, best), "lands on another assembly"))
+    return best
+
+
+def step_doubts(mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sweep) -> list[Fault]:
+    """A warning where smaller steps find positions that the rows lose."""
+    if not any(group.system for group in equations.groups):
+        return []
+    steps = Steps(mechanism, equations, driver, sweep)
+    trial = steps.trial(equations)
+    if not trial.lost.any():
+        return []
+    row = int(np.argmax(trial.lost))
+    return [_too_far(mechanism, driver, row, working_step(steps, equations), "loses the links")]
+
+
+def working_step(steps: Steps, equations: Equations) -> int:
+    """The smallest number of parts of a step with which nothing is amiss; 0 where none of those tried does it."""
+    most = with_passes(equations, MOST_PASSES)
+    return next((parts for parts in FINER if parts <= steps.parts and steps.trial(most, parts).fine), 0)
+
+
+def _too_far(mechanism: Mechanism, driver: Array, row: int, parts: int, what: str) -> Fault:
+    unit = mechanism.driver.unit
+    there, before = float(unit.to_shown(driver[row])), float(unit.to_shown(driver[max(row - 1, 0)]))
+    hint = "take a much smaller step, or end the sweep before"
+    if parts > 1:
+        hint = f"a step of {abs(there - before) / parts:.4g} works"
+    return Fault(
+        f"the step to {mechanism.driver.symbol} = {there:.6g} is too large: Newton's method {what}",
+        key="driver.values" if mechanism.driver.values else "driver.step",
+        hint=hint,
+    )

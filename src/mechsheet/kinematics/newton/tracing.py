@@ -1,0 +1,31 @@
+"""From the position that a sketch shows to the first row: the group followed over the driver's values in between."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.numeric import Array
+
+STEP = math.radians(1.0)
+FEWEST, MOST = 24, 390
+"""Steps between two values of the driver: fewer than the rows that are looked at when a mechanism is solved."""
+
+
+def way(start: float, end: float, turns: bool) -> Array:
+    """Values of the driver from one to another, in small steps."""
+    count = math.ceil(abs(end - start) / STEP) if turns else FEWEST
+    return np.linspace(start, end, min(max(count, FEWEST), MOST) + 1)
+
+
+def cannot_follow(links: str) -> MechanismError:
+    """The mechanism comes apart on the way."""
+    return MechanismError(
+        Fault(
+            f"from the position that the sketch shows {links} cannot be followed to the first one: they come apart between",
+            key="assembly.at",
+            hint="sketch a position of the same stretch, or begin the sweep in it",
+        )
+    )

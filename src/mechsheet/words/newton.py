@@ -1,0 +1,42 @@
+"""Words of groups that Newton's method solves: their sheet, their lines on the first sheet."""
+
+from __future__ import annotations
+
+NEWTON: dict[str, tuple[str, str]] = {
+    "iterations.title": ("Newton's method", "Newton yöntemi"),
+    "iterations.head": ("Solved", "Çözüldü mü"),
+    "iterations.pass": ("group {group}: pass {number}", "{group}. grup: {number}. yineleme"),
+    "iterations.arrived": ("group {group}: arrived, after {number} passes", "{group}. grup: varılan yer, {number} yineleme"),
+    "iterations.start": (
+       "group {group}: start, {number} passes downwards", "{group}. grup: başlangıç, aşağıya {number} yineleme",
+    ),
+    "iterations.starts": ("start values of assembly", "montajın başlangıç değerleri"),
+    "iterations.needed": ("passes needed", "gereken yineleme"),
+    "iterations.about": (
+        "x(k+1) = x(k) - J⁻¹ F: each pass begins where the one before has arrived, each row where the row above has.",
+        "x(k+1) = x(k) - J⁻¹ F: her yineleme öncekinin vardığı yerden, her satır üstündekinden başlar.",
+    ),
+    "notes.newton.system": ("the equations, solved by Newton's method", "denklemler, Newton yöntemi ile çözülür"),
+    "notes.newton.jacobian": ("its determinant is 0 where two assemblies meet", "iki montaj birleşince determinantı 0 olur"),
+    "notes.newton.iteration": ("a fixed number of passes in each row", "her satırda belirli sayıda yineleme"),
+    "notes.newton.assembly": ("an assembly of the first position", "ilk konumun bir montajı"),
+    "newton.start": ("starts at", "başlangıç:"),
+    "newton.nowhere": ("no position there", "orada konum yok"),
+    "verdict.residual": ("residual", "kalan"),
+    "verdict.residual.fine": ("largest residual: the links meet", "en büyük kalan: uzuvlar birleşiyor"),
+    "verdict.passes_needed": ("passes", "yineleme"),
+    "verdict.passes_needed.fine": ("passes needed, of {passes}", "gereken yineleme, {passes} içinden"),
+    "verdict.passes_needed.many": (
+        "all {passes} passes are needed: smaller step", "{passes} yineleme yetmiyor: adımı küçültün",
+    ),
+    "verdict.same_assembly": ("assembly", "montaj"),
+    "verdict.same_assembly.kept": ("the same assembly in every row", "her satırda aynı montaj"),
+    "verdict.same_assembly.lost": ("rows that leap to another assembly", "başka montaja sıçrayan satır"),
+    "verdict.least_det": ("least |det|", "en küçük |det|"),
+    "verdict.least_det.words": ("nearest to where assemblies meet", "montajların birleştiği yere en yakın"),
+    "checks.residual": ("residual, group {number}", "kalan, {number}. grup"),
+    "checks.needed": ("passes needed, group {number}", "gereken yineleme, {number}. grup"),
+    "checks.det": ("|det|, group {number}", "|det|, {number}. grup"),
+    "checks.assembly": ("leap to another assembly", "başka montaja sıçrama"),
+}  # fmt: skip
+"""Key -> English and Turkish."""

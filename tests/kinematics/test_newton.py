@@ -1,0 +1,209 @@
+"""Groups of class III and IV: found, all their assemblies listed, followed as the reference finds them."""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mechsheet import reference
+from mechsheet.description import load, loads
+from mechsheet.diagnostics import MechanismError
+from mechsheet.formula.derivatives import derivative
+from mechsheet.formula.nodes import Symbol, symbols, transform
+from mechsheet.kinematics.newton.cramer import cramer
+from mechsheet.kinematics.numeric import value
+from mechsheet.kinematics.sketched import doubts
+from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.sweep import rough_poses, sweep
+from mechsheet.model import Sketch, Solution
+from random_mechanisms import Grower
+
+TEMPLATES = Path(__file__).parents[2] / "templates"
+
+
+def swept(mechanism, equations=None):
+    equations = equations or solve(mechanism)
+    return equations, sweep(mechanism, equations, driver_values(mechanism, dimension_values(mechanism)))
+
+
+def platform(**changes):
+    mechanism = load(TEMPLATES / "planar-3rpr.toml")
+    return replace(mechanism, driver=replace(mechanism.driver, **changes))
+
+
+@pytest.mark.parametrize(
+    ("leg", "angles"),
+    [
+        (5.0, (-0.7208492, -0.3310052, 1.1436855, 2.1159090)),
+        (7.0, (-0.6731575, -0.3547403, 0.0377668, 0.4588782, 0.9776729, 2.5138528)),
+    ],
+)
+def test_sauer_finds_as_many_assemblies(leg, angles):
+    """T. Sauer, Numerical Analysis, Reality Check 1: the platform's angles [rad]."""
+    mechanism = platform(values=(leg,))
+    found = []
+    for number in range(1, len(angles) + 1):
+        equations, values = swept(mechanism, solve(mechanism, {"mode_1": number}))
+        assert len(equations.groups[0].assemblies) == len(angles)
+        found.append(float(values["theta16"][0]))
+    assert sorted(found) == pytest.approx(angles, abs=5e-8)
+
+
+@pytest.mark.parametrize(("leg", "count"), [(3.6, 0), (3.8, 2), (6.98, 6), (9.0, 2), (9.4, 0)])
+def test_the_number_of_assemblies_changes_with_the_leg(leg, count):
+    mechanism = replace(platform(values=(leg,)), sketch=Sketch())
+    if not count:
+        with pytest.raises(MechanismError, match="cannot be joined"):
+            solve(mechanism)
+        return
+    assert len(solve(mechanism).groups[0].assemblies) == count
+
+
+def test_a_square_platform_has_the_two_positions_of_the_text():
+    """All legs sqrt5: the platform stands at -45 degrees on (1, 2), at 45 degrees on (2, 1)."""
+    text = (TEMPLATES / "planar-3rpr.toml").read_text(encoding="utf-8")
+    five = '{ formula = "sqrt(5)" }'
+    for name, new in (("p1", five), ("p3", five), ("L2", '{ formula = "sqrt(2)" }'), ("L3", '{ formula = "sqrt(2)" }'),
+                      ("x1", "4"), ("y2", "4"), ("gamma", '{ value = 90, unit = "deg" }')):  # fmt: skip
+        old = next(line for line in text.splitlines() if line.startswith(f"{name} ="))
+        text = text.replace(old, f"{name} = {new}")
+    text = text.replace("start = 5\nstop = 7\nstep = 0.2", 'values = ["sqrt(5)"]').replace(
+        "B = [3, 4.6]\nC = [0.6, 3.1]", ""
+    )
+    mechanism = loads(text)
+    found = set()
+    for number in range(1, len(solve(mechanism).groups[0].assemblies) + 1):
+        _, values = swept(mechanism, solve(mechanism, {"mode_1": number}))
+        found.add(tuple(round(float(values[name][0]), 6) for name in ("theta16", "A.x", "A.y")))
+    assert {(round(-math.pi / 4, 6), 1.0, 2.0), (round(math.pi / 4, 6), 2.0, 1.0)} <= found
+
+
+@pytest.mark.parametrize(("name", "kind", "unknowns"), [
+    ("planar-3rpr", "III", 2), ("stephenson-iii-output", "III", 2), ("stephenson-ii-class-iv", "IV", 2),
+    ("double-butterfly", "III", 3),
+])  # fmt: skip
+def test_class_and_fewest_unknowns(name, kind, unknowns):
+    (group,) = solve(load(TEMPLATES / f"{name}.toml")).groups
+    assert (group.kind, len(group.unknowns)) == (kind, unknowns)
+
+
+@pytest.mark.parametrize(("kind", "seed"), [("III", 0), ("III", 17), ("IV", 4)])
+def test_random_groups_are_as_the_reference_finds_them(kind, seed):
+    mechanism = loads(Grower(seed, 1, (kind,)).text(rows=6, step=1.0))
+    equations, values = swept(mechanism)
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes, equations))
+    theirs = reference.variables(solution)
+    there = np.isfinite(values[equations.groups[0].closes])
+    assert there.any()
+    assert not (there & ~solution.exists).any()
+    for name in {name for name in theirs if name in values}:
+        gap = (values[name] - theirs[name])[there]
+        if name.startswith("theta"):
+            gap = gap - math.tau * np.round(gap / math.tau)
+        assert np.abs(gap).max() < 1e-9 * (1.0 if name.startswith("theta") else solution.size), name
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "inverted-slider-crank", "stephenson-iii"])
+def test_dyads_solved_once_more_as_groups(name):
+    """`[solution] force`: the closed form and Newton's method, which share nothing but the sketch."""
+    mechanism = load(TEMPLATES / f"{name}.toml")
+    mechanism = replace(mechanism, driver=replace(mechanism.driver, speed=None), dynamics=None, outputs=(), summaries=(),
+                        charts=(), tables=())  # fmt: skip
+    equations, values = swept(mechanism)
+    forced, found = swept(replace(mechanism, solution=Solution(force=True)))
+    assert all(group.system for group in forced.groups)
+    for equation in equations.columns:
+        if equation.role in ("variable", "point"):
+            ours, theirs = found[equation.symbol], values[equation.symbol]
+            gap = ours - theirs
+            if equation.unit.kind == "angle":
+                gap = gap - math.tau * np.round(gap / math.tau)
+            assert np.nanmax(np.abs(gap)) < 1e-12 * max(1.0, np.nanmax(np.abs(theirs))), equation.symbol
+            assert np.array_equal(np.isnan(ours), np.isnan(theirs)), equation.symbol
+
+
+@pytest.mark.parametrize(("name", "crank"), [("stephenson-iii-output", "theta15")])
+def test_driven_at_the_other_end_it_reads_its_own_rows_backwards(name, crank):
+    """The crank's angle found from the output's: driven by the crank there, the output stands where it was."""
+    _, values = swept(load(TEMPLATES / f"{name}.toml"))
+    original = load(TEMPLATES / "stephenson-iii.toml")
+    _, back = swept(replace(original, driver=replace(original.driver, values=tuple(map(float, values[crank])))))
+    assert np.abs(back["theta16"] - values["theta12"]).max() < 1e-12
+
+
+@pytest.mark.parametrize("name", ["stephenson-ii-class-iv", "double-butterfly"])
+def test_the_jacobian_is_the_derivative(name):
+    """Written by hand, held against the derivative of F by every unknown with all that follows from it."""
+    mechanism = load(TEMPLATES / f"{name}.toml")
+    equations, values = swept(mechanism)
+    (system,) = (group.system for group in equations.groups)
+    rules = {part.symbol: part.expression for part in system.body}
+
+    def written_out(node):
+        while any(name in rules for name in symbols(node)):
+            node = transform(node, lambda part: rules.get(part.name, part) if isinstance(part, Symbol) else part)
+        return node
+
+    for row, name in enumerate(system.equations):
+        whole = written_out(Symbol(name))
+        for column, unknown in enumerate(system.unknowns):
+            exact = value(derivative(whole, unknown), values)
+            assert value(system.jacobian[row][column], values) == pytest.approx(exact, abs=1e-10)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4])
+def test_cramer(count):
+    random = np.random.default_rng(count)
+    matrix, right = random.normal(size=(count, count)), random.normal(size=count)
+    nodes = [[Symbol(f"J{row}{column}") for column in range(count)] for row in range(count)]
+    found = cramer(nodes, [Symbol(f"F{row}") for row in range(count)])
+    known = {f"J{row}{column}": matrix[row, column] for row in range(count) for column in range(count)}
+    known |= {f"F{row}": right[row] for row in range(count)}
+    for name, node in found.minors:
+        known[name] = value(node, known)
+    solved = [value(node, known) / value(found.determinant, known) for node in found.numerators]
+    assert solved == pytest.approx(np.linalg.solve(matrix, right))
+
+
+def test_a_step_that_is_too_large_is_told_with_one_that_works():
+    mechanism = load(TEMPLATES / "double-butterfly.toml")
+    mechanism = replace(mechanism, driver=replace(mechanism.driver, stop=math.radians(145)))
+    (doubt,) = doubts(mechanism, solve(mechanism))
+    assert doubt.key == "driver.step"
+    assert "too large" in doubt.message
+    assert "a step of 0.125 works" in doubt.hint
+
+
+def test_a_sketch_of_another_position_is_followed_to_the_first_row():
+    mechanism = load(TEMPLATES / "stephenson-ii-class-iv.toml")
+    _, values = swept(mechanism)
+    row = 6
+    sketch = Sketch({name: (float(values[f"{name}.x"][row]), float(values[f"{name}.y"][row])) for name in "BDE"}, {},
+                    math.radians(60))  # fmt: skip
+    _, found = swept(replace(mechanism, sketch=sketch))
+    assert found["theta16"] == pytest.approx(values["theta16"], abs=1e-12)
+
+
+def test_a_sketch_between_two_assemblies_is_refused():
+    mechanism = platform()
+    both = [swept(mechanism, solve(mechanism, {"mode_1": number}))[1] for number in (1, 2)]
+    middle = {
+        name: tuple(float(sum(values[f"{name}.{axis}"][0] for values in both)) / 2 for axis in "xy") for name in "ABC"
+    }
+    with pytest.raises(MechanismError, match="between two of the 4 assemblies"):
+        solve(replace(mechanism, sketch=Sketch(middle)))
+
+
+def test_what_needs_a_closed_form_says_so():
+    from mechsheet.compiled import Compiled
+    from mechsheet.exporting import KINDS, Job
+
+    mechanism = platform()
+    with pytest.raises(MechanismError, match="no closed form"):
+        _ = Compiled(replace(mechanism, layout="page")).layout
+    for kind in ("vba", "latex", "markdown"):
+        with pytest.raises(MechanismError, match="no closed form"):
+            KINDS[kind].write(Job(mechanism, "x"))

@@ -1,0 +1,137 @@
+"""A joint between two moving links that is driven inside a loop that moves: solved as a triangle in a moving frame."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from judging import judged
+from mechsheet import reference
+from mechsheet.description import load, loads
+from mechsheet.diagnostics import MechsheetError
+from mechsheet.kinematics.driving import driver_values
+from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.sweep import rough_poses, sweep
+from mechsheet.library import linkage
+
+TEMPLATES = Path(__file__).parent.parent.parent / "templates"
+
+LOADER = """
+format = 1
+[mechanism]
+name = "loader"
+[dimensions]
+a1 = {a1}
+a2 = {a2}
+a3 = {a3}
+a4 = {a4}
+closed = {closed}
+[links.ground]
+points = {{ A0 = [0, 0], B0 = ["a1", 0] }}
+[links.crank]
+points = {{ A0 = [0, 0], A = ["a2", 0], P = [{p}, -8] }}
+[links.coupler]
+points = {{ A = [0, 0], B = ["a3", 0], Q = [{q}, 5] }}
+[links.rocker]
+points = {{ B0 = [0, 0], B = ["a4", 0] }}
+[links.barrel]
+points = {{ P = [0, 0] }}
+[links.rod]
+points = {{ Q = [0, 0] }}
+[[joints]]
+type = "prismatic"
+name = "cylinder"
+link = "rod"
+on = "barrel"
+point = "Q"
+through = ["closed", {aside}]
+symbol = "s"
+[driver]
+joint = "cylinder"
+start = 0
+stop = 30
+step = 5
+speed = 1
+[assembly]
+A = [10, 30]
+P = [14, 8]
+Q = [45, 48]
+B = [60, 50]
+"""
+
+
+def loader(rng):
+    """A random one: the sketch says how crank and coupler stand, the lengths need not fit it."""
+    sizes = {"a1": 70, "a2": 35, "a3": 60, "a4": 56, "closed": 32, "p": 16, "q": 38, "aside": 0}
+    text = {name: round(value * rng.uniform(0.85, 1.15), 3) for name, value in sizes.items()}
+    text["aside"] = rng.choice([0, 0, 3])
+    return loads(LOADER.format(**text))
+
+
+def test_random_cylinders_between_links_that_move():
+    rng = np.random.default_rng(18)
+    closed = 0
+    for _ in range(4):
+        mechanism = loader(rng)
+        try:
+            equations = solve(mechanism)
+        except MechsheetError as error:
+            assert "cannot be joined" in str(error) or "lies between" in str(error)  # lengths that do not fit
+            continue
+        assert [group.kind for group in equations.groups] == ["RRR", "RRR"]
+        if closed < 1:
+            assert judged(replace(mechanism, driver=replace(mechanism.driver, speed=None, acceleration=None))).agrees
+        closed += rates_agree(mechanism, equations)
+    assert closed >= 2
+
+
+def rates_agree(mechanism, equations):
+    """Assert that angular velocities and accelerations are the reference's; whether there is a row to judge."""
+    values = sweep(mechanism, equations, driver_values(mechanism, dimension_values(mechanism)))
+    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes))
+    expected = reference.rates(solution)
+    for number in (2, 3, 4, 5):
+        for name, column in zip(("omega", "alpha"), expected[f"theta1{number}"], strict=True):
+            found, calm = values[f"{name}1{number}"], np.abs(expected[f"theta1{number}"][0]) < 1
+            rows = solution.exists & calm
+            assert np.allclose(found[rows], column[rows], rtol=1e-8, atol=1e-9)
+    return bool(solution.exists.any())
+
+
+@pytest.mark.parametrize("name", ["scissor-lift-between-arms", "stephenson-ii-motor"])
+def test_templates(name):
+    mechanism = load(TEMPLATES / f"{name}.toml")
+    groups = solve(mechanism).groups
+    assert len(groups[1].links) > 4  # pair and dyad have become one link
+    found = linkage.load(TEMPLATES / f"{name}.toml").solve()
+    assert found
+
+
+def test_the_platform_of_the_lift_is_level_and_as_high_as_its_angle_says():
+    found = linkage.load(TEMPLATES / "scissor-lift-between-arms.toml").solve()
+    assert np.max(np.abs(found["theta16"])) < 1e-12
+    assert np.max(np.abs(found["level"])) < 1e-9
+    length = np.hypot(found["K.x"] - found["D.x"], found["K.y"] - found["D.y"])
+    assert np.allclose(length, 290 + found["s"], rtol=0, atol=1e-9)
+    rate = np.gradient(found["W.y"], found["s"], edge_order=2)
+    assert np.allclose(rate[2:-2], found["gain"][2:-2], rtol=5e-3)
+
+
+def test_either_side_of_the_cylinder_as_the_sketch_has_it():
+    """Crank and coupler mirrored at the cylinder: the other assembly, another motion."""
+    sizes = {"a1": 70, "a2": 35, "a3": 60, "a4": 56, "closed": 32, "p": 16, "q": 38, "aside": 0}
+    text = LOADER.format(**sizes)
+    modes = [solve(loads(text.replace("A = [10, 30]", f"A = {place}"))).groups[0].mode_value for place in
+             ("[10, 30]", "[50, 10]")]  # fmt: skip
+    assert modes == [1, -1]
+
+
+def test_forces_are_refused_in_words():
+    text = (TEMPLATES / "scissor-lift-between-arms.toml").read_text(encoding="utf-8")
+    text = text.replace("[links.platform]\n", "[links.platform]\nmass = 100\ncenter = [300, 0]\n")
+    with pytest.raises(MechsheetError, match="forces are not found where a joint between moving links is driven"):
+        from mechsheet.dynamics.solve import solve as solve_forces
+
+        solve_forces(loads(text))
