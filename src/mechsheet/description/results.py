@@ -299,8 +299,8 @@ def _check_pairs(
 
 def _rows_of(driver: Driver, scope: Scope) -> int:
     """Rows of the sweep; 0 where a fault hides them."""
-    if driver.values:
-        return len(driver.values)
+    if driver.values or driver.law is not None:
+        return len(driver.values) if driver.law is None else driver.law.rows
     start, stop, step = (scope.number(part) for part in (driver.start, driver.stop, driver.step))
     steps = (stop - start) / step if step else math.nan
     return math.floor(steps + LANDS) + 1 if math.isfinite(steps) else 0

@@ -155,7 +155,7 @@ class Truth(Search):
         if given:
             raise ValueError(f"unknown inputs: {given}")
         stepped = not (driver.values or self.plan.newton)
-        super().__init__(mechanism, replace(equations, groups=groups), listed, stepped=stepped)
+        super().__init__(mechanism, replace(equations, groups=groups), {driver.symbol: listed}, stepped=stepped)
 
     def value_at(self, symbol, driver_shown, of=None):
         """The quantity at a value of the driver as shown, as the sweep reaches it."""

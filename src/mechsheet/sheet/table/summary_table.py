@@ -15,6 +15,7 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transfo
 from mechsheet.model import Dimension, Quantity, Summary, TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import BESIDE, PROBES, SETTLED, Way, vertex_of
+from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.blocks import input_validation, shown_unit
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
@@ -204,6 +205,8 @@ class Helpers:
         gone on by a turn."""
         if not self.table.probed:
             return None
+        if self.plan.mechanism.driver.law is not None:  # whose rows end in time
+            return self._line("wraps", "0")
         half = self._half_turn()
         near = "ABS(start-end)<half" if half else "TRUE"
         holes: dict[str, Node | float | str] = {"start": self.column.start, "end": self.column.end, "half": half}
@@ -271,7 +274,9 @@ class Helpers:
                 here=here, middle=middle, near=near, last=known[-1][0],
             )  # fmt: skip
             at = self._line("place", "place", place=place)
-            driven = self._line("driven", "_start+(middle-1+at)*_step", middle=middle, at=at)
+            driven = self._line(
+                "driven", "value", value=driver_at(self.plan, formula("middle+at", middle=middle, at=at))
+            )
             found.append(self._probe(driven, middle))
             known.append((at, found[-1]))
         return found
