@@ -20,7 +20,18 @@ ALWAYS = ("adjustable-pump", "fivelink", "four-bar")
 EVERY = 7
 """Of the other templates every so-manieth."""
 
+ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephenson-iii-output")
+"""Templates with groups that Newton's method solves: there are no velocities, pages and functions of these."""
+
+LISTED = ("five-bar-robot",)
+"""Templates whose two drivers are listed row by row: there is nothing between the rows."""
+
 Case = TypeVar("Case", str, Path)
+
+
+def but(cases: Iterable[Case], *names: str) -> list[Case]:
+    """Templates by name or path, without some."""
+    return [case for case in cases if Path(case).stem not in names]
 
 
 def some(cases: Iterable[Case], turn: int, every: int = EVERY) -> list[Case]:
