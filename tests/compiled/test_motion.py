@@ -20,7 +20,7 @@ def shown_in_cells(compiled, symbol):
 
     In other rows the sheet goes on with what does not depend on the group that comes apart; here they are empty.
     """
-    cells = compiled.column(compiled.plan.at.spots[symbol].col)
+    cells = [compiled.value(compiled.plan.at.spots[symbol], row) for row in range(compiled.plan.rows)]
     numbers = np.array([cell if isinstance(cell, float) else math.nan for cell in cells])
     is_driver = symbol == compiled.mechanism.driver.symbol
     return numbers if is_driver else np.where(compiled.exists, numbers, math.nan)

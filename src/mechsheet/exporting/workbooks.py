@@ -137,7 +137,7 @@ class _Work:
         title = next(name for name in (base, f"{base} 2", f"{base} 3") if name.casefold() not in taken)
         calls = {function.key: self.call(function, title) for function in functions if not function.basic}
         listed = functions_sheet(plan, self.source, functions, self.names, calls, title)
-        sheets.insert(TABLES_FROM + len(plan.mechanism.tables), listed)
+        sheets.insert(self.tables_from + len(plan.mechanism.tables), listed)
         modules: tuple[Module, ...] = ()
         if self.form == "basic":
             opening = introduction(self.source, tuple(functions), language)
@@ -145,11 +145,16 @@ class _Work:
         named = named_functions(functions, self.names, self.mode_cell if self.form == "lambda" else None, self.taken)
         return replace(workbook, sheets=tuple(sheets), functions=named, modules=modules)
 
+    @property
+    def tables_from(self) -> int:
+        """Where the sheets of two-way tables begin: behind positions, velocities and forces."""
+        return TABLES_FROM + bool(self.plan.rates) + bool(self.plan.forces)
+
     def tables(self, workbook: Workbook) -> list[tuple[Sheet, TableRequest]]:
         """The sheets of two-way tables that functions can compute."""
         derived = {dim.symbol for dim in self.plan.mechanism.dimensions if dim.derived}
         requests = self.plan.mechanism.tables
-        sheets = workbook.sheets[TABLES_FROM : TABLES_FROM + len(requests)]
+        sheets = workbook.sheets[self.tables_from : self.tables_from + len(requests)]
         return [
             pair for pair in zip(sheets, requests, strict=True)
             if pair[1].column not in derived and not pair[1].of_summary

@@ -87,19 +87,30 @@ def _value_fault(name: str, value: str, file: str) -> Fault | None:
     number = typed_number(value)
     if number is not None and not number.unit and not number.why and float(number.text) in (*range(1, MOST + 1), -1):
         return None  # of a group of more than two assemblies the number of one
-    hint = number.hint if number and number.why and not number.unit else ""
+    return _no_mode(name, value, file, number.hint if number and number.why and not number.unit else "")
+
+
+def _no_mode(name: str, value: str, file: str, hint: str = "") -> Fault:
     return Fault(f"an assembly mode is 1 or -1, not {quoted(value)}", file, key=option_of(f"{name}={value}"), hint=hint)
 
 
 def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: str) -> list[Fault]:
-    """Modes that no group has. Raises MechanismError for what is no mechanism."""
+    """Modes that no group has, and values that a group of two assemblies cannot have. Raises MechanismError for what is no
+    mechanism."""
     from mechsheet.kinematics.solve import solve_unpicked
 
     try:
-        known = [group.mode for group in solve_unpicked(mechanism).groups if group.mode]
+        groups = solve_unpicked(mechanism).groups
     except MechanismError as error:
         raise located(error, mechanism.text, file) from error
-    return [
+    known = [group.mode for group in groups if group.mode]
+    dyads = {group.mode for group in groups if group.system is None}
+    misfits = [
+        _no_mode(name, value, file)
+        for name, value in pairs
+        if name_of(name) in dyads and _value_fault(name, value, file) is None and abs(float(value)) != 1
+    ]
+    return misfits + [
         Fault(
             f"no group of links has the assembly mode {quoted(name)}",
             file,
