@@ -34,7 +34,7 @@ def worst_against_reference(mechanism, found, dimensions=None, modes=None):
     modes = {group.mode: group.mode_value for group in equations.groups if group.mode} | (modes or {})
     start = rough_poses(mechanism, modes)
     solution = reference.solve(mechanism, dimensions, start=start, values=driver)
-    theirs = reference.by_time(solution) | reference.variables(solution)
+    theirs = reference.further(solution) | reference.variables(solution)
     residual, _ = reference.worst(
         reference.residuals(mechanism, solution.dimensions, complete(mechanism, found, theirs))
     )

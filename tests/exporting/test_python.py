@@ -49,7 +49,10 @@ def ran(tmp_path_factory):
     changed = {}
     random = np.random.default_rng(8)
     for name, mechanism in given.items():
-        inputs = {dim.symbol: dim.value for dim in mechanism.dimensions if not dim.derived}
+        named = [
+            dim for dim in mechanism.dimensions if dim.symbol.isidentifier() and dim.symbol != "n"
+        ]  # n: of rows there
+        inputs = {dim.symbol: dim.value for dim in named if not dim.derived}
         changed[name] = {symbol: value * random.uniform(0.99, 1.01) for symbol, value in inputs.items()}
         for stem, changes in ((name, {}), (f"{name}_changed", changed[name])):
             export(mechanism, "python", folder / f"{stem}.py")

@@ -61,7 +61,7 @@ FORCES: dict[str, tuple[str, str]] = {
     "verdict.energy_change.fast": (", fastest at", ", en hızlı:"),
     "verdict.flywheel": ("flywheel", "volan"),
     "verdict.flywheel.words": (
-        "J = ΔE/(fluctuation·ω²), on the driven shaft", "J = ΔE/(dalgalanma·ω²): tahrik miline eklenecek"
+        "J = ΔE/(fluctuation·ω²), on the driven shaft", "J = ΔE/(dalgalanma·ω²): mile eklenecek"
     ),
     "verdict.flywheel.missing": (
         "needs a whole turn at constant speed", "sabit hızda tam bir tur gerekir"

@@ -27,12 +27,13 @@ sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "src")]
 from mechsheet.compiled.evaluation import book_of  # noqa: E402
 from mechsheet.description import load, loads  # noqa: E402
 from mechsheet.diagnostics import MechanismError  # noqa: E402
+from mechsheet.dynamics.solve import solve  # noqa: E402
 from mechsheet.engine import compile_book  # noqa: E402
 from mechsheet.formula.nodes import ErrorValue  # noqa: E402
 from mechsheet.kinematics.numeric import value as number_of  # noqa: E402
 from mechsheet.kinematics.places import number  # noqa: E402
 from mechsheet.kinematics.search import TURN, Search  # noqa: E402
-from mechsheet.kinematics.solve import dimension_values, solve  # noqa: E402
+from mechsheet.kinematics.solve import dimension_values  # noqa: E402
 from mechsheet.sheet import styles  # noqa: E402
 from mechsheet.sheet.checks.geometry import distance  # noqa: E402
 from mechsheet.sheet.layout import lay_out  # noqa: E402
