@@ -38,7 +38,14 @@ A_PASS = 10
 MOVED, LOADED = 2, 1.5
 """And so many times those of Rates and of Forces: velocities have their own checks, forces a column for both efforts."""
 
-LARGE_BESIDE_FEW_ROWS = {"fivelink": 760, "adjustable-pump": 650, "cylinder-boom": 780, "peaucellier": 810}
+LARGE_BESIDE_FEW_ROWS = {
+    "fivelink": 760,
+    "adjustable-pump": 650,
+    "cylinder-boom": 780,
+    "peaucellier": 810,
+    "cardan-gear": 550,
+    "rack-slider": 720,
+}  # wheels are drawn, too
 """Of 19 to 37 rows: what does not grow with the rows (drawing, extremes) is about half."""
 
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}

@@ -118,7 +118,14 @@ def test_turkish_throughout(name):
     own = laid.mechanism
     given = {own.source.tr, *(link.name for link in own.links), *(joint.name for joint in own.joints)}
     given |= {dim.symbol for dim in own.dimensions} | {output.symbol for output in own.outputs}
-    given |= {"mode", "turns", "held", "size", "motor"}  # symbols of equations and words that are the same in both
+    given |= {
+        "mode",
+        "turns",
+        "held",
+        "size",
+        "residual",
+        "motor",
+    }  # symbols of equations and words that are the same in both
     given |= {summary.symbol for summary in own.summaries} | {dim.cell or "" for dim in own.dimensions}
     english = english_words() - {word for text in given for word in re.findall(r"[^\W\d_]{3,}", text.lower())}
     for title, text in texts(laid):
