@@ -7,7 +7,7 @@ import numpy as np
 
 from mechsheet import reference
 from mechsheet.description import load, loads
-from mechsheet.kinematics.solve import solve
+from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses
 from random_mechanisms import Grower
 
@@ -35,6 +35,8 @@ def worst_against_reference(mechanism, found, dimensions=None, modes=None):
     start = rough_poses(mechanism, modes)
     solution = reference.solve(mechanism, dimensions, start=start, values=driver)
     theirs = reference.further(solution) | reference.variables(solution)
+    if equations.efforts:  # the same by virtual work
+        theirs[equations.efforts[1]] = theirs[equations.efforts[0]]
     residual, _ = reference.worst(
         reference.residuals(mechanism, solution.dimensions, complete(mechanism, found, theirs))
     )
@@ -45,7 +47,9 @@ def worst_against_reference(mechanism, found, dimensions=None, modes=None):
         unit = "angle" if symbol == mechanism.driver.symbol else equations.of(symbol).unit.kind
         if symbol != mechanism.driver.symbol and equations.of(symbol).unit.per:
             unit = "rate"
-        if symbol == mechanism.driver.symbol:
+        if symbol != mechanism.driver.symbol and equations.of(symbol).role == "force":
+            gap = gap / max(1.0, float(np.nanmax(np.abs(theirs[symbol]))))
+        elif symbol == mechanism.driver.symbol:
             gap = gap / (1.0 if mechanism.driver.unit.kind == "angle" else solution.size)
         elif unit == "angle":
             gap = np.remainder(gap + math.pi, math.tau) - math.pi
