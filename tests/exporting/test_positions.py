@@ -11,7 +11,7 @@ import pytest
 from exported import TEMPLATES
 from test_drawings import points_of_dxf, points_of_svg
 
-from chosen import ITERATED, but, some
+from chosen import ITERATED, LISTED, but, some
 from mechsheet import reference
 from mechsheet.description import load
 from mechsheet.exporting import Job, dxf, latex, markdown, position, shapes, svg
@@ -24,7 +24,7 @@ from mechsheet.plotting.sampling import sample
 FAST = ("fivelink", "oldham", "adjustable-pump")
 CASES = [
     pytest.param(path, ("en", "tr")[index % 2], id=path.stem, marks=() if path.stem in FAST else pytest.mark.slow)
-    for index, path in enumerate(but(TEMPLATES, *ITERATED))
+    for index, path in enumerate(but(TEMPLATES, *ITERATED, *LISTED))
     if path in some(TEMPLATES, 1) or path.stem in FAST
 ]
 

@@ -54,6 +54,7 @@ SLIDER_CRANK = IN_LINE.replace("step = 15\n", 'step = 15\nspeed = { value = 90, 
 def moving(text):
     """A description with a speed, in the layout that has rates."""
     text = re.sub(r"(?m)^(layout|speed|acceleration) *=.*$", "", text)
+    text = re.sub(r"(?m)^\[flywheel\]\n.*$", "", text)  # it wants a constant speed
     return re.sub(r"(?m)^\[driver\]", f"[driver]\nspeed = {SPEED}\nacceleration = {ACCELERATION}", text)
 
 

@@ -15,7 +15,7 @@ from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, transform
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
-from mechsheet.kinematics.newton.refusing import need_closed_form
+from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
@@ -58,7 +58,7 @@ class Source:
     def __init__(self, compiled: Compiled) -> None:
         self.mechanism = compiled.mechanism
         self.equations = equations = compiled.equations
-        need_closed_form(equations, "a function of one position cannot hold this", "to", "octave and python can")
+        need_one_position(equations, "a function of one position cannot hold this", "to", "octave and python can")
         self.modes = compiled.modes
         lowering = Lowering(compiled)
         self.steps = self._steps(lowering, branches_of(self.mechanism, equations, compiled.values))

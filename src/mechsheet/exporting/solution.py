@@ -18,7 +18,7 @@ from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import Equation, Group
-from mechsheet.kinematics.newton.refusing import need_closed_form
+from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import Words
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words import solution as words
@@ -79,7 +79,7 @@ Block = Heading | Paragraph | Display | Table
 
 def solution(job: Job) -> list[Block]:
     """The document. Raises MechanismError where there is no position."""
-    need_closed_form(job.compiled.equations, "a written solution cannot hold this", "to", "octave and python can")
+    need_one_position(job.compiled.equations, "a written solution cannot hold this", "to", "octave and python can")
     return _Writer(Position(job.mechanism, job.at)).document()
 
 

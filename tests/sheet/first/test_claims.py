@@ -4,7 +4,7 @@ import pytest
 from claims import ROOT, Claims, Sheets, change, judge, random_sheets
 from numpy.random import default_rng
 
-from chosen import LISTED, but
+from chosen import LISTED, LOADED, but
 from mechsheet.description import load, loads
 from mechsheet.sheet.plan import VERDICT_ROW
 from mechsheet.words.workbook import WORDS
@@ -198,7 +198,8 @@ def test_templates(name):
     sheets = Sheets(load(ROOT / f"templates/{name}.toml"))
     right(sheets, {}, name)
     random = default_rng(len(name))
-    nearly_right(sheets, [change(sheets, random) for _ in range(2)], name)
+    left = 2 * LEFT if name in LOADED else LEFT  # at a limit torque and power grow without end
+    nearly_right(sheets, [change(sheets, random) for _ in range(2)], name, left)
 
 
 @pytest.mark.parametrize("seed", range(100, 130))

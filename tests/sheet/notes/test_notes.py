@@ -124,6 +124,7 @@ def test_turkish_throughout(name):
         "held",
         "size",
         "residual",
+        "turn",
         "motor",
     }  # symbols of equations and words that are the same in both
     given |= {summary.symbol for summary in own.summaries} | {dim.cell or "" for dim in own.dimensions}

@@ -12,3 +12,11 @@ def need_closed_form(equations: Equations, what: str, key: str = "", hint: str =
     if group is not None:
         message = f"{what}: {group.label.en} have no closed form, each row needs the row above"
         raise MechanismError(Fault(message, key=key, hint=hint))
+
+
+def need_one_position(equations: Equations, what: str, key: str = "", hint: str = "") -> None:
+    """As `need_closed_form`; the driver's value alone must also say where everything else that is driven stands."""
+    need_closed_form(equations, what, key, hint)
+    for listed in equations.listed:
+        message = f"{what}: the values of {listed.symbol} are listed row by row, they do not follow from the driver"
+        raise MechanismError(Fault(message, key=key, hint=hint))
