@@ -12,7 +12,7 @@ from mechsheet.checking.edits import same
 from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.inserted_rows import moves_between, undone
 from mechsheet.checking.perturb import description_or_fault
-from mechsheet.description.driver import LANDS
+from mechsheet.description.driving.driver import LANDS
 from mechsheet.description.index import Path as Place
 from mechsheet.description.locate import located
 from mechsheet.description.rewrite import number_text, with_number, without_key

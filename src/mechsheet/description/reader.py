@@ -7,20 +7,10 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import (
-    dimensions,
-    driver,
-    drivers,
-    dynamics,
-    exercise,
-    flywheel,
-    force_names,
-    gears,
-    joints,
-    links,
-    rates,
-    results,
-)
+from mechsheet.description import dimensions, exercise, gears, joints, links, results
+from mechsheet.description.driving import driver, drivers, rates
+from mechsheet.description.driving.sweep import with_sweep
+from mechsheet.description.forces import dynamics, flywheel, force_names
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
@@ -31,7 +21,6 @@ from mechsheet.description.scope import words
 from mechsheet.description.shape import fit
 from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.source import Source, parse_as_meant, read_text
-from mechsheet.description.sweep import with_sweep
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Solution, Words
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from mechsheet.description.driver import LANDS
+from mechsheet.description.driving.driver import LANDS
+from mechsheet.description.driving.rates import is_rate
+from mechsheet.description.driving.rates import known as known_rate
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
 from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
-from mechsheet.description.rates import is_rate
-from mechsheet.description.rates import known as known_rate
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words

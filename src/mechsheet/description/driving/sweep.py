@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mechsheet.description.driver import LANDS, check_sweep, kind_and_unit
+from mechsheet.description.driving.driver import LANDS, check_sweep, kind_and_unit
 from mechsheet.description.numbers import typed_number
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD

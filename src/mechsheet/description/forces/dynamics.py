@@ -10,11 +10,11 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
-from mechsheet.description.force_names import CENTER, first_key, keys_of
+from mechsheet.description.driving.rates import check_speed, is_rate
+from mechsheet.description.forces.force_names import CENTER, first_key, keys_of
 from mechsheet.description.index import Path
 from mechsheet.description.links import place as read_place
 from mechsheet.description.quoting import quoted
-from mechsheet.description.rates import check_speed, is_rate
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.formula import algebra as al

@@ -6,8 +6,8 @@ import math
 from dataclasses import replace
 from typing import Any
 
-from mechsheet.description import driver as first_driver
 from mechsheet.description.cells import own_cell
+from mechsheet.description.driving import driver as first_driver
 from mechsheet.description.index import Path
 from mechsheet.description.joints import Ends
 from mechsheet.description.quoting import quoted

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from mechsheet.description import motion_laws
-from mechsheet.description.force_names import OF_MOTION
+from mechsheet.description.driving import motion_laws
+from mechsheet.description.forces.force_names import OF_MOTION
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANY
 from mechsheet.description.quoting import quoted

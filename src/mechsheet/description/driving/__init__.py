@@ -1,0 +1,1 @@
+"""[driver], [[drivers]] and [rates]: what is driven, through which values, how fast and by which law."""

@@ -1,0 +1,1 @@
+"""[dynamics], [[loads]], masses and [flywheel], and the names of all forces."""
