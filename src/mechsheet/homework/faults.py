@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -323,8 +323,3 @@ def many(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> tuple[li
         after = findings(sheet, truth)
         current = {symbol: after.get(symbol, one) for symbol, one in current.items()}
     return mends, sheet, current
-
-
-def symbols_of(mends: Sequence[Mend]) -> set[str]:
-    """All quantities that mends put right."""
-    return {symbol for mend in mends for symbol in mend.rights}
