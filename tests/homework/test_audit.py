@@ -231,3 +231,9 @@ def test_circles_links_and_volatile_functions_are_remarks(tmp_path, mechanism):
     assert verdicts(found) == RIGHT
     assert math.isclose(found.plain, 3)
     assert any("decimal comma" in remark for remark in found.remarks)
+
+
+def test_the_angle_of_a_slider_is_not_asked():
+    """It cannot turn: a student would be asked for a column of zeros, which no audit counts."""
+    mechanism = load(Path(__file__).parents[2] / "templates" / "slider-crank.toml")
+    assert list(asked_of(mechanism).marks) == ["theta13", "s14", "mu"]

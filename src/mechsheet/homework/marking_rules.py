@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from mechsheet.formula.nodes import symbols
+from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
 
 TOLERANCE = 1e-4
@@ -22,11 +24,13 @@ class AskedFor:
 
 
 def asked_of(mechanism: Mechanism) -> AskedFor:
-    """What a description asks for: by default every link angle, displacement and output, a mark each."""
+    """What a description asks for: by default every link angle, displacement and output, a mark each; not the angle of a
+    link that cannot turn, which `audit` would leave out too."""
     exercise = mechanism.exercise
     if exercise is not None:
         rules = exercise.tolerance, exercise.follow_through, exercise.not_live
         return AskedFor(exercise.asked or asked_of(replace(mechanism, exercise=None)).marks, *rules)
     names = [link.angle_symbol for link in mechanism.links[1:]]
     names += [joint.symbol for joint in mechanism.joints] + [output.symbol for output in mechanism.outputs]
-    return AskedFor({name: 1.0 for name in names if name != mechanism.driver.symbol})
+    still = {equation.symbol for equation in solve(mechanism).all if not symbols(equation.expression)}
+    return AskedFor({name: 1.0 for name in names if name != mechanism.driver.symbol and name not in still})
