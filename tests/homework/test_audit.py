@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
@@ -12,6 +13,7 @@ import mechsheet
 from chosen import first
 from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
 from homework.plain_export import plain_book
+from mechsheet import description
 from mechsheet.cli import main
 from mechsheet.homework.audit import FaultFound, audit, audited
 from mechsheet.homework.marking_rules import asked_of
@@ -235,5 +237,5 @@ def test_circles_links_and_volatile_functions_are_remarks(tmp_path, mechanism):
 
 def test_the_angle_of_a_slider_is_not_asked():
     """It cannot turn: a student would be asked for a column of zeros, which no audit counts."""
-    mechanism = load(Path(__file__).parents[2] / "templates" / "slider-crank.toml")
+    mechanism = description.load(Path(__file__).parents[2] / "templates" / "slider-crank.toml")
     assert list(asked_of(mechanism).marks) == ["theta13", "s14", "mu"]
