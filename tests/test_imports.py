@@ -68,6 +68,22 @@ ALLOWED["homework"] = {
     "sheet.workbook",
     "arguments",
 }
+# the page shows what the library builds and what checking says of it
+ALLOWED["drawing_page"] = {
+    "model",
+    "units",
+    "words",
+    "formula",
+    "description",
+    "kinematics",
+    "compiled",
+    "sheet.drawing.outlines",
+    "plotting",
+    "checking",
+    "library",
+    "formats.archive",
+    "arguments",
+}
 PARTS = sorted(ALLOWED)
 FORMATS = {"reading": {"reading"}, "": {"", "reading"}, "xlsx": {"", "reading", "xlsx"}, "ods": {"", "reading", "ods"}}
 """Folder of formats ("" for what lies beside them) -> the folders it may import: the two formats are strangers."""

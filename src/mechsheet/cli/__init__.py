@@ -16,6 +16,7 @@ from .audit import audit
 from .build import build
 from .check import check
 from .common import in_options
+from .draw import draw
 from .exercise import exercise
 from .export import export
 from .mark import mark
@@ -76,5 +77,5 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show, export, schema, pull, audit, exercise, mark):
+for command in (new, draw, build, check, recalc, plot, show, export, schema, pull, audit, exercise, mark):
     main.add_command(command)
