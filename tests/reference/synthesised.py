@@ -19,6 +19,11 @@ from mechsheet.reference.synthesis.guidance import Crank, Pose
 FULL = 2 * math.pi
 
 
+def listed(point: complex) -> str:
+    """A point as a description writes it."""
+    return f"[{point.real!r}, {point.imag!r}]"
+
+
 def four_bar(a1: float, a2: float, a3: float, a4: float, sketch: complex, at: float) -> Mechanism:
     """A four-bar with its ground link on +x; `sketch` is where B roughly is at the crank angle `at`, radians."""
     return mechanism(f"""
@@ -34,7 +39,7 @@ def four_bar(a1: float, a2: float, a3: float, a4: float, sketch: complex, at: fl
             link = "crank"
             values = [{math.degrees(at)!r}]
             [assembly]
-            B = [{sketch.real!r}, {sketch.imag!r}]
+            B = {listed(sketch)}
             """)
 
 
@@ -98,18 +103,18 @@ def guided(cranks: Sequence[Crank], poses: Sequence[Pose], at: int) -> Mechanism
     start = math.atan2((first.moving - first.fixed).imag, (first.moving - first.fixed).real)
     return mechanism(f"""
             [links.ground]
-            points = {{ A0 = [{first.fixed.real!r}, {first.fixed.imag!r}], B0 = [{second.fixed.real!r}, {second.fixed.imag!r}] }}
+            points = {{ A0 = {listed(first.fixed)}, B0 = {listed(second.fixed)} }}
             [links.crank]
             points = {{ A0 = [0, 0], A = [{first.length!r}, 0] }}
             [links.body]
-            points = {{ A = [0, 0], B = [{abs(along)!r}, 0], P = [{body.real!r}, {body.imag!r}] }}
+            points = {{ A = [0, 0], B = [{abs(along)!r}, 0], P = {listed(body)} }}
             [links.other]
             points = {{ B0 = [0, 0], B = [{second.length!r}, 0] }}
             [driver]
             link = "crank"
             values = [{math.degrees(start + turn)!r}]
             [assembly]
-            B = [{sketch.real!r}, {sketch.imag!r}]
+            B = {listed(sketch)}
             """)
 
 

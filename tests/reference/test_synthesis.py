@@ -6,13 +6,13 @@ import tomllib
 
 import numpy as np
 import pytest
-from chosen import first
 from reference_cases import TESTS
-from synthesis_tasks import task
 from synthesised import FULL, apart, four_bar, guided, rests, slider_crank, slotted_lever
 
+from chosen import first
 from mechsheet.reference import solve
 from mechsheet.reference.synthesis import crank_rocker, functions, guidance, quick_return
+from synthesis_tasks import task
 
 SEEDS = first(range(200), 10)
 CASES = {

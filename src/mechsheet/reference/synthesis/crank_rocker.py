@@ -39,6 +39,7 @@ class CrankRocker:
 
     @property
     def exists(self) -> bool:
+        """Whether the task has a solution."""
         return all(map(math.isfinite, (self.a2, self.a3, self.a4)))
 
 
@@ -81,7 +82,7 @@ def in_domain(psi: float, phi: float) -> bool:
 
 
 def least_transmission(a1: float, a2: float, a3: float, a4: float) -> float:
-    """The smallest angle between the lines of coupler and rocker over a crank's turn, radians; NaN where that is not whole."""
+    """The smallest angle between the lines of coupler and rocker over a turn, radians; NaN where the crank has no turn."""
     angles = []
     for diagonal in (abs(a1 - a2), a1 + a2):
         cosine = (a3**2 + a4**2 - diagonal**2) / (2 * a3 * a4)

@@ -36,6 +36,7 @@ class FourBar:
 
     @property
     def exists(self) -> bool:
+        """Whether the task has a solution."""
         return all(map(math.isfinite, (self.a1, self.a2, self.a3, self.a4)))
 
 

@@ -27,10 +27,12 @@ class Crank:
 
     @property
     def length(self) -> float:
+        """Between its pivots."""
         return abs(self.moving - self.fixed)
 
     @property
     def exists(self) -> bool:
+        """Whether the task has a solution."""
         return cmath.isfinite(self.fixed) and cmath.isfinite(self.moving)
 
 
@@ -58,7 +60,7 @@ def seen(poses: Sequence[Pose], point: complex) -> list[complex]:
 
 
 def centre(points: Sequence[complex]) -> complex:
-    """The centre of the circle through three points: equally far from all, two linear equations; NaN for points on a line."""
+    """The centre of the circle through three points, equally far from all, linear; NaN for points on a line."""
     first, second, third = points
     sides = np.array(
         [[second.real - first.real, second.imag - first.imag], [third.real - first.real, third.imag - first.imag]]

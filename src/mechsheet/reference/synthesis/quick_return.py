@@ -24,6 +24,7 @@ class SliderCrank:
 
     @property
     def exists(self) -> bool:
+        """Whether the task has a solution."""
         return all(map(math.isfinite, (self.a2, self.a3, self.c)))
 
 
