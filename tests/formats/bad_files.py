@@ -203,7 +203,6 @@ BAD: dict[str, Bad] = {
     "xls-cell-outside": Bad(".xls", lambda: xls.stream(("S", xls.number(0, 256, 1.0))), "S!IW1: a cell outside the sheet"),
     "xls-not-a-number": Bad(".xls", lambda: xls.stream(("S", xls.number(0, 0, float("nan")))), "S!A1: nan is no number"),
     "xls-short-cell": Bad(".xls", lambda: xls.stream(("S", xls.record(0x203, b"\0\0"))), "a record ends in the middle"),
-    "xls-formula-cut-off": Bad(".xls", lambda: xls.stream(("S", xls.formula(0, 0, b"\x1f\0"))), "a formula that is cut off"),
     "xls-array-of-nothing": Bad(
         ".xls", lambda: xls.stream(("S", xls.array(9, 0, 0, 0, xls.cell(0, 0)))), "an array formula without a proper area"),
     "encrypted": Bad(".xlsx", lambda: ole("EncryptedPackage"), "protected by a password"),

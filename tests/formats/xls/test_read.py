@@ -312,6 +312,9 @@ UNREADABLE = {
     "no such sheets": b"\x5a" + bytes(6),
     "too deep": b"\x1e\1\0" + b"\x13" * 100,
     "array without constants": b"\x20" + bytes(7),
+    "cut off": b"\x1f\0",
+    "no such token": b"\x7f\0",
+    "a label": b"\x18\2" + bytes(4),
     "nothing": b"",
 }
 

@@ -176,6 +176,8 @@ class _Decoding:
             case Token.AREA_OF_SHEET:
                 area = self.area(*struct.unpack_from("<HHHH", code, start + 2))
                 return self.on_sheets(struct.unpack_from("<H", code, start)[0], area)
+        if token == Token.LABEL:
+            raise UnreadableError("the words over a column in place of a reference")
         if token in _LOST:
             return ErrorValue("#REF!")
         raise UnreadableError(f"the token {token:#04x} of a formula is not known here")

@@ -136,26 +136,31 @@ class SheetScan:
         row, col, _ = struct.unpack_from("<HHH", data)
         size = struct.unpack_from("<H", data, 20)[0]
         code, extra = data[22 : 22 + size], data[22 + size :]
-        if len(code) < size:
-            raise DamagedError("a formula that is cut off")
         if not self.inside(row, col):
             return
         self.last = row, col
         value = _stored(data[6:14])
         if value is not None:
             self.sheet.cached.put(row, col, value)
-        if code[:1] == bytes([Token.CELL_OF_FORMULA]) and size >= 5:
+        if code[:1] == bytes([Token.CELL_OF_FORMULA]):
             self.master = struct.unpack_from("<HH", code, 1)
             self.members.append((row, col, self.master))
-        elif code[:1] != bytes([Token.TABLE]):
-            self.columns.setdefault(col, []).append((row, (normal(code, row, col), extra)))
-        else:
+        elif code[:1] == bytes([Token.TABLE]):
             self.sheet.keep([(row, col, 1, 1)])
+        else:
+            self.columns.setdefault(col, []).append((row, (self.normal(code, row, col), extra)))
+
+    def normal(self, code: bytes, row: int, col: int) -> bytes:
+        """The tokens as fill-down leaves them equal; as they are where they cannot be read, which is told when they are."""
+        try:
+            return normal(code, row, col)
+        except DamagedError:
+            return code
 
     def shared_formula(self, data: bytes) -> None:
         """The formula of many cells, which each of them names by one of them."""
         top, _, left, _, _, size = struct.unpack_from("<HHBBHH", data)
-        key = normal(data[10 : 10 + size], top, left), data[10 + size :]
+        key = self.normal(data[10 : 10 + size], top, left), data[10 + size :]
         self.shared[(top, left)] = key
         self.shared[self.master] = key
 
@@ -163,7 +168,7 @@ class SheetScan:
         """An array formula over an area."""
         top, bottom, left, right = struct.unpack_from("<HHBB", data)
         size = struct.unpack_from("<H", data, 12)[0]
-        code = normal(data[14 : 14 + size], top, left)
+        code = self.normal(data[14 : 14 + size], top, left)
         self.shared.pop((top, left), None)
         self.arrays.append(((top, left, bottom - top + 1, right - left + 1), code, data[14 + size :]))
 
