@@ -60,7 +60,8 @@ UNARY = {0x12: "+", 0x13: "-", 0x14: "%"}
 
 _SIZES = {
     **dict.fromkeys((*BINARY, *UNARY, Token.PARENTHESES, Token.MISSING), 0),
-    Token.CELL_OF_FORMULA: 4, Token.LABEL: 5, Token.TABLE: 4, Token.ERROR: 1, Token.BOOLEAN: 1, Token.INTEGER: 2, Token.NUMBER: 8,
+    Token.CELL_OF_FORMULA: 4, Token.TABLE: 4, Token.LABEL: 5, Token.ERROR: 1, Token.BOOLEAN: 1, Token.INTEGER: 2,
+    Token.NUMBER: 8,
     Token.ARRAY: 7, Token.FUNCTION: 2, Token.FUNCTION_OF_MANY: 3, Token.NAME: 4, Token.CELL: 4, Token.AREA: 8,
     Token.MEMORY_AREA: 6, Token.MEMORY_ERROR: 6, Token.MEMORY_NONE: 6, Token.MEMORY_FUNCTION: 2,
     Token.CELL_LOST: 4, Token.AREA_LOST: 8, Token.CELL_AWAY: 4, Token.AREA_AWAY: 8, Token.NAME_ELSEWHERE: 6,
