@@ -17,8 +17,6 @@ from mechsheet.drawing_page.questions import Refusal, number_in, places_in, text
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.formats.archive import replace_file
 
-__all__ = ["Refusal", "Studio"]
-
 UNTITLED = "mechanism.toml"
 EMPTY = """format = 1
 

@@ -14,7 +14,7 @@ import numpy as np
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.motion import SHOWN_ROLES
 from mechsheet.description.parts import Parts
-from mechsheet.drawing_page.positions import Point, drawn_pose, drawn_positions, line_of, local_places
+from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_places
 from mechsheet.drawing_page.reading import Reading, fault_entry
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.numeric import Array, value
@@ -162,7 +162,8 @@ def _undrawn(reading: Reading, parts: Parts) -> list[str]:
 def _standing(parts: Parts, held: Mapping[str, Point]) -> dict[str, Any]:
     """One position, as drawn."""
     places = drawn_positions(parts, held)
-    lines = {joint.name: _standing_line(joint, parts, places) for joint in parts.joints}
+    poses = drawn_poses(parts, places)
+    lines = {joint.name: _standing_line(joint, poses, parts, places) for joint in parts.joints}
     return {
         "frames": {
             "driver": [0.0],
@@ -177,13 +178,12 @@ def _standing(parts: Parts, held: Mapping[str, Point]) -> dict[str, Any]:
     }
 
 
-def _standing_line(joint: Joint, parts: Parts, places: Mapping[str, Point]) -> list[list[float]] | None:
+def _standing_line(
+    joint: Joint, poses: Mapping[str, Pose], parts: Parts, places: Mapping[str, Point]
+) -> list[list[float]] | None:
     """The guide of a sliding joint: a point of it, and its direction [rad]."""
-    on = parts.link(joint.on)
-    if on is None:
-        return None
     try:
-        place, direction = line_of(joint, drawn_pose(on, parts, places), parts.numbers)
+        place, direction = line_of(joint, poses[joint.on], parts.numbers)
         x, y = places[str(joint.through)] if place is None else place
     except (KeyError, ArithmeticError, ValueError):
         return None

@@ -23,7 +23,9 @@ from wsgiref.simple_server import WSGIRequestHandler, WSGIServer, make_server
 import bottle
 
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.drawing_page.answers import Refusal, Studio
+from mechsheet.drawing_page.answers import Studio
+from mechsheet.drawing_page.questions import Impossible, Refusal
+from mechsheet.words.drawing_page import DRAWING_PAGE
 
 ADDRESS = "127.0.0.1"
 LARGEST_QUESTION = 4_000_000
@@ -167,8 +169,6 @@ class DrawingServer:
             bottle.response.set_header(header, text)
 
     def _words(self) -> str:
-        from mechsheet.words.drawing_page import DRAWING_PAGE
-
         self._headers(KINDS["js"])
         found = {
             language: {key: pair[n] for key, pair in DRAWING_PAGE.items()} for n, language in enumerate(("en", "tr"))
@@ -199,6 +199,8 @@ class DrawingServer:
             answer = self.studio.answer(name, question)
         except MechsheetError as error:  # a user's mistake is an answer like any other
             answer = {"errors": [str(fault) for fault in error.faults]}
+        except Impossible as error:
+            answer = {"errors": [error.text(str(question.get("language")))]}
         except Refusal as refusal:
             bottle.response.status = refusal.status
             answer = {"errors": [str(refusal)]}

@@ -9,14 +9,26 @@ from typing import TypeAlias
 
 import numpy as np
 
+from mechsheet.description.numbers import typed_number
 from mechsheet.description.overrides import with_values
 from mechsheet.description.parts import Parts
+from mechsheet.description.quoting import quoted
 from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
+from mechsheet.description.rewrite_tables import with_last_key
 from mechsheet.description.source import Source
-from mechsheet.diagnostics import DescriptionError, MechsheetError
+from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError
 from mechsheet.drawing_page.fitting import Fit, fitted
 from mechsheet.drawing_page.looking import shown_value, values_at
-from mechsheet.drawing_page.positions import Point, Pose, drawn_pose, drawn_positions, line_of, local_places, turned
+from mechsheet.drawing_page.positions import (
+    Point,
+    Pose,
+    drawn_pose,
+    drawn_poses,
+    drawn_positions,
+    line_of,
+    local_places,
+    turned,
+)
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.kinematics.places import number
 from mechsheet.library.modes_from_sketch import with_modes
@@ -49,7 +61,7 @@ def drawn_now(reading: Reading, at: float | None, held: Mapping[str, Point]) -> 
     places = drawn_positions(parts, held)
     compiled = reading.compiled
     if compiled is None:
-        return Drawn(places, {link.name: drawn_pose(link, parts, places) for link in parts.links}, at)
+        return Drawn(places, drawn_poses(parts, places), at)
     shown = shown_value(compiled, at)
     values = values_at(compiled, np.array([shown]))
     for point in places:
@@ -203,7 +215,7 @@ def with_sketched(source: Source, point: str, place: Point, digits: int) -> Sour
             if _plain(source.text[spot.start : spot.end]) != value:
                 source = with_number(source, path, value)
         return source
-    return with_value(source, ("assembly", point), f"[{number_text(x)}, {number_text(y)}]")
+    return with_last_key(source, ("assembly",), point, f"[{number_text(x)}, {number_text(y)}]")
 
 
 def _without_old_angle(source: Source, symbol: str, places: Mapping[str, Point], digits: int) -> Source:
@@ -239,6 +251,17 @@ def _with_at(source: Source, reading: Reading, parts: Parts, at: float | None) -
     return with_number(source, ("assembly", "at"), at)
 
 
+SWEEP = {f"driver.{key}": key for key in ("start", "stop", "step")}
+
+
+def _swept(source: Source, key: str, value: str) -> str:
+    """The text with a number of the driver's sweep. Raises DescriptionError for what is no number."""
+    number = typed_number(value)
+    if number is None or number.unit:
+        raise DescriptionError(Fault(f"{quoted(value)} is no number", source.file, key=f"driver.{key}"))
+    return with_value(source, ("driver", key), number.text).text
+
+
 # --- numbers that were typed -----------------------------------------------------------------------------------------
 
 
@@ -250,6 +273,8 @@ def typed(reading: Reading, name: str, value: str) -> str:
     source = reading.source
     if source is None:
         return reading.text
+    if name in SWEEP:
+        return _swept(source, SWEEP[name], value)
     new, faults = with_values(source, {name: value})
     if faults:
         raise DescriptionError(faults)

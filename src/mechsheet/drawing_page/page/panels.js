@@ -149,7 +149,7 @@ function drawFaults() {
     const item = document.createElement("li");
     const button = document.createElement("button");
     const where = fault.line ? `${word("line")} ${fault.line}: ` : "";
-    button.append(`${where}${fault.message}`);
+    button.append(`${where}${fault.key ? `${fault.key}: ` : ""}${fault.message}`);
     if (fault.hint) {
       const hint = document.createElement("small");
       hint.textContent = fault.hint;
