@@ -1,7 +1,6 @@
 """Whole tables of a description's text, written and taken away: a link more, a joint less; all else stays as it is.
 
-Where a new table goes: behind the last of its kind ([links.rocker] behind [links.coupler]), else in the manual's order. Comments that
-stand directly above a heading belong to it.
+A new table goes behind the last of its kind ([links.rocker] behind [links.coupler]), else where the manual's order has it.
 """
 
 from __future__ import annotations

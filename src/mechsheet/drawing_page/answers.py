@@ -46,6 +46,8 @@ class Studio:
             "look": self._look,
             "edit": self._edit,
             "save": self._save,
+            "file": self._give,
+            "check": self._check,
             "template": self._template,
         }
         self._saving = threading.Lock()
@@ -125,6 +127,23 @@ class Studio:
         text, at = edited(reading, order, number_in(question, "at"), places_in(question, "places"))
         new = read(text, self._name(), question.get("language")) if text != reading.text else reading
         return {"text": text, "look": look(new, at, places_in(question, "places"))}
+
+    # --- what comes of it ----------------------------------------------------------------------------------------------
+
+    def _give(self, question: dict[str, Any]) -> bytes:
+        from mechsheet.drawing_page.files import file_of
+
+        kind, at = text_in(question, "kind"), number_in(question, "at")
+        return file_of(text_in(question, "text"), self._name(), kind, at, *self._wanted(question))
+
+    def _check(self, question: dict[str, Any]) -> dict[str, Any]:
+        from mechsheet.drawing_page.files import checked
+
+        return {"lines": checked(text_in(question, "text"), self._name(), *self._wanted(question))}
+
+    def _wanted(self, question: dict[str, Any]) -> tuple[str, str]:
+        """Layout and language of a workbook."""
+        return text_in(question, "layout", ""), text_in(question, "language", "")
 
 
 def _stem(path: Path | None) -> str:

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.motion import SHOWN_ROLES
@@ -31,6 +32,9 @@ FRAMES = 180
 
 DIGITS = 7
 """Of the largest length: places are shown on a screen."""
+
+HALVINGS = 24
+"""Of the stretch between two positions, to find a limit."""
 
 ALIKE = 1e-9
 """Driver values nearer than this part of the sweep are one position."""
@@ -266,8 +270,24 @@ def _moving(compiled: Compiled, at: float | None) -> dict[str, Any]:
             "rows": rows,
         },
         "at": shown,
+        "limits": [round(unit.to_shown(each), 6) for each in _limits(compiled, driver, np.array(why) == 0)],
         "curves": _curves(mechanism, equations.columns, values, len(driver)),
     }
+
+
+def _limits(compiled: Compiled, driver: Array, closes: NDArray[np.bool_]) -> list[float]:
+    """Driver values at which it begins or stops closing, by halving between two positions; of a sweep that steps."""
+    changes = np.flatnonzero(closes[1:] != closes[:-1])
+    groups = compiled.equations.groups
+    if not len(changes) or not compiled.mechanism.driver.stepped or any(group.system for group in groups):
+        return []
+    low, high, state = driver[changes], driver[changes + 1], closes[changes]
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        values = sweep(compiled.mechanism, compiled.equations, middle)
+        there = np.logical_and.reduce([np.isfinite(values[group.closes]) for group in groups])
+        low, high = np.where(there == state, middle, low), np.where(there == state, high, middle)
+    return [float(each) for each in np.where(state, low, high)]
 
 
 def _rounded(number: float, digits: int) -> float:

@@ -124,20 +124,29 @@ function drawState() {
   if (look && !look.readable) text = word("state.broken");
   else if (look?.solved && reason?.text) text = `${word("state.here")} ${reason.text}`;
   else if (look?.solved && closed === all) text = word("state.all");
-  else if (look?.solved) text = `${word("state.some")} ${stretches(look.frames)}`;
+  else if (look?.solved) {
+    const missing = look.frames.reasons.slice(1).map((each) => each.text).join("; ");
+    text = `${word("state.some")} ${stretches(look.frames)} (${missing})`;
+  }
   else if (look?.links?.length) text = word("state.unfinished");
   verdict.textContent = text;
   verdict.className = reason?.text || (look && !look.readable) ? "wrong" : "";
 }
 
-/** Where it closes: from … to … */
+/** Where it closes: from … to …; between two positions the limit is known better than by them. */
 function stretches({ driver, why }) {
+  const limits = state.look.limits ?? [];
+  const [first, last] = [Math.min(driver[0], driver[driver.length - 1]), Math.max(driver[0], driver[driver.length - 1])];
+  const near = (n, beside) => {
+    const [a, b] = [driver[n], driver[beside] ?? driver[n]];
+    return limits.find((limit) => limit >= Math.min(a, b) && limit <= Math.max(a, b) && limit >= first && limit <= last) ?? a;
+  };
   const found = [];
   for (let n = 0; n < why.length; n++) {
     if (why[n]) continue;
     let end = n;
     while (end + 1 < why.length && !why[end + 1]) end++;
-    found.push(`${shown(driver[n], 4)}…${shown(driver[end], 4)}${state.look.driver?.unit ?? ""}`);
+    found.push(`${shown(near(n, n - 1), 5)}…${shown(near(end, end + 1), 5)}${state.look.driver?.unit ?? ""}`);
     n = end;
   }
   return found.slice(0, 4).join(", ");
