@@ -178,6 +178,10 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "state.some": ("It can be joined only from", "Yalnız şu aralıkta kapanıyor:"),
     "state.here": ("Not here:", "Burada değil:"),
     "state.unfinished": ("It cannot move yet:", "Henüz hareket edemez:"),
+    "state.undriven": (
+        "Nothing is driven yet: choose Driver (D).",
+        "Henüz tahrik edilen bir şey yok: Tahrik (D) seçin.",
+    ),
     "state.broken": (
         "The text cannot be read; the drawing is as it was before.",
         "Metin okunamıyor; çizim önceki gibi duruyor.",

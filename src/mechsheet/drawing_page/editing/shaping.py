@@ -33,7 +33,7 @@ from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.kinematics.places import number
 from mechsheet.library.modes_from_sketch import with_modes
 
-DIGITS = 4
+DIGITS = 5
 """Of the mechanism's size: a dragged length is rounded to so many."""
 
 OFF = 0.02
@@ -186,12 +186,14 @@ def as_drawn(source: Source, reading: Reading, drawn: Drawn, points: tuple[str, 
         return source
     digits = max(0, digits_for(size_of(places)) - 1)
     fixed = parts.links[0].points if parts.links else {}
+    told = _with_at(source, reading, parts, drawn.at)
+    moved_on = told is not source  # the sketch shows another driver value now, and all else of it must follow
+    source = told
     for point in parts.sketch.points:
-        if point in places and point not in fixed:
+        if point in places and point not in fixed and (moved_on or point in points):
             source = with_sketched(source, point, places[point], digits)
-    for symbol in parts.sketch.symbols:
+    for symbol in parts.sketch.symbols if moved_on else ():
         source = _without_old_angle(source, symbol, places, digits)
-    source = _with_at(source, reading, parts, drawn.at)
     new = read(source.text, source.file)
     if new.compiled is None:
         return source

@@ -128,7 +128,7 @@ function drawState() {
     const missing = look.frames.reasons.slice(1).map((each) => each.text).join("; ");
     text = `${word("state.some")} ${stretches(look.frames)} (${missing})`;
   }
-  else if (look?.links?.length) text = word("state.unfinished");
+  else if ((look?.links ?? []).length > 1) text = word("state.unfinished");
   verdict.textContent = text;
   verdict.className = reason?.text || (look && !look.readable) ? "wrong" : "";
 }
@@ -152,13 +152,21 @@ function stretches({ driver, why }) {
   return found.slice(0, 4).join(", ");
 }
 
+/** What is to be told: of a sheet that is still empty nothing is wrong. */
+function told() {
+  const look = state.look;
+  return !look || (look.readable && (look.links ?? []).length < 2) ? [] : look.faults;
+}
+
+const undriven = (fault) => fault.key === "driver" && !fault.line;
+
 function drawFaults() {
   faults.replaceChildren();
-  for (const fault of (state.look?.faults ?? []).slice(0, 12)) {
+  for (const fault of told().slice(0, 12)) {
     const item = document.createElement("li");
     const button = document.createElement("button");
     const where = fault.line ? `${word("line")} ${fault.line}: ` : "";
-    button.append(`${where}${fault.key ? `${fault.key}: ` : ""}${fault.message}`);
+    button.append(undriven(fault) ? word("state.undriven") : `${where}${fault.key ? `${fault.key}: ` : ""}${fault.message}`);
     if (fault.hint) {
       const hint = document.createElement("small");
       hint.textContent = fault.hint;
@@ -268,7 +276,7 @@ const moveCursors = () => cursors.forEach((each) => each());
 
 const workbook = document.getElementById("workbook");
 const wanted = { layout: "", language: "" };
-const FILES = [["xlsx", "ods"], ["svg", "png", "gif"], ["toml"]];
+const FILES = [["xlsx", "ods"], ["svg", "png", "gif", "toml"]];
 
 function drawWorkbook() {
   workbook.replaceChildren();
