@@ -61,8 +61,13 @@ def test_nothing_is_taken_out_where_nothing_stands():
 
 
 @pytest.mark.parametrize(
-    ("table", "there"), [(("dimensions",), "a2 = 30  # crank\nb = 1\n"), (("assembly",), "A = [20, 20]\nb = 1\n"), (("workbook",), "[workbook]\nb = 1\n")]
-)  # fmt: skip
+    ("table", "there"),
+    [
+        (("dimensions",), "a2 = 30  # crank\nb = 1\n"),
+        (("assembly",), "A = [20, 20]\nb = 1\n"),
+        (("workbook",), "[workbook]\nb = 1\n"),
+    ],
+)
 def test_a_new_key_stands_last(table, there):
     assert there in with_last_key(parse(TEXT, "x"), table, "b", "1").text
 

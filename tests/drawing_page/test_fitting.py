@@ -35,7 +35,11 @@ def dragged(path, point, by):
     return math.dist(after[point], to) / size, others / size, text, new
 
 
-CASES = [(path, point) for path in but(TEMPLATES, *SHARED, *TIED) for point in drawn_now(read(path.read_text(encoding="utf-8"), path.name), None, {}).places]  # fmt: skip
+def points_of(path):
+    return list(drawn_now(read(path.read_text(encoding="utf-8"), path.name), None, {}).places)
+
+
+CASES = [(path, point) for path in but(TEMPLATES, *SHARED, *TIED) for point in points_of(path)]
 
 
 @pytest.mark.parametrize(("path", "point"), part(CASES, 9), ids=lambda part: getattr(part, "stem", part))
@@ -49,8 +53,7 @@ def test_a_dragged_point_lies_where_it_was_dragged(path, point):
 @pytest.mark.parametrize("name", [*SHARED, *TIED])
 def test_where_dimensions_are_shared_it_can_still_be_solved(name):
     path = TEMPLATES[0].with_stem(name)
-    point = list(drawn_now(read(path.read_text(encoding="utf-8"), path.name), None, {}).places)[-1]
-    off, _, _, _ = dragged(path, point, (0.02, 0.01))
+    off, _, _, _ = dragged(path, points_of(path)[-1], (0.02, 0.01))
     assert off < 0.1
 
 

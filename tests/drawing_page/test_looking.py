@@ -18,7 +18,7 @@ FOUR_BAR = next(path for path in TEMPLATES if path.stem == "four-bar")
 
 
 def looked(text, at=None, held=None, language="en"):
-    return look(read(text, "mine.toml", language), at, held or {})
+    return look(read(text, "mine.toml"), at, held or {}, language)
 
 
 @pytest.mark.parametrize("path", some(TEMPLATES, 2), ids=lambda path: path.stem)

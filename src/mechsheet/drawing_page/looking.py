@@ -25,7 +25,7 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Mechanism
 from mechsheet.sheet.drawing.outlines import corners, direction_of, through_of
 from mechsheet.words.equations import link_words
-from mechsheet.words.workbook import words
+from mechsheet.words.workbook import Language, words
 
 FRAMES = 180
 """Positions of an animation, about: between the rows of a sweep that steps there are further ones."""
@@ -40,7 +40,7 @@ ALIKE = 1e-9
 """Driver values nearer than this part of the sweep are one position."""
 
 
-def look(reading: Reading, at: float | None, held: Mapping[str, Point]) -> dict[str, Any]:
+def look(reading: Reading, at: float | None, held: Mapping[str, Point], language: Language = "en") -> dict[str, Any]:
     """The answer to a text.
 
     at    the driver value that the page shows, in the driver's unit;  held: where it shows the points now
@@ -54,20 +54,19 @@ def look(reading: Reading, at: float | None, held: Mapping[str, Point]) -> dict[
     }
     if parts is None:
         return answer
-    answer |= _described(parts, reading)
-    answer |= _moving(reading.compiled, at) if reading.compiled is not None else _standing(parts, held)
+    answer |= _described(parts, reading, language)
+    answer |= _moving(reading.compiled, at, language) if reading.compiled is not None else _standing(parts, held)
     return answer
 
 
 # --- what is there ---------------------------------------------------------------------------------------------------
 
 
-def _described(parts: Parts, reading: Reading) -> dict[str, Any]:
+def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, Any]:
     mechanism = reading.compiled.mechanism if reading.compiled is not None else None
     head = reading.source.data.get("mechanism") if reading.source is not None else None
     head = head if isinstance(head, dict) else {}
     name = head.get("name")
-    language = mechanism.language if mechanism is not None else "en"
     return {
         "name": name if isinstance(name, str) else "",
         "title": mechanism.title.of(language) if mechanism is not None else "",
@@ -243,7 +242,7 @@ def values_at(compiled: Compiled, driver: Array) -> dict[str, Array]:
     return sweep(compiled.mechanism, compiled.equations, driver)
 
 
-def _moving(compiled: Compiled, at: float | None) -> dict[str, Any]:
+def _moving(compiled: Compiled, at: float | None, language: Language) -> dict[str, Any]:
     """All positions of the sweep."""
     mechanism, equations = compiled.mechanism, compiled.equations
     driver, rows, shown = driver_places(compiled, at)
@@ -258,7 +257,7 @@ def _moving(compiled: Compiled, at: float | None) -> dict[str, Any]:
         else [_column(values[f"{name}.{axis}"], digits) for axis in "xy"]
         for name in names
     }
-    why, reasons = _why(compiled, values, len(driver))
+    why, reasons = _why(compiled, values, len(driver), language)
     unit = mechanism.driver.unit
     return {
         "frames": {
@@ -271,7 +270,7 @@ def _moving(compiled: Compiled, at: float | None) -> dict[str, Any]:
         },
         "at": shown,
         "limits": [round(unit.to_shown(each), 6) for each in _limits(compiled, driver, np.array(why) == 0)],
-        "curves": _curves(mechanism, equations.columns, values, len(driver)),
+        "curves": _curves(mechanism, equations.columns, values, language),
     }
 
 
@@ -310,9 +309,10 @@ def _line(mechanism: Mechanism, joint: Joint, values: Mapping[str, Array], digit
     return [column(x, digits), column(y, digits), column(direction_of(mechanism, joint), DIGITS)]
 
 
-def _why(compiled: Compiled, values: Mapping[str, Array], count: int) -> tuple[list[int], list[dict[str, Any]]]:
+def _why(
+    compiled: Compiled, values: Mapping[str, Array], count: int, language: Language
+) -> tuple[list[int], list[dict[str, Any]]]:
     """Of every position the reason (an index) why there is none, 0 where there is one; and the reasons in words."""
-    language = compiled.mechanism.language
     found = np.zeros(count, int)
     reasons: list[dict[str, Any]] = [{"text": "", "links": []}]
     for group in compiled.equations.groups:
@@ -331,9 +331,12 @@ def _why(compiled: Compiled, values: Mapping[str, Array], count: int) -> tuple[l
     return found.tolist(), reasons
 
 
-def _curves(mechanism: Mechanism, columns: Any, values: Mapping[str, Array], count: int) -> list[dict[str, Any]]:
+def _curves(
+    mechanism: Mechanism, columns: Any, values: Mapping[str, Array], language: Language
+) -> list[dict[str, Any]]:
     """Variables and outputs over the driver, and rates where there are any, with their units."""
     found = []
+    count = len(values[mechanism.driver.symbol])
     for equation in columns:
         if equation.role not in SHOWN_ROLES or equation.role == "point" or equation.symbol == mechanism.driver.symbol:
             continue
@@ -346,7 +349,7 @@ def _curves(mechanism: Mechanism, columns: Any, values: Mapping[str, Array], cou
             {
                 "symbol": equation.symbol,
                 "unit": unit.text,
-                "label": equation.label.of(mechanism.language),
+                "label": equation.label.of(language),
                 "role": equation.role,
                 "values": [float(f"{each:.7g}") if math.isfinite(each) else None for each in shown.tolist()],
             }

@@ -3,7 +3,7 @@
 It listens on 127.0.0.1 alone, and every address begins with a token that nobody can guess. Another page in the same browser
 could still send requests to this port, by its number or by a name of its own that leads to 127.0.0.1 (DNS rebinding): so a
 request is answered only where `Host` is this server's own address and `Origin` and `Sec-Fetch-Site`, where a browser sends
-them, say that it comes from this page. Nothing is remembered of a mechanism between two requests.
+them, say that it comes from this page. No answer depends on the one before.
 
 Bottle finds the answer to an address; the standard library's server, a thread for each request, does the rest.
 """

@@ -206,8 +206,13 @@ def test_orders_that_make_no_sense_are_refused(order):
 
 @pytest.mark.parametrize(
     ("name", "value", "there"),
-    [("a2", "40", "a2 = { value = 40,"), ("a2", "20+5", "a2 = { value = 25"), ("driver.step", "7,5", "step = 7.5"), ("gamma3", "30", "gamma3 = { value = 30,")],
-)  # fmt: skip
+    [
+        ("a2", "40", "a2 = { value = 40,"),
+        ("a2", "20+5", "a2 = { value = 25"),
+        ("driver.step", "7,5", "step = 7.5"),
+        ("gamma3", "30", "gamma3 = { value = 30,"),
+    ],
+)
 def test_numbers_that_are_typed(name, value, there):
     drawing = four_bar().do("driver", link="link2").do("dimension", name=name, value=value)
     assert there in drawing.text
