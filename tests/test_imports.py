@@ -68,6 +68,17 @@ ALLOWED["homework"] = {
     "sheet.workbook",
     "arguments",
 }
+# designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says
+ALLOWED["studies"] = {
+    "model",
+    "formula",
+    "description",
+    "kinematics",
+    "sheet",
+    "compiled",
+    "formats",
+    "__version__",
+}
 PARTS = sorted(ALLOWED)
 FORMATS = {name: {"", "reading", name} for name in ("xlsx", "ods", "xls")} | {
     "reading": {"reading"},
