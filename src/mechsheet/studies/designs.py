@@ -80,6 +80,10 @@ class Designs:
                 message = f"a study does not solve links that must be found all at once: {group.label.en}"
                 hint = "`mechsheet build --set` builds one design at a time"
                 raise MechanismError(Fault(message, key="study", hint=hint))
+        synthesis = self.mechanism.synthesis
+        if synthesis is not None and any(self._following.get(symbol) for symbol in synthesis.steps):
+            message = "the dimensions that a synthesis finds vary here, and its assembly with them"
+            raise MechanismError(Fault(message, key="study.vary", hint="vary what the synthesis does not read"))
         driver = self.mechanism.driver
         parts = [driver.start, driver.stop, driver.step, *driver.values]
         parts += [value for values in self.mechanism.listed.values() for value in values]
