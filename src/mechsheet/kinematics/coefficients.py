@@ -13,7 +13,7 @@ Source: Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, section 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from mechsheet.formula import algebra as al
@@ -22,9 +22,13 @@ from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cell_lengths import LONGEST, CellLengths
 from mechsheet.kinematics.dyads import Determinant, Solved
-from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.equations import Condition, Fit
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.motions import Meeting, Motions, PointRate, Rate
+from mechsheet.kinematics.newton.carriers import Solution, renamed
+from mechsheet.kinematics.newton.chains import Chain
+from mechsheet.kinematics.newton.rates import Closing, Closings, Own, dead, known_pins, known_sides, own_rate, without
+from mechsheet.kinematics.newton.rates import solved as rates_solved
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.ties import Held, Tied, solved_for
 from mechsheet.kinematics.vectors import Vector, cross, minus, plus, size, times
@@ -122,12 +126,15 @@ class _ByTime:
     def __init__(self, mechanism: Mechanism, points: Mapping[str, PointRate], driven: Mapping[str, Rate]) -> None:
         self.driven, self.driver = driven, driven[mechanism.driver.symbol]
         self.angles = {link.angle_symbol for link in mechanism.links}
+        self.slides = {joint.symbol for joint in mechanism.joints}
         self.points = points
 
     def of_drive(self, symbol: str) -> Rate:
         return self.driven[symbol]
 
     def of(self, symbol: str) -> Rate:
+        if symbol not in self.angles | self.slides:  # the angle of a block, which has no columns by time
+            return self.of_relative(symbol)
         return Rate(*(Symbol(name) for name in rate_symbols(symbol, symbol in self.angles)))
 
     def of_relative(self, symbol: str) -> Rate:
@@ -168,26 +175,32 @@ class Written:
     determinants  by number of the group what its rates are divided by
     """
 
-    fits: Mapping[int, tuple[Node, Node, Node, Node]]
+    fits: Mapping[int, Fit]
     turning: Mapping[str, tuple[Node, Node]]
     by_driver: Motions | None = None
     by_time: Motions | None = None
     determinants: Mapping[int, Node] = field(default_factory=dict)
 
 
-def add_rates(poses: Poses, order: Order, solved: Sequence[Solved]) -> Written:
-    """Write all equations of velocities and accelerations down, behind those of positions; `solved`: of each dyad."""
-    return _Writer(poses, order, solved).write()
+def add_rates(poses: Poses, order: Order, solved: Sequence[Solved], chains: Mapping[int, Solution]) -> Written:
+    """Write all equations of velocities and accelerations down, behind those of positions.
+
+    solved  each group;  chains  by its number each one that Newton's method solves
+    """
+    return _Writer(poses, order, solved, chains).write()
 
 
 class _Writer:
-    def __init__(self, poses: Poses, order: Order, solved: Sequence[Solved]) -> None:
-        self.poses, self.order, self.solved = poses, order, solved
+    def __init__(
+        self, poses: Poses, order: Order, solved: Sequence[Solved], chains: Mapping[int, Solution]
+    ) -> None:
+        self.poses, self.order, self.solved, self.chains = poses, order, solved, chains
         self.mechanism, self.ledger = poses.mechanism, poses.ledger
         self.timed = self.mechanism.driver.speed is not None
         self.asked = asked(self.mechanism)
         self.points = points_of(self.mechanism)
-        self.angles = {link.angle_symbol for link in self.mechanism.links}
+        self.turning_links = {link.angle_symbol for link in self.mechanism.links}
+        self.angles = set(self.turning_links)
         self.names = _ByDriver(self.mechanism.driver.symbol)
         self.determinants: dict[int, Node] = {}
         self.cells = CellLengths(self.mechanism, self.ledger)
@@ -210,6 +223,9 @@ class _Writer:
                 case Dyad():
                     self.ledger.group += 1
                     self._dyad(step, self.solved[self.ledger.group - 1])
+                case Chain():
+                    self.ledger.group += 1
+                    self._chain(self.chains[self.ledger.group])
             self._after_group()
         found = self._by_time_alone() if self.timed else Written({}, {})
         return replace(found, by_driver=self.motions, determinants=self.determinants)
@@ -298,6 +314,70 @@ class _Writer:
                 break
         self._solve(solved, meeting, once, twice)
 
+    def _chain(self, solution: Solution) -> None:
+        """D; then the first and the second coefficients of the unknowns, and of the links between the carriers."""
+        system = solution.system
+        known = {pin: self._outer(pin, False) for pin in known_pins(self.motions, solution)}
+        closings = Closings(self.motions, solution, known).write()
+        owns = [(closing, closing.own) for closing in closings if closing.own is not None]
+        slides = [next(eq for eq in self.ledger.columns if eq.symbol == name).unit == LENGTH for name in system.variables]
+        self.angles.update(name for name, slide in zip(system.variables, slides, strict=True) if not slide)
+        label = phrase("determinant")
+        alive = dead(system, slides, self.ledger.size(), lambda node: self._define("r", node, NUMBER, label))
+        det = self._define("D", Symbol(system.determinant), NUMBER, label, alive)
+        self.determinants[self.ledger.group] = det
+        for order in (1, 2):
+            names = [f"{name}{_COEFFICIENTS[order - 1]}" for name in system.variables]
+            found = rates_solved(system, self._right_sides(closings, names, order))
+            minors = {name: self._define(name, node, NUMBER, phrase("newton_minor")).name for name, node in found.minors}
+            for name, node in zip(system.variables, found.numerators, strict=True):
+                numerator = self._within(renamed(node, minors), "n", NUMBER, phrase("newton_minor"))
+                self._coefficient(name, order, al.div(numerator, det))
+            for number, (closing, own) in enumerate(owns, 1):
+
+                def write(free: Vector, own: Own = own) -> list[Node]:
+                    return [own_rate(own, free)]
+
+                self._coefficient(own.symbol, order, *write(self._short_gap(closing, number, order, (), write)))
+        if self.timed:
+            shown = self.turning_links | {joint.symbol for joint in self.mechanism.joints}
+            for name in (*system.variables, *(own.symbol for _, own in owns)):
+                if name in shown:
+                    self._rates(name)
+
+    def _right_sides(self, closings: Sequence[Closing], names: Sequence[str], order: int) -> list[Node]:
+        """-F' or -F''; each is read for every unknown: in columns, unless it is short."""
+        found: list[Node] = []
+        for place, closing in enumerate(closings, 1):
+
+            def write(free: Vector, closing: Closing = closing) -> list[Node]:
+                return known_sides(closing, free, order)
+
+            for node in write(self._short_gap(closing, place, order, names, write)):
+                number = len(found) + 1
+                base = f"{'uk'[order - 1]}_{number}"
+                label = phrase("known_side_of", number=str(number), order=_order(order))
+                if not al.is_simple(node):
+                    node = self._define(base, self._within(node, base, NUMBER, label), NUMBER, label)
+                found.append(node)
+        return found
+
+    def _short_gap(
+        self, closing: Closing, number: int, order: int, unknown: Sequence[str], write: Callable[[Vector], list[Node]]
+    ) -> Vector:
+        """The gap between the two ways to a place, in columns where what is written with it becomes long."""
+        free = without(closing.free.first if order == 1 else closing.free.second, unknown)
+        if max(map(self.length, write(free))) <= LONGEST:
+            return free
+        found = []
+        for axis, node in zip("xy", free, strict=True):
+            base = f"g{number}_{axis}"
+            label = phrase("gap_part", number=str(number), axis=axis, order=_order(order))
+            if not al.is_simple(node):
+                node = self._define(base, self._within(node, base, NUMBER, label), NUMBER, label)
+            found.append(node)
+        return found[0], found[1]
+
     def _outer(self, point: str, force: bool) -> PointRate:
         """The rates of an outer pin, as columns where they are long."""
         found = self.motions.of_point(point, self.length)
@@ -319,8 +399,7 @@ class _Writer:
         for name in unknowns:
             parts = [al.sub(derivative(a, name), derivative(b, name)) for a, b in zip(left, right, strict=True)]
             columns.append((parts[0], parts[1]))
-        zero = dict.fromkeys(unknowns, al.ZERO)
-        known = minus(_without(right, zero), _without(left, zero))
+        known = minus(without(right, unknowns), without(left, unknowns))
         return _Cramer(columns[0], columns[1], known)
 
     def _solve(self, solved: Solved, meeting: Meeting, once: _Cramer, twice: _Cramer, timed: bool = True) -> None:
@@ -494,21 +573,28 @@ class _Writer:
             if isinstance(dyad, Tied):
                 motions.tie(dyad, {held.variable: by_time.of(self._symbol(held)) for held in dyad.bodies})
                 continue
-            if not isinstance(dyad, Dyad):  # Newton's method: refused before
-                continue
             number += 1
+            if isinstance(dyad, Chain):
+                found[number] = self._fit_of_chain(motions, self.chains[number])
+                continue
             if dyad.frame:
                 meeting = pairs[self.order.pair(dyad.frame)].meet_within(dyad)
             else:
                 pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
                 meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
             left, right = meeting.ways
-            found[number] = (*minus(left.first, right.first), *minus(left.second, right.second))
+            found[number] = Fit(minus(left.first, right.first), minus(left.second, right.second))
         turning = {
             link.angle_symbol: (motions.turning[link.name].first, motions.turning[link.name].second)
             for link in self.mechanism.links[1:]
         }
         return Written(found, turning, by_time=motions)
+
+    def _fit_of_chain(self, motions: Motions, solution: Solution) -> Fit:
+        """At the second end of each link between two carriers, at each pin that closes a loop."""
+        known = {pin: motions.of_point(pin, self.length) for pin in known_pins(motions, solution)}
+        gaps = [closing.gap for closing in Closings(motions, solution, known).write()]
+        return Fit(tuple(part for gap in gaps for part in gap.first), tuple(part for gap in gaps for part in gap.second))
 
 
 def _clustered(order: Order) -> list[Drive]:
@@ -518,12 +604,3 @@ def _clustered(order: Order) -> list[Drive]:
 
 def _order(order: int) -> Words:
     return phrase("velocity_word" if order == 1 else "acceleration_word")
-
-
-def _without(vector: Vector, zero: Mapping[str, Node]) -> Vector:
-    """The vector where some symbols are 0."""
-
-    def change(part: Node) -> Node:
-        return zero.get(part.name, part) if isinstance(part, Symbol) else al.tidied(part)
-
-    return transform(vector[0], change), transform(vector[1], change)

@@ -91,6 +91,13 @@ PHRASES = {
     "known_side": (
         "known side of the {order} equations, {axis} part", "{order} denklemlerinin bilinen yanı, {axis} bileşeni"
     ),
+    "known_side_of": (
+        "known side of the {order} equation {number}", "{number}. {order} denkleminin bilinen yanı"
+    ),
+    "gap_part": (
+        "gap of the two ways round link {number}, {order}, {axis} part",
+        "{number}. bağlantıdaki iki yol arasındaki fark, {order}, {axis} bileşeni",
+    ),
     "driver_speed": ("speed of the driver", "tahrik hızı"),
     "driver_acceleration": ("acceleration of the driver", "tahrik ivmesi"),
     "angular_velocity": ("angular velocity of link {number}, {link}", "{number} numaralı uzvun açısal hızı ({link})"),
