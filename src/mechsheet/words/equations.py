@@ -111,6 +111,8 @@ PHRASES = {
     "point_v_part": ("velocity of {point}, {axis} part", "{point} noktasının hızı, {axis} bileşeni"),
     "point_a_part": ("acceleration of {point}, {axis} part", "{point} noktasının ivmesi, {axis} bileşeni"),
     # forces
+    "across_link": ("what {link} exerts across its pins", "{link} uzvunun mafsallarına dik uyguladığı"),
+    "held_by": ("with what equation {number} of the group holds", "grubun {number}. denkleminin tuttuğu"),
     "metre": ("metres in one {unit}", "bir {unit} kaç metre"),
     "velocity_part": ("velocity of the {what}, {axis} part", "{what} hızı, {axis} bileşeni"),
     "velocity_of": ("velocity of the {what}", "{what} hızı"),

@@ -135,7 +135,9 @@ class ChainWriter:
         own = carrier.assembly == unknown
         if isinstance(joint, str):
             pin = self.poses.xy[joint]
-            return turned(minus(place, pin)) if own else self._moves(self._holder(joint, carrier.assembly), pin, unknown)
+            return (
+                turned(minus(place, pin)) if own else self._moves(self._holder(joint, carrier.assembly), pin, unknown)
+            )
         if own:
             guide = self.guides[carrier.assembly]
             direction = al.cos(guide.delta), al.sin(guide.delta)

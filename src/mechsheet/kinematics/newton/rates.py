@@ -30,9 +30,8 @@ from mechsheet.kinematics.newton.carriers import Solution, holder, renamed
 from mechsheet.kinematics.newton.chains import Binary
 from mechsheet.kinematics.newton.cramer import Cramer, cramer
 from mechsheet.kinematics.poses import Assembly
+from mechsheet.kinematics.rate_columns import COEFFICIENTS
 from mechsheet.kinematics.vectors import Vector, dot, minus, negative, turned
-
-FIRST, SECOND = ".d", ".dd"
 
 SIDES = ((al.ONE, al.ZERO), (al.ZERO, al.ONE))
 
@@ -133,7 +132,7 @@ class Closings:
         return self._closing(assembly, gap, Own(symbol, along, al.ONE), (negative(turned(d)),), bend)
 
     def _closing(self, assembly: Assembly, gap: PointRate, own: Own, asked: tuple[Vector, ...], bend: Node) -> Closing:
-        rates = [f"{own.symbol}{part}" for part in (FIRST, SECOND)]
+        rates = [f"{own.symbol}{part}" for part in COEFFICIENTS]
         first = without(gap.first, rates)
         if len(assembly) == 1:
             return Closing(gap, PointRate(first, without(gap.second, rates)), bend, asked, own)
@@ -181,18 +180,18 @@ def dead(system: System, slides: Sequence[bool], size: Node, split: Callable[[No
     slides  of each unknown, whether it is a displacement: it counts by the largest length `size`;  split  a column where
     a row's size is long
     """
-    rows = []
+    sizes: list[Node] = []
     for row in system.jacobian:
         parts = [
             al.mul(size, Call("ABS", (part,))) if slide else Call("ABS", (part,))
             for part, slide in zip(row, slides, strict=True)
             if not al.is_zero(part)
         ]
-        rows.append(al.total(parts) if len(system.jacobian) < 3 else split(al.total(parts)))
+        sizes.append(al.total(parts) if len(system.jacobian) < 3 else split(al.total(parts)))
     margin: Node = Call("ABS", (Symbol(system.determinant),))
     least = al.number(DEAD)
-    for row in rows:
-        least = al.mul(least, row)
+    for each in sizes:
+        least = al.mul(least, each)
     for _ in filter(None, slides):
         margin = al.mul(margin, size)
     return Condition(margin, least)
