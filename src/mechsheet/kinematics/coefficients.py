@@ -313,7 +313,7 @@ class _Writer:
         known = {pin: self._outer(pin, False) for pin in known_pins(self.motions, solution)}
         closings = Closings(self.motions, solution, known).write()
         self.determinants[self.ledger.group], symbols_found = ChainColumns(
-            self.columns, solution.system, closings
+            self.columns, solution.system, closings, self.names.points
         ).write()
         shown = {joint.symbol for joint in self.mechanism.joints} | {link.angle_symbol for link in self.mechanism.links}
         for name in symbols_found if self.timed else ():
@@ -438,16 +438,9 @@ class _Writer:
 
     def _columns_of(self, point: str, found: PointRate) -> PointRate:
         """A point's coefficients as columns."""
-        columns = []
-        for order, vector in ((1, found.first), (2, found.second)):
-            for axis, node in zip("xy", vector, strict=True):
-                name = f"{point}.{axis}{COEFFICIENTS[order - 1]}"
-                label = phrase("coefficient", symbol=f"{axis} {point}", order=order_words(order))
-                part = self.columns.within(node, f"{point}_{axis}", self.columns.unit(1, order), label)
-                self.columns.cells.own.add(name)
-                self.ledger.define(name, part, self.columns.unit(1, order), label, "coefficient")
-                columns.append(Symbol(name))
-        known = PointRate((columns[0], columns[1]), (columns[2], columns[3]))
+        known = PointRate(
+            *(self.columns.point(point, order, rate) for order, rate in ((1, found.first), (2, found.second)))
+        )
         self.names.points[point] = known
         return known
 

@@ -8,6 +8,7 @@ from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.vectors import Vector
 from mechsheet.model import Mechanism, Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
@@ -63,3 +64,16 @@ class RateColumns:
         label = phrase("coefficient", symbol=symbol, order=order_words(order))
         name = f"{symbol}{COEFFICIENTS[order - 1]}"
         self.ledger.define(name, node, self.unit(0 if turns else 1, order), label, "coefficient")
+
+    def point(self, point: str, order: int, rate: Vector) -> Vector:
+        """The first or the second coefficients of a point; those that have columns already are read there."""
+        found = []
+        for axis, node in zip("xy", rate, strict=True):
+            name = f"{point}.{axis}{COEFFICIENTS[order - 1]}"
+            if name not in self.ledger.values:
+                label = phrase("coefficient", symbol=f"{axis} {point}", order=order_words(order))
+                part = self.within(node, f"{point}_{axis}", self.unit(1, order), label)
+                self.cells.own.add(name)
+                self.ledger.define(name, part, self.unit(1, order), label, "coefficient")
+            found.append(Symbol(name))
+        return found[0], found[1]

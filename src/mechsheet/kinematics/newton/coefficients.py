@@ -9,10 +9,11 @@ from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.equations import System
+from mechsheet.kinematics.motions import PointRate
 from mechsheet.kinematics.newton.carriers import renamed
 from mechsheet.kinematics.newton.rates import Closing, Own, dead, known_sides, own_rate, solved, without
 from mechsheet.kinematics.rate_columns import COEFFICIENTS, RateColumns, order_words
-from mechsheet.kinematics.vectors import NOWHERE, Vector
+from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, negative
 from mechsheet.model import Words
 from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
@@ -21,8 +22,11 @@ from mechsheet.words.equations import phrase
 class ChainColumns:
     """Of one group."""
 
-    def __init__(self, columns: RateColumns, system: System, closings: Sequence[Closing]) -> None:
-        self.columns, self.system, self.closings = columns, system, closings
+    def __init__(
+        self, columns: RateColumns, system: System, closings: Sequence[Closing], points: dict[str, PointRate]
+    ) -> None:
+        """`points`: the rates of points that have columns; more are added."""
+        self.columns, self.system, self.closings, self.points = columns, system, closings, points
         self.owns = [(place, closing.own) for place, closing in enumerate(closings) if closing.own is not None]
         self.gaps: list[Vector] = [NOWHERE] * len(closings)
 
@@ -41,6 +45,10 @@ class ChainColumns:
             self._unknowns(det, names, order)
             for place, own in self.owns:
                 self._own(place, own, names, order)
+        for closing in self.closings:
+            if closing.point:
+                parts = [[Symbol(f"{closing.point}.{axis}{part}") for axis in "xy"] for part in COEFFICIENTS]
+                self.points[closing.point] = PointRate((parts[0][0], parts[0][1]), (parts[1][0], parts[1][1]))
         return det, [*system.variables, *(own.symbol for _, own in self.owns)]
 
     def _unknowns(self, det: Symbol, names: Sequence[str], order: int) -> None:
@@ -76,7 +84,12 @@ class ChainColumns:
         def write(gap: Vector) -> list[Node]:
             return [own_rate(own, gap)]
 
-        gap = self._short(place, order, (free[0], free[1]), write)
+        gap = free[0], free[1]
+        point = self.closings[place].point
+        if point:
+            gap = negative(self.columns.point(point, order, minus(NOWHERE, gap)))
+        else:
+            gap = self._short(place, order, gap, write)
         self.columns.coefficient(own.symbol, order, own_rate(own, gap))
 
     def _free(self, place: int, order: int) -> Vector:

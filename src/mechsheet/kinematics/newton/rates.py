@@ -56,6 +56,7 @@ class Closing:
     free   the same without the link's own rate
     bend   what the link's own first rate adds to the second derivative along `asked`, where `free` has lost it
     asked  the directions along which the gap is an equation of the group, in the order of its equations
+    point  of a link that stands on the ground, the point at its other end: `free` is minus its rates; else ""
     """
 
     gap: PointRate
@@ -63,6 +64,7 @@ class Closing:
     bend: Node
     asked: tuple[Vector, ...]
     own: Own | None
+    point: str = ""
 
 
 def known_pins(motions: Motions, solution: Solution) -> list[str]:
@@ -116,7 +118,8 @@ class Closings:
         gap = PointRate(minus(over.first, there.first), minus(over.second, there.second))
         own = Own(symbol, turned(span.way), al.square(span.length))
         bend = al.mul(al.square(rate.first), own.square)
-        return self._closing(assembly, gap, own, (negative(span.way),), bend)
+        stands = all(map(al.is_zero, self._at(first, assembly).first)) and len(assembly) == 1
+        return self._closing(assembly, gap, own, (negative(span.way),), bend, second if stands else "")
 
     def _on_line(self, assembly: Assembly, first: str, slide: Slide) -> Closing:
         motions = self.motions
@@ -129,13 +132,15 @@ class Closings:
         d = motions.direction(slide)
         along, slid = (d, rate.first) if inside == slide.body else (negative(d), al.neg(rate.first))
         bend = al.neg(al.mul(al.mul(al.TWO, slid), motions.turning[slide.other(inside)].first))
-        return self._closing(assembly, gap, Own(symbol, along, al.ONE), (negative(turned(d)),), bend)
+        return self._closing(assembly, gap, Own(symbol, along, al.ONE), (negative(turned(d)),), bend, "")
 
-    def _closing(self, assembly: Assembly, gap: PointRate, own: Own, asked: tuple[Vector, ...], bend: Node) -> Closing:
+    def _closing(
+        self, assembly: Assembly, gap: PointRate, own: Own, asked: tuple[Vector, ...], bend: Node, point: str
+    ) -> Closing:
         rates = [f"{own.symbol}{part}" for part in COEFFICIENTS]
         first = without(gap.first, rates)
         if len(assembly) == 1:
-            return Closing(gap, PointRate(first, without(gap.second, rates)), bend, asked, own)
+            return Closing(gap, PointRate(first, without(gap.second, rates)), bend, asked, own, point)
         # what is driven in the link itself moves with its angular velocity, too: that stays where it stands
         return Closing(gap, PointRate(first, without(gap.second, rates[1:])), al.ZERO, asked, own)
 
