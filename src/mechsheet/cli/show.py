@@ -8,10 +8,11 @@ from typing import Any
 import click
 
 from .common import JSON, Changes, at_lines_of, change_options, described
+from .helping import Explained
 from .streams import print_file
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Print what was understood: variables, equations, verdicts.")
 @click.argument("description", type=click.Path(path_type=Path))
 @change_options
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
