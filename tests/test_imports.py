@@ -12,17 +12,18 @@ ALLOWED = {
     "diagnostics": set(),
     "arguments": {"formula", "formats.archive"},
     "units": set(),
+    "portable": set(),
     "model": {"formula.nodes", "units"},
     "words": {"model"},
-    "formula": set(),
+    "formula": {"portable"},
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
     "reference": {"model", "formula.nodes"},
-    "engine": {"formula"},
-    "description": {"model", "formula", "units"},
-    "kinematics": {"model", "formula", "units", "words"},
+    "engine": {"formula", "portable"},
+    "description": {"portable", "model", "formula", "units"},
+    "kinematics": {"portable", "model", "formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
-    "dynamics": {"model", "formula", "kinematics", "units", "words"},
-    "sheet": {"model", "formula", "kinematics", "units", "words"},
+    "dynamics": {"portable", "model", "formula", "kinematics", "units", "words"},
+    "sheet": {"portable", "model", "formula", "kinematics", "units", "words"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
@@ -41,6 +42,7 @@ ALLOWED = {
     },
     # exporting prints the equations, draws what plotting draws, and tabulates their values
     "exporting": {
+        "portable",
         "model",
         "units",
         "words",
