@@ -64,7 +64,7 @@ print(np.arctan2(np.sin(x), np.exp(x)).tobytes().hex())
 
 def test_another_processor_writes_the_same_bytes(tmp_path):
     """Sine and its like differ in the last digit there, and nothing that is written does."""
-    template = ROOT / "templates" / "six-link-dwell.toml"
+    template = ROOT / "templates" / "four-bar-forces.toml"
     answers = []
     for folder, other in (("this", {}), ("other", OTHER_MACHINE)):
         run = subprocess.run(

@@ -81,13 +81,14 @@ def test_interpreted_and_generated_code_are_the_portable_functions(rows):
     builder = BookBuilder()
     sheet = builder.sheet("S")
     sheet.column_constants(0, 0, numbers.tolist())
-    for col, text in enumerate(TEXTS, 1):
+    texts = [text for text in TEXTS if rows < 1000 or "LOG10" not in text]  # which takes its time for each number
+    for col, text in enumerate(texts, 1):
         sheet.block(0, col, rows, 1, parse_formula(text))
     plan = compile_book(builder.build(), PORTABLE)
     for _ in range(2):
         values = plan.evaluate()
-        for col, (text, function) in enumerate(TEXTS.items(), 1):
-            assert values.column("S", col, 0, rows - 1) == function(numbers).tolist(), text
+        for col, text in enumerate(texts, 1):
+            assert values.column("S", col, 0, rows - 1) == TEXTS[text](numbers).tolist(), text
 
 
 def test_row_loops_are_the_portable_functions():
