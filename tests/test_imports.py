@@ -19,11 +19,13 @@ ALLOWED = {
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
     "reference": {"model", "formula.nodes"},
     "engine": {"formula", "portable"},
-    "description": {"portable", "model", "formula", "units"},
+    # tasks and the steps of their solutions, as dimensions that follow from others
+    "synthesis": {"portable", "model", "formula", "units", "words"},
+    "description": {"portable", "model", "formula", "units", "synthesis"},
     "kinematics": {"portable", "model", "formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
     "dynamics": {"portable", "model", "formula", "kinematics", "units", "words"},
-    "sheet": {"portable", "model", "formula", "kinematics", "units", "words"},
+    "sheet": {"portable", "model", "formula", "kinematics", "synthesis", "units", "words"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
@@ -70,9 +72,28 @@ ALLOWED["homework"] = {
     "sheet.workbook",
     "arguments",
 }
+# the page shows what the library builds and what checking says of it
+ALLOWED["drawing_page"] = {
+    "model",
+    "units",
+    "words",
+    "formula",
+    "description",
+    "kinematics",
+    "compiled",
+    "sheet.drawing.outlines",
+    "plotting",
+    "checking",
+    "library",
+    "formats.archive",
+    "arguments",
+}
 PARTS = sorted(ALLOWED)
-FORMATS = {"reading": {"reading"}, "": {"", "reading"}, "xlsx": {"", "reading", "xlsx"}, "ods": {"", "reading", "ods"}}
-"""Folder of formats ("" for what lies beside them) -> the folders it may import: the two formats are strangers."""
+FORMATS = {name: {"", "reading", name} for name in ("xlsx", "ods", "xls")} | {
+    "reading": {"reading"},
+    "": {"", "reading"},
+}
+"""Folder of formats ("" for what lies beside them) -> the folders it may import: the formats are strangers."""
 
 
 def modules_of(part: str) -> list[Path]:

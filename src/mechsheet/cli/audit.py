@@ -9,9 +9,10 @@ from pathlib import Path
 import click
 
 from .common import JSON, Changes, at_lines_of, described, progress
+from .helping import Explained
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Find quantities and faults in a workbook made by hand.")
 @click.argument("workbook", metavar="BOOK", type=click.Path(path_type=Path))
 @click.option(
     "--against", "description", required=True, metavar="DESCRIPTION", type=click.Path(path_type=Path),

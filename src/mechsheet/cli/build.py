@@ -22,12 +22,13 @@ from .common import (
     same_file,
     say_written,
 )
+from .helping import Explained
 
 if TYPE_CHECKING:
     from mechsheet.library.building import Target
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Write the workbooks of descriptions.")
 @click.argument("descriptions", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option(
     "-o",

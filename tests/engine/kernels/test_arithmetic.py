@@ -142,7 +142,7 @@ def test_all_that_workbooks_use_is_portable(name, layout):
     assert used - EXACT <= set(PORTABLE.functions)
 
 
-WRITING = ("arguments", "compiled", "description", "dynamics", "formula", "kinematics", "library", "sheet")
+WRITING = ("arguments", "compiled", "description", "dynamics", "formula", "kinematics", "library", "sheet", "synthesis")
 NOT_EXACT = re.compile(
     r"\b(?:math|cmath)\.(?:a?(?:sin|cos|tan)h?|atan2|exp\w*|log\w*|pow|hypot|dist|cbrt|gamma)\b"
     r"|\bnp\.(?:arc\w+|sin|cos|tan|sinh|cosh|tanh|exp\w*|log(?!ical)\w*|power|float_power|hypot|interp|cbrt|dot|matmul"
