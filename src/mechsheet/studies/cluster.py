@@ -33,7 +33,7 @@ def on_cluster(order: Order, parts: Iterable[int], address: str) -> Parts:
         yield from _computed(dask, client, order, parts)
     except VersionsError as error:
         raise MechsheetError(
-            Fault(_differing(error), key=f"--on {address}", hint="install the same releases there")
+            Fault(_differing(error), key=f"--on {address}", hint="the same releases, on processors that compute alike")
         ) from error
     except (dask.KilledWorker, dask.client.FutureCancelledError, OSError) as error:
         message = f"the cluster has given a part up: {error}"
@@ -83,4 +83,4 @@ def _differing(error: VersionsError) -> str:
     others = ", ".join(
         f"{name} {there.get(name, '?')} (here {here[name]})" for name in here if here[name] != there.get(name)
     )
-    return f"a worker has other releases: {others}"
+    return f"a worker would not compute the same bytes: {others}"

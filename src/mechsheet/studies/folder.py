@@ -88,7 +88,11 @@ class Folder:
             )
             message = f"the study was begun with {others}: its end might differ from its beginning"
             raise OutputError(
-                Fault(message, self.shown, hint="install these releases, or begin anew in another folder")
+                Fault(
+                    message,
+                    self.shown,
+                    hint="go on with these releases, on a processor that computes alike, or begin anew in another folder",
+                )
             )
         message = f"is the folder of another study: it differs in {', '.join(differing)}"
         raise OutputError(Fault(message, self.shown, hint="name another folder with -o"))
