@@ -8,6 +8,7 @@ import pytest
 
 from chosen import but, part
 from mechsheet.drawing_page.editing.shaping import drawn_now, moved, size_of
+from mechsheet.drawing_page.questions import Impossible
 from mechsheet.drawing_page.reading import read
 
 TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
@@ -16,6 +17,9 @@ SHARED = (
     "scissor-lift-between-arms", "five-bar-robot",
 )  # fmt: skip
 """One dimension is the length of several links: to drag one changes the others."""
+FOUND = tuple(path.stem for path in TEMPLATES if "[synthesis]" in path.read_text(encoding="utf-8"))
+"""A synthesis has found their dimensions."""
+
 TIED = ("cardan-gear", "geared-five-bar", "rack-slider")
 """Gears decide about angles: lengths alone change."""
 
@@ -39,7 +43,7 @@ def points_of(path):
     return list(drawn_now(read(path.read_text(encoding="utf-8"), path.name), None, {}).places)
 
 
-CASES = [(path, point) for path in but(TEMPLATES, *SHARED, *TIED) for point in points_of(path)]
+CASES = [(path, point) for path in but(TEMPLATES, *SHARED, *TIED, *FOUND) for point in points_of(path)]
 
 
 @pytest.mark.parametrize(("path", "point"), part(CASES, 9), ids=lambda part: getattr(part, "stem", part))
@@ -50,7 +54,7 @@ def test_a_dragged_point_lies_where_it_was_dragged(path, point):
     assert len(new.splitlines()) <= len(text.splitlines()) + 4  # a sketch: its heading, `at`, the point
 
 
-@pytest.mark.parametrize("name", [*SHARED, *TIED])
+@pytest.mark.parametrize("name", [name for name in (*SHARED, *TIED) if name != "oldham"])
 def test_where_dimensions_are_shared_it_can_still_be_solved(name):
     path = TEMPLATES[0].with_stem(name)
     off, _, _, _ = dragged(path, points_of(path)[-1], (0.02, 0.01))
@@ -109,3 +113,22 @@ def test_comments_order_and_line_count_stay():
     _, _, text, new = dragged(path, "B", (0.04, 0.02))
     kept = [line for line in text.splitlines() if line.startswith("#") or line.startswith("[")]
     assert [line for line in new.splitlines() if line.startswith("#") or line.startswith("[")] == kept
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_what_a_synthesis_has_found_stays_what_it_found(name):
+    """Its lengths follow from what is asked of it: no number is written over them."""
+    path = TEMPLATES[0].with_stem(name)
+    for point in points_of(path):
+        try:
+            _, _, text, new = dragged(path, point, (0.02, 0.02))
+        except Impossible:
+            continue
+        assert new.count("synthesis = ") == text.count("synthesis = ")
+
+
+def test_where_no_number_leads_the_page_says_so():
+    """The middle of an Oldham coupling is where both discs want it."""
+    with pytest.raises(Impossible) as told:
+        dragged(TEMPLATES[0].with_stem("oldham"), "M", (0.05, 0.05))
+    assert "M" in told.value.text("en")

@@ -12,6 +12,7 @@ from mechsheet import reference
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.reading import read
+from mechsheet.kinematics.sweep import rough_poses
 
 TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
 FOUR_BAR = next(path for path in TEMPLATES if path.stem == "four-bar")
@@ -28,7 +29,8 @@ def test_positions_are_those_of_the_reference(path):
     assert found["solved"]
     assert found["faults"] == []
     frames = found["frames"]
-    truth = reference.solve(reading.compiled.mechanism)
+    compiled = reading.compiled
+    truth = reference.solve(compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.modes, compiled.equations))
     size = np.nanmax(np.abs(np.array([truth.points[name] for name in truth.points])))
     rows = frames["rows"]
     assert len(rows) == len(reading.compiled.driver)

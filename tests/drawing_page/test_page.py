@@ -79,7 +79,7 @@ def test_a_four_bar_is_drawn_with_the_mouse_and_becomes_a_workbook(opening, tmp_
     tool("link", (0, 40), (70, 60))
     tool("link", (70, 60), (70, 0))
     opened.said("degrees of freedom: 1")
-    opened.said("what is driven")
+    opened.said("Nothing is driven yet")
     tool("plate", (35, 50), (30, 80))
     tool("driver", (0, 20))
     opened.said("It can be joined in every position.")

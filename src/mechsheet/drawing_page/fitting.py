@@ -114,7 +114,7 @@ class _Task:
         self.inputs = tuple(
             dim.symbol
             for dim in parts.dimensions
-            if dim.symbol in used and not dim.derived and dim.symbol in self.numbers
+            if dim.symbol in used and isinstance(dim.value, float) and math.isfinite(dim.value)
         )
         self.plain = tuple(self.paths)
         bare = Mechanism(

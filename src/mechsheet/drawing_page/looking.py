@@ -135,7 +135,7 @@ def _dimensions(parts: Parts, language: str) -> list[dict[str, Any]]:
                 "value": dim.shown if dim.shown is not None else dim.unit.to_shown(parts.numbers[dim.symbol]),
                 "unit": dim.unit.text,
                 "label": dim.label.of(language) if dim.label is not None else "",
-                "formula": dim.written,
+                "formula": dim.written or ("" if isinstance(dim.value, float) and math.isfinite(dim.value) else "="),
             }
         )
     return found

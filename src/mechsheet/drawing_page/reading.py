@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -17,6 +17,7 @@ from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Cartesian, Distances, Driver, Link, Mechanism, Polar, Quantity, Words
 
 KEPT = 12
@@ -63,6 +64,7 @@ def read(text: str, file: str) -> Reading:
         _ = compiled.equations
     except MechanismError as error:
         return Reading(text, source, parts, None, located(error, text, file).faults, count)
+    parts = replace(parts, numbers={**dimension_values(mechanism), **parts.numbers})  # a synthesis has found some
     return Reading(text, source, parts, compiled, (), count)
 
 

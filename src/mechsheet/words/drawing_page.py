@@ -143,6 +143,10 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "The ground stays; its points can be deleted one by one.",
         "Sabit uzuv kalır; noktaları tek tek silinebilir.",
     ),
+    "impossible.nothing_follows": (
+        "No number of the text leads {point} there: what it depends on follows from other numbers.",
+        "Metindeki hiçbir sayı {point} noktasını oraya götürmez: bağlı olduğu değerler başka sayılardan çıkıyor.",
+    ),
     # the sheet
     "drawing": ("Drawing", "Çizim"),
     "point": ("Point", "Nokta"),

@@ -29,12 +29,16 @@ from mechsheet.drawing_page.positions import (
     local_places,
     turned,
 )
+from mechsheet.drawing_page.questions import Impossible
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.kinematics.places import number
 from mechsheet.library.modes_from_sketch import with_modes
 
 DIGITS = 5
 """Of the mechanism's size: a dragged length is rounded to so many."""
+
+NOTHING = 0.5
+"""A drag that no number follows, and that misses this part of its way, cannot be done."""
 
 OFF = 0.02
 """A point that lies farther from where it was drawn than this part of the size is in another assembly."""
@@ -107,6 +111,8 @@ def moved(reading: Reading, point: str, to: Point, at: float | None, held: Mappi
     size = size_of(before.places)
     fit = fitted(parts, places, point, before.poses, size)
     source = _with_fit(source, parts, fit, digits_for(size))
+    if source.text == reading.text and fit.missed * size > NOTHING * math.dist(to, before.places[point]):
+        raise Impossible("nothing_follows", point=point)
     after = Drawn(places, {**before.poses, **fit.poses}, before.at)
     after = replace(after, at=_driven(reading, after))
     return as_drawn(source, reading, after, (point,)).text, after.at
