@@ -6,7 +6,9 @@ Rounded to what a person would type. Most have a solution, none is chosen for ha
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -98,6 +100,34 @@ KINDS: dict[str, Callable[[np.random.Generator], Task]] = {
 def task(kind: str, seed: int) -> Task:
     """The task of a kind that belongs to a seed."""
     return KINDS[kind](np.random.default_rng([seed, *map(ord, kind)]))
+
+
+TEMPLATES = {
+    "function": "function-generator",
+    "dead-centres": "crank-rocker-swing",
+    "guidance": "rigid-body-guidance",
+    "quick-return-slider": "quick-return-slider",
+    "quick-return-lever": "quick-return-lever",
+}
+"""A packaged description for each kind."""
+
+_TABLE = re.compile(r"^\[synthesis\]\n.*?(?=^\[)", re.MULTILINE | re.DOTALL)
+
+
+def description(asked: Task) -> str:
+    """The packaged description of a kind with another task."""
+    text = (Path(__file__).parents[1] / "templates" / f"{TEMPLATES[asked['kind']]}.toml").read_text(encoding="utf-8")
+    table = "".join(f"{key} = {toml(value)}\n" for key, value in asked.items())
+    return _TABLE.sub(f"[synthesis]\n{table}\n", text, count=1)
+
+
+def toml(value: Any) -> str:
+    """A value as TOML writes it."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {toml(item)}" for key, item in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return f'"{value}"' if isinstance(value, str) else str(value).lower()
 
 
 def length(random: np.random.Generator) -> float:
