@@ -15,6 +15,9 @@ import numpy as np
 
 Task = dict[str, Any]
 
+FOR_NOTHING = 0.08
+"""So many tasks have no solution on purpose."""
+
 
 def function(random: np.random.Generator) -> Task:
     """Pairs of angles, the output forwards or backwards; every fourth task has more of them than three."""
@@ -23,6 +26,8 @@ def function(random: np.random.Generator) -> Task:
     psi = random.uniform(0, 180) + random.choice([1, -1]) * (
         np.sort(random.uniform(0, 100, count)) + 5 * np.arange(count)
     )
+    if random.random() < FOR_NOTHING:  # the same pair twice, a turn apart
+        theta[1], psi[1] = theta[0] + 360, psi[0]
     return {"kind": "function", "theta": rounded(theta), "psi": rounded(psi), "a1": length(random)}
 
 
@@ -51,6 +56,8 @@ def guidance(random: np.random.Generator) -> Task:
     steps = np.cumsum(random.uniform(-60, 60, (2, 2)), axis=0)
     turns = np.cumsum(random.uniform(5, 60, 2)) * random.choice([1, -1])
     angle = random.uniform(-90, 90)
+    if random.random() < FOR_NOTHING:  # the body only slides along a line
+        steps[1], turns = 2 * steps[0], np.zeros(2)
     poses = [[*rounded(first), rounded([angle])[0]]]
     for step, turn in zip(steps, turns, strict=True):
         poses.append([*rounded(first + step), rounded([angle + turn])[0]])
@@ -85,7 +92,8 @@ def quick_return_slider(random: np.random.Generator) -> Task:
 def quick_return_lever(random: np.random.Generator) -> Task:
     stroke = length(random)
     crank = round(stroke * float(random.uniform(0.1, 0.9)), 2)
-    return {"kind": "quick-return-lever", "stroke": stroke, "time_ratio": ratio(random), "crank": crank}
+    time_ratio = 0.9 if random.random() < FOR_NOTHING else ratio(random)
+    return {"kind": "quick-return-lever", "stroke": stroke, "time_ratio": time_ratio, "crank": crank}
 
 
 KINDS: dict[str, Callable[[np.random.Generator], Task]] = {
