@@ -69,8 +69,11 @@ ALLOWED["homework"] = {
     "arguments",
 }
 PARTS = sorted(ALLOWED)
-FORMATS = {"reading": {"reading"}, "": {"", "reading"}, "xlsx": {"", "reading", "xlsx"}, "ods": {"", "reading", "ods"}}
-"""Folder of formats ("" for what lies beside them) -> the folders it may import: the two formats are strangers."""
+FORMATS = {name: {"", "reading", name} for name in ("xlsx", "ods", "xls")} | {
+    "reading": {"reading"},
+    "": {"", "reading"},
+}
+"""Folder of formats ("" for what lies beside them) -> the folders it may import: the formats are strangers."""
 
 
 def modules_of(part: str) -> list[Path]:

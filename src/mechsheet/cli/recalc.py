@@ -47,7 +47,7 @@ def recalc(
     as_json: bool,
     **options: Any,
 ) -> None:
-    """Recalculate any workbook (.xlsx, .xlsm, .ods) without a spreadsheet program.
+    """Recalculate any workbook (.xlsx, .ods, .xls ...) without a spreadsheet program.
 
     \b
     mechsheet recalc book.xlsx --set rate=0.07 --print 'Plan!A1:C9'
