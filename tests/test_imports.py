@@ -18,11 +18,13 @@ ALLOWED = {
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
     "reference": {"model", "formula.nodes"},
     "engine": {"formula"},
-    "description": {"model", "formula", "units"},
+    # tasks and the steps of their solutions, as dimensions that follow from others
+    "synthesis": {"model", "formula", "units", "words"},
+    "description": {"model", "formula", "units", "synthesis"},
     "kinematics": {"model", "formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
     "dynamics": {"model", "formula", "kinematics", "units", "words"},
-    "sheet": {"model", "formula", "kinematics", "units", "words"},
+    "sheet": {"model", "formula", "kinematics", "synthesis", "units", "words"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes

@@ -115,6 +115,16 @@ def _modulo(x: float, divisor: float) -> float:
     return x - divisor * math.floor(x / divisor)
 
 
+def _nothing() -> float:
+    raise ValueError("there is none")
+
+
+def _rounded(x: float, digits: float) -> float:
+    """Half away from zero, as spreadsheets round."""
+    scale = 10.0**digits
+    return math.copysign(math.floor(abs(x) * scale + 0.5) / scale, x)
+
+
 def _sign(x: float) -> float:
     return float((x > 0) - (x < 0))
 
@@ -140,7 +150,9 @@ FUNCTIONS: dict[str, tuple[int, int, Callable[..., float]]] = {
     "OR": (1, _MANY, lambda *flags: float(any(flags))),
     "PI": (0, 0, lambda: math.pi),
     "POWER": (2, 2, _power),
+    "NA": (0, 0, _nothing),
     "RADIANS": (1, 1, math.radians),
+    "ROUND": (2, 2, _rounded),
     "SIGN": (1, 1, _sign),
     "SIN": (1, 1, math.sin),
     "SQRT": (1, 1, _square_root),

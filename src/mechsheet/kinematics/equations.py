@@ -174,6 +174,7 @@ class Group:
     sides         lengths that must form a triangle for the group to close: its three sides; or the hypotenuse and a leg of
                   a right triangle; none where two lines meet
     system        the equations that Newton's method solves, where no formula does; such a group has no `closure`
+    follows       the mode as a synthesis finds it, over its steps; None where it is given
     """
 
     number: int
@@ -193,6 +194,7 @@ class Group:
     transmission: str = ""
     sides: tuple[Node, ...] = ()
     system: System | None = None
+    follows: Node | None = None
 
     @property
     def mode_value(self) -> int:

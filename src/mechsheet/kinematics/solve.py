@@ -48,11 +48,16 @@ PROBED_ROWS = 200
 
 
 def dimension_values(mechanism: Mechanism) -> dict[str, float]:
-    """All dimensions in internal units, derived ones computed."""
+    """All dimensions in internal units, derived ones computed; NaN for what follows from a task without a solution."""
     values: dict[str, float] = {}
     given = {dim.symbol: dim.value for dim in mechanism.dimensions}
     for symbol in dimension_order(mechanism):
-        values[symbol] = number(given[symbol], values)
+        try:
+            values[symbol] = number(given[symbol], values)
+        except (ArithmeticError, ValueError):
+            if mechanism.synthesis is None:
+                raise
+            values[symbol] = math.nan
     return values
 
 
@@ -119,6 +124,7 @@ def solve_unpicked(mechanism: Mechanism) -> Equations:
 
 def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Further | None = None) -> Equations:
     """`modes`: those that are given, the sketch picks the others; None: none is picked."""
+    _check_solved(mechanism)
     graph = graph_of(mechanism)
     opened: list[str] = []
     _check_mobility(mechanism, graph)
@@ -150,7 +156,7 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
             given = {group.mode: group.mode_value for group in shown if group.system is None} | dict(given)
         value, is_open = 1, True
         if modes is not None:
-            mode = given.get(solved.mode)
+            mode = given.get(solved.mode, _found_mode(mechanism, solved, dimensions))
             if mode is None and dyad.frame:
                 mode = sketched_mode(mechanism.sketch, dyad, dimensions)
             value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, mode)
@@ -169,11 +175,12 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     law = mechanism.driver.law
-    positive = {*ledger.positive, *((law.duration,) if law else ())}
+    task = mechanism.synthesis
+    positive = {*ledger.positive, *((law.duration,) if law else ()), *(task.positive if task else ())}
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
-        _groups(found, loops_of(poses, order.steps)),
+        _groups(mechanism, found, loops_of(poses, order.steps)),
         tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
@@ -199,6 +206,35 @@ def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
             raise
         hint = "it moves all the same: some of its links or joints say what others say already"
         raise MechanismError([replace(error.faults[0], hint=hint), *found]) from error
+
+
+def _check_solved(mechanism: Mechanism) -> None:
+    """Raise MechanismError with the reason where a synthesis finds no dimensions."""
+    task = mechanism.synthesis
+    if task is None:
+        return
+    values = dimension_values(mechanism)
+    if all(math.isfinite(values[symbol]) for symbol in task.taken):
+        return
+    why = next((words for symbol, words in task.reasons if not math.isfinite(values[symbol])), None)
+    message = "the task has no solution" if why is None else why.en
+    raise MechanismError(Fault(message, key="synthesis", hint="give it another one"))
+
+
+def _mode_of_task(mechanism: Mechanism, solved: Solved) -> Node | None:
+    """The mode that a synthesis finds, as a group counts it: a task goes from the driven link to the other."""
+    task = mechanism.synthesis
+    if task is None or solved.mode not in task.mode:
+        return None
+    mode = Symbol(task.results[task.mode[solved.mode]])
+    driven = next((link for link in mechanism.links if link.name == mechanism.driver.link), None)
+    first = driven is None or solved.pins[0] in driven.points
+    return mode if first else al.neg(mode)
+
+
+def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, float]) -> int | None:
+    follows = _mode_of_task(mechanism, solved)
+    return None if follows is None else round(number(follows, dimensions))
 
 
 def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
@@ -255,10 +291,11 @@ def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
 def _largest_length(mechanism: Mechanism) -> Node:
     """MAX of the sizes of all lengths given: input dimensions, and plain numbers in places; where there are none, the
     largest length that there is."""
+    found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
     lengths: list[Node] = [
         Symbol(dim.symbol) if isinstance(dim.value, float) and dim.value > 0 else Call("ABS", (Symbol(dim.symbol),))
         for dim in mechanism.dimensions
-        if is_length(dim) and not dim.derived
+        if is_length(dim) and (not dim.derived or dim.symbol in found)
     ]
     plain = [abs(value) for value in _lengths_of_places(mechanism) if isinstance(value, float)]
     if plain and max(plain) > 0:
@@ -380,12 +417,14 @@ def _refuse_forces(mechanism: Mechanism, dyads: list[tuple[Dyad, Solved]]) -> No
         )
 
 
-def _groups(found: list[tuple[Dyad | Chain, Solved, int, bool]], loops: tuple[Loop, ...]) -> tuple[Group, ...]:
+def _groups(
+    mechanism: Mechanism, found: list[tuple[Dyad | Chain, Solved, int, bool]], loops: tuple[Loop, ...]
+) -> tuple[Group, ...]:
     return tuple(
         Group(
             index, dyad.kind, dyad.bodies, solved.pins, solved.unknowns, loop, solved.mode,
             solved.assemblies, assembly, solved.closes, solved.apart, solved.degenerate, is_open, solved.label,
-            solved.transmission, solved.sides, solved.system,
+            solved.transmission, solved.sides, solved.system, _mode_of_task(mechanism, solved),
         )
         for index, ((dyad, solved, assembly, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)
     )  # fmt: skip
