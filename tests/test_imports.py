@@ -70,6 +70,22 @@ ALLOWED["homework"] = {
     "sheet.workbook",
     "arguments",
 }
+# the page shows what the library builds and what checking says of it
+ALLOWED["drawing_page"] = {
+    "model",
+    "units",
+    "words",
+    "formula",
+    "description",
+    "kinematics",
+    "compiled",
+    "sheet.drawing.outlines",
+    "plotting",
+    "checking",
+    "library",
+    "formats.archive",
+    "arguments",
+}
 PARTS = sorted(ALLOWED)
 FORMATS = {name: {"", "reading", name} for name in ("xlsx", "ods", "xls")} | {
     "reading": {"reading"},

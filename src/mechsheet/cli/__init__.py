@@ -17,6 +17,7 @@ from .build import build
 from .check import check
 from .common import in_options
 from .doctor import doctor
+from .draw import draw
 from .exercise import exercise
 from .export import export
 from .helping import Explained, write_commands
@@ -82,5 +83,5 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show, export, schema, pull, audit, exercise, mark, doctor):
+for command in (new, draw, build, check, recalc, plot, show, export, schema, pull, audit, exercise, mark, doctor):
     main.add_command(command)

@@ -17,7 +17,7 @@ from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.coefficients import Written, add_rates, wanted
-from mechsheet.kinematics.driving import driver_values, given_values
+from mechsheet.kinematics.driving import driver_values, given_values, listed_values
 from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Equation, Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
@@ -243,9 +243,16 @@ def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, f
 
 def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
-    driver = replace(mechanism.driver, values=(at,))
+    dimensions = dimension_values(mechanism)
+    driver = replace(mechanism.driver, values=(at,), law=None, speeds=(), accelerations=(), times=(), speed=None)
+    listed = listed_values(mechanism, dimensions, np.array([number(at, dimensions)]))
+    drivers = tuple(
+        replace(other, values=(float(listed[other.symbol][0]),)) if other.values else other
+        for other in mechanism.drivers
+    )
+    there = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None), dynamics=None)
     try:
-        return _solve(replace(mechanism, driver=driver, sketch=replace(mechanism.sketch, at=None)), {}).groups
+        return _solve(there, {}).groups
     except NeverClosesError as error:
         message = f"the sketch cannot show this position: there {error.links} cannot be joined"
         hint = "check `at`, which is in the driver's unit, and the lengths of these links"

@@ -18,13 +18,13 @@ def corners(link: Link, dimensions: Mapping[str, float]) -> tuple[str, ...]:
     """The link's points in the order in which its outline passes them: around their middle."""
     if len(link.points) <= 3:
         return tuple(link.points)
-    places = _number_places(link, dimensions)
+    places = number_places(link, dimensions)
     x = sum(place[0] for place in places.values()) / len(places)
     y = sum(place[1] for place in places.values()) / len(places)
     return tuple(sorted(places, key=lambda point: math.atan2(places[point][1] - y, places[point][0] - x)))
 
 
-def _number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
+def number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
     """Every point of a link, in the order of the description."""
     found: dict[str, Point] = {}
 

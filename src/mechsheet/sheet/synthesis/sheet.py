@@ -140,10 +140,10 @@ class _Page:
     def _why(self) -> Node:
         """What is wrong with the task, or why it has no solution, or that it is solved."""
         why: Node = Text(self.plan.text("synthesis.nothing"))
-        for symbol, words in reversed(self.given.reasons):
+        for symbol, _ in reversed(self.given.reasons):
+            said = CellRef(self.rows.of["solution", symbol], REMARK, True, True)
             # the first step without a value says why
-            why = formula("IF(ISNUMBER(step),why,reason)", step=self.plan.at.cell(symbol, self.title, None), why=why,
-                          reason=words.of(self.plan.language))  # fmt: skip
+            why = formula("IF(ISNUMBER(step),why,said)", step=self._cell(symbol), why=why, said=said)
         return formula(
             "IF(_unsolved=wrong,input,IF(_unsolved=none,why,solved))", wrong=WRONG_INPUT, none=NO_SOLUTION,
             input=self._first_wrong(), why=why, solved=self.plan.text("synthesis.solved"),
@@ -232,6 +232,7 @@ class _Page:
     def solution(self) -> None:
         """Each step: symbol, value, the equation as a textbook has it, what it is."""
         self.heading("solution")
+        reasons = dict(self.given.reasons)
         for symbol in self.given.steps:
             dim, row = self.dimensions[symbol], self.rows.of["solution", symbol]
             node = dim.value
@@ -243,7 +244,13 @@ class _Page:
             self.put(row, UNIT, dim.unit.text, styles.UNIT)
             said = says(node)
             self._words(row, ROUNDED, MEANING, written(said, self.plan.language))
-            self.put(row, REMARK, dim.label.of(self.plan.language) if dim.label else "", styles.LABEL)
+            label = dim.label.of(self.plan.language) if dim.label else ""
+            if symbol in reasons:
+                words = formula("IF(ISNUMBER(value),label,reason)", value=CellRef(row, VALUE, True, True), label=label,
+                                reason=reasons[symbol].of(self.plan.language))  # fmt: skip
+                self.formula(row, REMARK, words, styles.LABEL)
+            else:
+                self.put(row, REMARK, label, styles.LABEL)
 
     def _words(self, row: int, first: int, last: int, content: Content) -> None:
         self.put(row, first, content, styles.LABEL)
