@@ -41,7 +41,7 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
         raise MechanismError(f'"{unknown[0]}" is no dimension; {near_miss(unknown[0], known)}'.rstrip("; "))
     values: dict[str, float] = {}
     task = mechanism.synthesis
-    found = {} if task is None else dict.fromkeys(set(task.results.values()) & set(task.steps))
+    found = frozenset[str]() if task is None else frozenset(task.results.values()) & frozenset(task.steps)
 
     def settle(symbol: str, asked: tuple[str, ...]) -> None:
         if symbol in values:
@@ -57,8 +57,7 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
         if task is not None and symbol in found:
             for name in (*task.inputs, *(set(task.results.values()) - set(task.steps))):
                 settle(name, (*asked, symbol))
-            found.update(results(task, values))
-            values.update({name: found[name] for name in found if name not in given})
+            values.update({name: value for name, value in results(task, values).items() if name not in given})
             return
         if not isinstance(quantity, float):
             for name in symbols(quantity):

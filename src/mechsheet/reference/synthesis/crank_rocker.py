@@ -55,13 +55,17 @@ def by_lam(psi: float, phi: float, a1: float, lam: float) -> CrankRocker:
     """The crank-rocker with coupler and crank in the ratio lam; psi and phi in radians."""
     if not (math.isfinite(lam) and lam > 1 and in_domain(psi, phi)):
         return NO_CRANK_ROCKER
-    swing, turn = cmath.exp(1j * psi), cmath.exp(1j * phi)
-    crank, rocker = map(
-        complex, np.linalg.solve(np.array([[1 + lam, -1], [turn * (1 - lam), -swing]]), np.array([1, 1]))
-    )
+    crank, rocker = outer(psi, phi, lam)
     a2, a4 = a1 * abs(crank), a1 * abs(rocker)
-    together = rocker.imag * (rocker * swing).imag > 0
+    together = rocker.imag * (rocker * cmath.exp(1j * psi)).imag > 0
     return CrankRocker(a1, a2, lam * a2, a4, lam, least_transmission(a1, a2, lam * a2, a4) if together else math.nan)
+
+
+def outer(psi: float, phi: float, lam: float) -> tuple[complex, complex]:
+    """Z1 and Z2: crank and rocker at the outer dead centre, in lengths of the fixed link."""
+    left = np.array([[1 + lam, -1], [cmath.exp(1j * phi) * (1 - lam), -cmath.exp(1j * psi)]])
+    crank, rocker = np.linalg.solve(left, np.array([1, 1]))
+    return complex(crank), complex(rocker)
 
 
 def by_crank(psi: float, phi: float, a1: float, a2: float) -> CrankRocker:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...model import Synthesis
 from ..expressions import number
-from . import functions, quick_return
+from . import crank_rocker, functions, guidance, quick_return
+from .guidance import NAN
 
 
 class Given:
@@ -74,8 +76,92 @@ def _quick_return_lever(given: Given) -> dict[str, float]:
     }
 
 
+def _dead_centres(given: Given) -> dict[str, float]:
+    psi, a1 = given.at("psi"), given.own("a1")
+    phi = given.at("phi") if given.has("phi") else crank_rocker.crank_turn(given.at("time_ratio"))
+    if given.has("lam"):
+        found = crank_rocker.by_lam(psi, phi, a1, given.at("lam"))
+    elif given.has("a2"):
+        found = crank_rocker.by_crank(psi, phi, a1, given.at("a2"))
+    else:
+        found = crank_rocker.best(psi, phi, a1)
+    crank, rocker = crank_rocker.outer(psi, phi, found.lam) if found.exists else (NAN, NAN)
+    return {
+        "phi": phi,
+        "time_ratio": phi / (2 * math.pi - phi),
+        "lam": found.lam,
+        "a2": found.a2,
+        "a3": found.a3,
+        "a4": found.a4,
+        "theta_1": cmath.phase(crank),
+        "psi_1": cmath.phase(rocker),
+        "mode": math.copysign(1.0, crank.imag) if found.exists else math.nan,
+        "mu_min": found.mu_min,
+    }
+
+
+def _quick_return_slider(given: Given) -> dict[str, float]:
+    stroke, ratio = given.at("stroke"), given.at("time_ratio")
+    if given.has("lam"):
+        found = quick_return.by_lam(stroke, ratio, given.at("lam"))
+    elif given.has("c"):
+        found = quick_return.by_eccentricity(stroke, ratio, given.at("c"))
+    elif given.has("a2"):
+        found = quick_return.by_crank(stroke, ratio, given.at("a2"))
+    else:
+        found = quick_return.best(stroke, ratio)
+    return {
+        "alpha": math.pi * (ratio - 1) / (ratio + 1),
+        "lam": found.lam,
+        "a2": found.a2,
+        "a3": found.a3,
+        "c": found.c,
+        "mu_min": found.mu_min,
+    }
+
+
+def _guidance(given: Given) -> dict[str, float]:
+    poses = [
+        guidance.Pose(complex(given.at("poses", n, 0), given.at("poses", n, 1)), given.at("poses", n, 2))
+        for n in range(3)
+    ]
+    first, second = (crank_of(given, poses, name) for name in ("A", "B"))
+    body = second.moving - first.moving
+    own = (poses[0].place - first.moving) * abs(body) / body if body else NAN
+    found = {
+        "a1": abs(second.fixed - first.fixed),
+        "a2": first.length,
+        "a3": abs(body),
+        "a4": second.length,
+        "theta_1": cmath.phase(first.moving - first.fixed),
+        "gamma_1": cmath.phase(body),
+        "u_P": own.real,
+        "v_P": own.imag,
+    }
+    for name, crank in (("A", first), ("B", second)):
+        found |= {f"x_{name}": crank.moving.real, f"y_{name}": crank.moving.imag}
+        found |= {f"x_{name}0": crank.fixed.real, f"y_{name}0": crank.fixed.imag}
+        found |= {f"beta_{name}{n}": turn for n, turn in zip((2, 3), crank.turns, strict=True)}
+    there = [guidance.carried(poses, crank.moving) for crank in (first, second)]
+    sides = [((second.fixed - a).conjugate() * (b - a)).imag for a, b in zip(*there, strict=True)]
+    found["mode"] = (1.0 if np.sum(np.sign(sides)) > -0.5 else -1.0) if first.exists and second.exists else math.nan
+    return found
+
+
+def crank_of(given: Given, poses: Sequence[guidance.Pose], name: str) -> guidance.Crank:
+    """One of the two cranks that guide a body, by what is given of it."""
+    if given.has(name, "turns", 0):
+        return guidance.by_turns(poses, (given.at(name, "turns", 0), given.at(name, "turns", 1)))
+    if given.has(name, "moving", 0):
+        return guidance.by_moving(poses, complex(given.at(name, "moving", 0), given.at(name, "moving", 1)))
+    return guidance.by_fixed(poses, complex(given.at(name, "fixed", 0), given.at(name, "fixed", 1)))
+
+
 KINDS: Mapping[str, Callable[[Given], dict[str, float]]] = {
     "function": _function,
+    "dead-centres": _dead_centres,
+    "guidance": _guidance,
+    "quick-return-slider": _quick_return_slider,
     "quick-return-lever": _quick_return_lever,
 }
 
@@ -89,4 +175,4 @@ def results(task: Synthesis, numbers: Mapping[str, float]) -> dict[str, float]:
         return {symbol: math.nan for symbol in task.results.values() if symbol in task.steps}
     with np.errstate(all="ignore"):
         found = KINDS[task.kind](Given(task, numbers))
-    return {task.results[name]: value for name, value in found.items()}
+    return {task.results[name]: value for name, value in found.items() if task.results[name] in task.steps}
