@@ -562,6 +562,12 @@ class Synthesis:
         """Symbols of the task's input dimensions, in its order."""
         return tuple(self.task.values())
 
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """Symbols that all have a value where the task has a solution: those of the mechanism's dimensions."""
+        names = tuple(self.taken.values()) or tuple(self.results)
+        return tuple(dict.fromkeys(self.results[name] for name in names))
+
 
 @dataclass(frozen=True, slots=True)
 class Mechanism:

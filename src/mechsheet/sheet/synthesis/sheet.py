@@ -175,7 +175,7 @@ class _Page:
             wrong = formula("NOT(can_be)", can_be=self._can_be(symbol))
             self.conditionals.append(Conditional(area, self.plan.at.bind(wrong, self.title), styles.BAD))
         can_be = al.all_of([self._can_be(symbol) for symbol in self.given.inputs])
-        solved = al.all_of([formula("ISNUMBER(step)", step=self._cell(symbol)) for symbol in self._ends()])
+        solved = al.all_of([formula("ISNUMBER(step)", step=self._cell(symbol)) for symbol in self.given.ends])
         state = formula("IF(can_be,IF(solved,yes,none),wrong)", can_be=can_be, solved=solved, yes=SOLVED,
                         none=NO_SOLUTION, wrong=WRONG_INPUT)  # fmt: skip
         self.heading("does")
@@ -191,11 +191,6 @@ class _Page:
         for col in range(ROUNDED + 1, MEANING + 1):
             self.put(row, col, None, styles.VERDICT)
         self.across(row, ROUNDED, MEANING)
-
-    def _ends(self) -> tuple[str, ...]:
-        """The steps that the mechanism's dimensions are; all results where it takes none."""
-        names = tuple(self.given.taken.values()) or tuple(self.given.results)
-        return tuple(dict.fromkeys(self.given.results[name] for name in names))
 
     def _cell(self, symbol: str) -> Node:
         return self.plan.at.cell(symbol, self.title, None)
