@@ -53,7 +53,7 @@ def dead_centres(random: np.random.Generator) -> Task:
 def guidance(random: np.random.Generator) -> Task:
     """Three poses, and for each pivot one of its three ways."""
     first = random.uniform(-50, 50, 2)
-    steps = np.cumsum(random.uniform(-60, 60, (2, 2)), axis=0)
+    first, steps = np.round(first), np.round(np.cumsum(random.uniform(-60, 60, (2, 2)), axis=0), 1)
     turns = np.cumsum(random.uniform(5, 60, 2)) * random.choice([1, -1])
     angle = random.uniform(-90, 90)
     if random.random() < FOR_NOTHING:  # the body only slides along a line
