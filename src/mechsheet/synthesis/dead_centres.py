@@ -5,13 +5,13 @@ With lam = a3/a2 all lengths follow, as a part of a1:
     D^2 = (1 - cos(phi - psi)) + (1 + cos(phi - psi)) lam^2
     a2 = sqrt(2) sin(psi/2)/D,   a3 = lam a2,   a4 = sqrt((1 - cos(phi)) + (1 + cos(phi)) lam^2)/D
 
-The dead centres lie on one side of A0B0, so that one assembly has both, for lam < (1 + m)/(1 - m), m being the smaller of u and 1/u,
-u = -cos(phi - psi/2)/cos(psi/2). The lam whose least transmission angle is largest is sqrt(t^2/Q), Q the positive root of
+The dead centres lie on one side of A0B0, so that one assembly has both, for lam < (1 + m)/(1 - m), m being the smaller of
+u and 1/u, u = -cos(phi - psi/2)/cos(psi/2). The lam with the largest least transmission angle is t/sqrt(Q), Q > 0 of
 
     Q^3 + 2 Q^2 - t^2 Q - t^2 (1 + t^2)/u^2 = 0,   t = tan(phi/2), u = tan((phi - psi)/2)
 
-Sources: Soeylemez, Mechanisms, section 7.1, equations 9 to 12; F. Freudenstein and E. J. F. Primrose, The classical transmission
-angle problem, IMechE conference on mechanisms (1972).
+Sources: Soeylemez, Mechanisms, section 7.1, equations 9 to 12; F. Freudenstein and E. J. F. Primrose, The classical
+transmission angle problem, IMechE conference on mechanisms (1972).
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def _lengths(w: Writer) -> None:
 def _positions(w: Writer) -> None:
     """Where B is at the first dead centre, seen from B0 in parts of a1: crank and coupler in line give two equations,
 
-        C (1 + lam) = 1 + R,   C (1 - lam) e^(i phi) = 1 + R e^(i psi)
+    C (1 + lam) = 1 + R,   C (1 - lam) e^(i phi) = 1 + R e^(i psi)
     """
     plain, angle = w.units.number, w.units.angle
     w.step("kappa", "(1 - lam)/(1 + lam)", plain, "kappa", "D")

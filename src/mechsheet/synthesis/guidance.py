@@ -1,6 +1,6 @@
 """Guidance of a body through three poses by a four-bar linkage: its coupler is the body.
 
-Each of the two cranks holds a point of the body at a constant distance from a fixed pivot. One of three things is given of it:
+Each of the two cranks holds a point of the body at a constant distance from a fixed pivot. Of each one thing is given:
 
     moving   a point of the body: the fixed pivot is the centre of the circle through its three places
     fixed    the fixed pivot: seen from the body it lies on a circle about the point of the body (inversion)
@@ -39,9 +39,8 @@ def write(w: Writer) -> None:
 
 def _by_moving(w: Writer, s: str) -> None:
     """The fixed pivot of a point of the body."""
-    parts = {"point": s}
     for place, axis in enumerate("xy"):
-        w.length(f"{axis}_{s}", s, "moving", place, words="moving", axis=axis, **parts)
+        w.length(f"{axis}_{s}", s, "moving", place, words="moving", axis=axis, point=s)
         w.given_result(f"{axis}_{s}")
     _places(w, s)
     _centre(w, s, f"{s}0", [f"{s}", f"{s}_2", f"{s}_3"], "fixed_pivot")
@@ -83,8 +82,24 @@ def _centre(w: Writer, s: str, centre: str, points: list[str], words: str) -> No
         w.step(f"h_{s}{n}", f"(u_{s}{n}^2 + v_{s}{n}^2)/2", plain, "half_square", point=s, number=n)
     w.step(f"det_{s}", f"u_{s}2*v_{s}3 - v_{s}2*u_{s}3", plain, "circle_determinant", point=s)
     needs = f"abs(det_{s}) - {DETERMINED}*max(h_{s}2, h_{s}3)"
-    w.result(f"x_{centre}", f"x_{first} + (h_{s}2*v_{s}3 - h_{s}3*v_{s}2)/det_{s}", length, words, needs, point=centre, axis="x")
-    w.result(f"y_{centre}", f"y_{first} + (u_{s}2*h_{s}3 - u_{s}3*h_{s}2)/det_{s}", length, words, needs, point=centre, axis="y")
+    w.result(
+        f"x_{centre}",
+        f"x_{first} + (h_{s}2*v_{s}3 - h_{s}3*v_{s}2)/det_{s}",
+        length,
+        words,
+        needs,
+        point=centre,
+        axis="x",
+    )
+    w.result(
+        f"y_{centre}",
+        f"y_{first} + (u_{s}2*h_{s}3 - u_{s}3*h_{s}2)/det_{s}",
+        length,
+        words,
+        needs,
+        point=centre,
+        axis="y",
+    )
 
 
 def _by_turns(w: Writer, s: str) -> None:
@@ -97,8 +112,20 @@ def _by_turns(w: Writer, s: str) -> None:
             w.step(f"{letter}x_{s}{n}", f"cos({angle}) - 1", plain, key, number=n, axis="x")
             w.step(f"{letter}y_{s}{n}", f"sin({angle})", plain, key, number=n, axis="y")
     # det = E2 F3 - E3 F2, in the complex plane
-    w.step(f"detx_{s}", _product("E", 2, "F", 3, s, "x") + " - " + _product("E", 3, "F", 2, s, "x"), plain, "turns_det", axis="x")
-    w.step(f"dety_{s}", _product("E", 2, "F", 3, s, "y") + " - " + _product("E", 3, "F", 2, s, "y"), plain, "turns_det", axis="y")
+    w.step(
+        f"detx_{s}",
+        _product("E", 2, "F", 3, s, "x") + " - " + _product("E", 3, "F", 2, s, "x"),
+        plain,
+        "turns_det",
+        axis="x",
+    )
+    w.step(
+        f"dety_{s}",
+        _product("E", 2, "F", 3, s, "y") + " - " + _product("E", 3, "F", 2, s, "y"),
+        plain,
+        "turns_det",
+        axis="y",
+    )
     w.step(f"det_{s}", f"detx_{s}^2 + dety_{s}^2", plain, "turns_square", point=s)
     # W = (d2 F3 - d3 F2)/det,  Z = (E2 d3 - E3 d2)/det
     for letter, other, sign, key in (("W", "F", 1, "arm"), ("Z", "E", -1, "rest")):
@@ -159,5 +186,11 @@ def _assembly(w: Writer) -> None:
     plain = w.units.number
     for n, end in ((1, ""), (2, "_2"), (3, "_3")):
         ax, ay, bx, by = f"x_A{end}", f"y_A{end}", f"x_B{end}", f"y_B{end}"
-        w.step(f"side_p{n}", f"sign((x_B0 - {ax})*({by} - {ay}) - (y_B0 - {ay})*({bx} - {ax}))", plain, "side_pose", number=n)
+        w.step(
+            f"side_p{n}",
+            f"sign((x_B0 - {ax})*({by} - {ay}) - (y_B0 - {ay})*({bx} - {ax}))",
+            plain,
+            "side_pose",
+            number=n,
+        )
     w.result("mode", "where(0.5 + side_p1 + side_p2 + side_p3, 1, -1)", plain, "mode_poses")

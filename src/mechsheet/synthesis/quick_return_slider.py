@@ -4,8 +4,8 @@ At the dead centres crank and rod are in line, alpha = 180 (t - 1)/(t + 1) degre
 
     a2 = stroke/sqrt(2 (lam^2 + 1) - 2 (lam^2 - 1) cos(alpha)),   a3 = lam a2,   c = (a3^2 - a2^2) sin(alpha)/stroke
 
-With K = (stroke/a2)^2 = p lam^2 + q, p = 2 (1 - cos(alpha)), q = 2 (1 + cos(alpha)), the least transmission angle, whose cosine is
-(a2 + c)/a3, is largest at the middle root of  K^3 = q/(4 p) ((4 + p) K - 4 q)^2.
+With K = (stroke/a2)^2 = p lam^2 + q, p = 2 (1 - cos(alpha)), q = 2 (1 + cos(alpha)), the least transmission angle, whose
+cosine is (a2 + c)/a3, is largest at the middle root of  K^3 = q/(4 p) ((4 + p) K - 4 q)^2.
 The slider reaches both ends in one assembly for lam^2 p < q lam, that is lam < 1/tan(alpha/2)^2.
 Source: Soeylemez, Mechanisms, section 7.2.
 """
