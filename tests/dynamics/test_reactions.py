@@ -48,9 +48,10 @@ def weighed(text, seed, static=False):
             place = np.round(random.uniform(-size, size, 2), 2).tolist()
             force = np.round(random.uniform(-90, 90, 2), 2).tolist()
             frame = random.choice(["ground", "link"])
-            extra += f'[[loads]]\nlink = "{link.name}"\npoint = {place}\nforce = {force}\nframe = "{frame}"\n'
+            extra += f'[[loads]]\nname = "W{link.number}"\nlink = "{link.name}"\n'
+            extra += f'point = {place}\nforce = {force}\nframe = "{frame}"\n'
         if random.random() < 0.4:
-            extra += f'[[loads]]\nlink = "{link.name}"\ntorque = {random.uniform(-3, 3):.2f}\n'
+            extra += f'[[loads]]\nname = "V{link.number}"\nlink = "{link.name}"\ntorque = {random.uniform(-3, 3):.2f}\n'
     owners = {point: link.name for link in reversed(mechanism.links) for point in link.points}
     if random.random() < 0.6:
         one, other = random.choice(list(owners), 2, replace=False)
