@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from mechsheet.formula.nodes import CellRef, Node
-from mechsheet.homework.agreement import Reading, agrees, reading_of, units_of
+from mechsheet.homework.agreement import Reading, agrees, likely, reading_of, units_of
 from mechsheet.homework.changes import Change, Surroundings, changes
 from mechsheet.homework.inputs import single_cells
 from mechsheet.homework.series import Graph, Series, aligned
@@ -139,14 +139,15 @@ class Search:
         work = self.graph.work
         by_main = {strip: number for number, strip in enumerate(work.strips)}
         found = {number for number, strip in enumerate(work.strips) if strip.length == 1 and not self._beside(strip)}
-        for series in self.found.series:
-            column = self.sheet.column(series)
-            for word in words:
-                reading = reading_of(column, word, self.found.allowed(word))
-                if reading is not None and (reading.plain or word.kind == "length"):
-                    if series.main is not None:
-                        found.add(by_main[series.main])
-                    break
+        computed = [series for series in self.found.series if series.main is not None]
+        columns = np.array([self.sheet.column(series) for series in computed]).reshape(len(computed), self.found.driver.length)
+        for word in words:
+            allowed = self.found.allowed(word)
+            for place in np.flatnonzero(likely(columns, word, allowed)).tolist():
+                reading = reading_of(columns[place], word, allowed)
+                main = computed[place].main
+                if reading is not None and main is not None and (reading.plain or word.kind == "length"):
+                    found.add(by_main[main])
         wrong = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
         return found - {by_main[strip] for strip in wrong if strip is not None}
 
