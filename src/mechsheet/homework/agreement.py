@@ -86,7 +86,7 @@ def likely(columns: Array, quantity: Quantity, allowed: float) -> NDArray[np.boo
     An angle counted from anywhere differs from it by the same in each row.
     """
     known = np.isfinite(quantity.values)
-    found = np.isfinite(columns[:, known]).all(axis=1)
+    found: NDArray[np.bool_] = np.asarray(np.isfinite(columns[:, known]).all(axis=1), bool)
     if known.sum() < min(FEWEST, len(known)):
         return np.zeros(len(columns), bool)
     whole, values = columns[np.ix_(found, known)], quantity.values[known]

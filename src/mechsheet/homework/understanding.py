@@ -80,13 +80,13 @@ def understand(
         raise WorkbookError(Fault("no table", about="no table"))
     best: tuple[tuple[int, int], Understanding] | None = None
     given = reference.dimension_values(mechanism)
-    for run in [one for likely in runs[:3] for one in (likely, *counted(graph, likely))]:
+    for run in [one for first in runs[:3] for one in (first, *counted(graph, first))]:
         series = aligned(graph, run)
         for by_words in (True, False):
             inputs = inputs_of(graph, mechanism, given, run, by_words)
             if not by_words and inputs == inputs_of(graph, mechanism, given, run, True):
                 continue
-            for factor, offset in _ways(work, run, mechanism, unusual):
+            for factor, offset in ways(work, run, mechanism, unusual):
                 found = _hypothesis(graph, run, factor, offset, inputs, mechanism, series, tolerance)
                 if found is None:
                     continue
@@ -131,7 +131,7 @@ def driver_column(work: Work, run: Run) -> Array:
     return np.array([work.number(place) for place in run.places()], float)
 
 
-def _ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[tuple[float, float]]:
+def ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[tuple[float, float]]:
     """(factor, offset) in which the driver may be written, the usual ones first."""
     column = driver_column(work, run)
     if mechanism.driver.joint:
@@ -149,7 +149,9 @@ def _ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator
 
 def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
     """(asked quantities that some series is, series that are anything of the mechanism)."""
-    columns = np.array([series.column(found.work) for series in found.series]).reshape(len(found.series), found.driver.length)
+    columns = np.array([series.column(found.work) for series in found.series]).reshape(
+        len(found.series), found.driver.length
+    )
     right = 0
     for symbol in asked:
         if symbol in found.truth.columns:

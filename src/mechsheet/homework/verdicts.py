@@ -61,6 +61,10 @@ class Sheet:
             self.columns[series.key] = series.column(self.found.work, self.values)
         return self.columns[series.key]
 
+    def matrix(self, several: Sequence[Series]) -> Array:
+        """The numbers of several series, shape (series, rows)."""
+        return np.array([self.column(series) for series in several]).reshape(len(several), self.found.driver.length)
+
 
 def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
     """Each asked quantity: right where a series agrees with it, else wrong or missing. Nothing is retyped here."""
@@ -187,8 +191,7 @@ def unexplained(sheet: Sheet, truth: Truth, spare: Sequence[Series]) -> list[Ser
     words = vocabulary(truth)
     found = sheet.found
     computed = [series for series in spare if series.main is not None]
-    columns = np.array([sheet.column(series) for series in computed]).reshape(len(computed), len(truth.driver))
-    known = anything(columns, words, found.allowed, found.zeros)
+    known = anything(sheet.matrix(computed), words, found.allowed, found.zeros)
     return [series for series, one in zip(computed, known, strict=True) if not one]
 
 
