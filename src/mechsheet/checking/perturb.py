@@ -286,7 +286,7 @@ def drawn(plan: Plan, draw: random.Random) -> dict[str, float]:
                 value = -value
         found[dim.symbol] = float(f"{value:.6g}")
     for group in plan.equations.groups:
-        if group.mode:
+        if group.mode and group.follows is None:
             others = [value for value in group.mode_values if value != group.mode_value] or [group.mode_value]
             flipped = others[0] if len(others) == 1 else others[int(draw.random() * len(others))]
             found[group.mode] = float(flipped if draw.random() < FLIPPED else group.mode_value)

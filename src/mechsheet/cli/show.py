@@ -23,19 +23,26 @@ from .streams import print_file
     flag_value="verdicts",
     help="What the first sheet says, by names of its cells; searched.",
 )
+@click.option(
+    "--dimensions",
+    "what",
+    flag_value="dimensions",
+    help="Every dimension with its value; with --json exact values, null where a task has no solution.",
+)
 @JSON
 @click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")
 def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **changes: Any) -> None:
-    """Print what was understood: the groups and variables, the equations, the cells, or the verdicts.
+    """Print what was understood: the groups and variables, the equations, the dimensions, the cells, or the verdicts.
 
     \b
     mechsheet show four-bar.toml
     mechsheet show four-bar.toml --equations
     mechsheet show four-bar.toml --verdicts --json
+    mechsheet show function-generator.toml --dimensions --json
     mechsheet show four-bar.toml --json
     """
+    from mechsheet.library import dimensions, verdicts
     from mechsheet.library import show as shows
-    from mechsheet.library import verdicts
 
     mechanism = described(description, Changes(**changes))
     with at_lines_of(mechanism, description):
@@ -43,6 +50,8 @@ def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **cha
             text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
         elif what == "cells":
             text = shows.cells_json(mechanism) if as_json else shows.cells_text(mechanism)
+        elif what == "dimensions":
+            text = dimensions.dimensions_json(mechanism) if as_json else dimensions.dimensions_text(mechanism)
         elif what == "verdicts":
             text = verdicts.verdicts_json(mechanism) if as_json else verdicts.verdicts_text(mechanism)
         elif as_json:

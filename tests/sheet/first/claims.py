@@ -73,7 +73,7 @@ class Sheets:
         self.equations = solve(mechanism)
         workbook, self.plan = lay_out(mechanism, self.equations)
         titles = self.plan.at.titles
-        wanted = ("mechanism", "positions", "rates", "forces", "checks", "extremes", "iterations")
+        wanted = ("mechanism", "synthesis", "positions", "rates", "forces", "checks", "extremes", "iterations")
         needed = {titles[key] for key in wanted if key in titles}
         self.rules = []
         sheets = []
