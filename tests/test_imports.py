@@ -66,11 +66,25 @@ ALLOWED["homework"] = {
     "description",
     "engine",
     "reference",
+    # which numbers may be which dimensions is tried with the equations; what is found is proven by the reference
     "kinematics.solve",
+    "kinematics.equations",
+    "kinematics.numeric",
     "compiled",
     "formats",
     "sheet.workbook",
     "arguments",
+}
+# designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says
+ALLOWED["studies"] = {
+    "model",
+    "formula",
+    "description",
+    "kinematics",
+    "sheet",
+    "compiled",
+    "formats",
+    "__version__",
 }
 # the page shows what the library builds and what checking says of it
 ALLOWED["drawing_page"] = {
