@@ -1,7 +1,8 @@
 """Make the pictures of README and docs from the workbooks as they are built now: `make pictures`.
 
 Needs LibreOffice, pdftoppm, Xvfb and xdotool (apt-get install libreoffice-calc poppler-utils xvfb xdotool); the gallery's
-drawings need matplotlib only, the page of `mechsheet draw` needs Chromium. Names of pictures make only those: `python tools/pictures.py workbook-page opened`.
+drawings need matplotlib only, the page of `mechsheet draw` Chromium. Names of pictures make only those:
+`python tools/pictures.py workbook-page opened`.
 """
 
 from __future__ import annotations
@@ -63,11 +64,13 @@ def drawn_page(theme: str) -> Image.Image:
         server.start()
         flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"]
         browser = started.chromium.launch(executable_path="/usr/bin/chromium", args=flags)
-        window = browser.new_page(viewport={"width": 1366, "height": 768}, color_scheme="dark" if theme == "dark" else "light")
+        window = browser.new_page(
+            viewport={"width": 1366, "height": 768}, color_scheme="dark" if theme == "dark" else "light"
+        )
         window.goto(server.address)
         window.wait_for_selector("body[data-ready=yes]")
         window.locator("#position").fill("32")
-        window.locator('#position').evaluate('each => each.blur()')
+        window.locator("#position").evaluate("each => each.blur()")
         window.wait_for_timeout(500)
         content = window.screenshot()
         browser.close()

@@ -30,7 +30,9 @@ def test_positions_are_those_of_the_reference(path):
     assert found["faults"] == []
     frames = found["frames"]
     compiled = reading.compiled
-    truth = reference.solve(compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.modes, compiled.equations))
+    truth = reference.solve(
+        compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.modes, compiled.equations)
+    )
     size = np.nanmax(np.abs(np.array([truth.points[name] for name in truth.points])))
     rows = frames["rows"]
     assert len(rows) == len(reading.compiled.driver)
