@@ -3,9 +3,9 @@
     python benchmarks/bench_study.py [--designs 1000000] [--rows 73] [--dask] [--check]
 
 Of each design: Grashof's condition first; then the whole turn, whether it closes, the transmission angle and the height of
-the coupler point; kept are those whose angle is above 40 degrees. By hand a row is as near as one comes to an extreme; the study
-also looks between the rows. Both run in turn in one process, chunk by chunk, on one core; CPU time. --dask: what a scheduler
-costs, with tasks that do nothing. --check fails where a goal is missed.
+the coupler point; kept are those whose angle is above 40 degrees. By hand a row is as near as one comes to an extreme; the
+study also looks between the rows. Both run in turn in one process, chunk by chunk, on one core; CPU time. --dask: what a
+scheduler costs, with tasks that do nothing. --check fails where a goal is missed.
 """
 
 from __future__ import annotations
