@@ -66,7 +66,10 @@ ALLOWED["homework"] = {
     "description",
     "engine",
     "reference",
+    # which numbers may be which dimensions is tried with the equations; what is found is proven by the reference
     "kinematics.solve",
+    "kinematics.equations",
+    "kinematics.numeric",
     "compiled",
     "formats",
     "sheet.workbook",
