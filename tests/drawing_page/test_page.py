@@ -299,6 +299,25 @@ def test_words_are_turkish_and_every_control_has_a_name(opening, four_bar):
         assert nameless == []
 
 
+def test_a_link_that_is_dragged_moves_the_mechanism(opening, four_bar):
+    """With the tool Move: the text stays, the crank turns after the mouse, and the rocker with it."""
+    opened = opening(four_bar)
+    text = opened.text()
+    opened.page.keyboard.press("t")
+    rocker = opened.place("B")
+    opened.drag("A", (-35, -60))
+    angle = (
+        "async () => { const { state } = await import('./state.js'); return state.look.frames.driver[state.frame]; }"
+    )
+    assert 20 < opened.page.evaluate(angle) < 90
+    assert opened.place("B") != pytest.approx(rocker, abs=1)
+    assert opened.text() == text
+    opened.page.keyboard.press("v")
+    opened.drag("C", (20, 20))
+    opened.until("before => document.querySelector('#text').value !== before", text)
+    assert re.search(r"^at = \d", opened.text(), re.MULTILINE)  # the sketch is of the position that was shown
+
+
 def test_curves_follow_the_position(opening, four_bar):
     opened = opening(four_bar)
     opened.page.click("#tab-curves")
