@@ -18,14 +18,9 @@ from mechsheet.cli import main
 def test_it_serves_until_ctrl_c(tmp_path):
     (tmp_path / "mine.toml").write_text(mechsheet.template("four-bar").text, encoding="utf-8")
     command = [sys.executable, "-m", "mechsheet", "draw", "mine.toml", "--no-browser"]
-    running = subprocess.Popen(
-        command,
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env=os.environ | {"PYTHONUNBUFFERED": "1"},
-    )
+    environment = os.environ | {"PYTHONUNBUFFERED": "1"}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    running = subprocess.Popen(command, cwd=tmp_path, text=True, env=environment, **pipes)
     try:
         address = running.stdout.readline().strip()
         host, _, path = address.removeprefix("http://").partition("/")
