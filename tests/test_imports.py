@@ -12,19 +12,20 @@ ALLOWED = {
     "diagnostics": set(),
     "arguments": {"formula", "formats.archive"},
     "units": set(),
+    "portable": set(),
     "model": {"formula.nodes", "units"},
     "words": {"model"},
-    "formula": set(),
+    "formula": {"portable"},
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
     "reference": {"model", "formula.nodes"},
-    "engine": {"formula"},
+    "engine": {"formula", "portable"},
     # tasks and the steps of their solutions, as dimensions that follow from others
-    "synthesis": {"model", "formula", "units", "words"},
-    "description": {"model", "formula", "units", "synthesis"},
-    "kinematics": {"model", "formula", "units", "words"},
+    "synthesis": {"portable", "model", "formula", "units", "words"},
+    "description": {"portable", "model", "formula", "units", "synthesis"},
+    "kinematics": {"portable", "model", "formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
-    "dynamics": {"model", "formula", "kinematics", "units", "words"},
-    "sheet": {"model", "formula", "kinematics", "synthesis", "units", "words"},
+    "dynamics": {"portable", "model", "formula", "kinematics", "units", "words"},
+    "sheet": {"portable", "model", "formula", "kinematics", "synthesis", "units", "words"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
@@ -43,6 +44,7 @@ ALLOWED = {
     },
     # exporting prints the equations, draws what plotting draws, and tabulates their values
     "exporting": {
+        "portable",
         "model",
         "units",
         "words",
@@ -65,11 +67,25 @@ ALLOWED["homework"] = {
     "description",
     "engine",
     "reference",
+    # which numbers may be which dimensions is tried with the equations; what is found is proven by the reference
     "kinematics.solve",
+    "kinematics.equations",
+    "kinematics.numeric",
     "compiled",
     "formats",
     "sheet.workbook",
     "arguments",
+}
+# designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says
+ALLOWED["studies"] = {
+    "model",
+    "formula",
+    "description",
+    "kinematics",
+    "sheet",
+    "compiled",
+    "formats",
+    "__version__",
 }
 # the page shows what the library builds and what checking says of it
 ALLOWED["drawing_page"] = {

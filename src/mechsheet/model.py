@@ -572,6 +572,66 @@ class Synthesis:
 
 
 @dataclass(frozen=True, slots=True)
+class Range:
+    """What a study does with a dimension, in its own unit: low, low + step, ... up to high, or any number between low and
+    high where `step` is 0; or one of `values`."""
+
+    symbol: str
+    low: float = 0.0
+    high: float = 0.0
+    step: float = 0.0
+    values: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """What a design must meet.
+
+    kind   "compare": sides[0] operators[0] sides[1] ..., over dimensions, summaries and extremes in the units shown;
+           "closes": in every row; "crank": the link `name` goes on turning; "grashof": in the loop `name` some link can turn
+    other  True where the opposite is asked for: `not crank(rocker)`
+    """
+
+    text: str
+    kind: Literal["compare", "closes", "crank", "grashof"]
+    name: str = ""
+    other: bool = False
+    sides: tuple[Node, ...] = ()
+    operators: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Objective:
+    """What is to be as small, or as large, as can be: an expression as in conditions."""
+
+    text: str
+    value: Node
+    largest: bool = False
+
+
+EXTREME = "{take}({of})"
+"""The symbol of an extreme that is no summary of its own, in conditions and objectives: min(mu)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Study:
+    """Which designs are tried, which are kept, and what is best.
+
+    sample  "grid": every combination of the ranges, the last one changing first; "sobol": `count` points of Sobol's
+            sequence, scrambled by `seed`
+    best    how many designs are listed
+    """
+
+    vary: tuple[Range, ...]
+    sample: Literal["grid", "sobol"] = "grid"
+    count: int = 0
+    seed: int = 0
+    keep: tuple[Condition, ...] = ()
+    objectives: tuple[Objective, ...] = ()
+    best: int = 50
+
+
+@dataclass(frozen=True, slots=True)
 class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
@@ -608,6 +668,7 @@ class Mechanism:
     relations: tuple[Relation, ...] = ()
     drivers: tuple[FurtherDriver, ...] = ()
     exercise: Exercise | None = None
+    study: Study | None = None
     synthesis: Synthesis | None = None
     text: str = ""
     file: str = field(default="", compare=False)

@@ -29,6 +29,7 @@ from .recalc import recalc
 from .schema import schema
 from .show import show
 from .streams import ended_by_signals, ending_well, prepare_streams
+from .study import study
 
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -83,5 +84,21 @@ def main() -> None:
     """
 
 
-for command in (new, draw, build, check, recalc, plot, show, export, schema, pull, audit, exercise, mark, doctor):
+for command in (
+    new,
+    draw,
+    build,
+    check,
+    recalc,
+    plot,
+    show,
+    export,
+    schema,
+    pull,
+    audit,
+    exercise,
+    mark,
+    doctor,
+    study,
+):
     main.add_command(command)

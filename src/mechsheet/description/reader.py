@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, exercise, gears, joints, links, results, synthesis
+from mechsheet.description import dimensions, exercise, gears, joints, links, results, study, synthesis
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
 from mechsheet.description.forces import dynamics, flywheel, force_names
@@ -173,6 +173,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
         "synthesis": synthesis.with_modes(task, sketched, scope),
         "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
+        "study": study.read(part(data, "study", {}), bodies, summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     drivers.check_tables(further, parts["tables"], scope)

@@ -488,6 +488,39 @@ EXERCISE = Table(
     }
 )
 
+_RANGE = Table(
+    {
+        "from": Key(Number(), "its smallest value"),
+        "to": Key(Number(), "its largest value"),
+        "by": Key(Number(), "the step of a grid"),
+        "values": Key(Items(Number(), 1, 10_000), "the values one by one, in place of a range"),
+    },
+    ways=((("from", "to"), ("values",)),),
+)
+
+STUDY = Table(
+    {
+        "vary": Key(
+            Named(Either((Items(Number(), 2, 3, "from, to, step"), _RANGE)), "dimension", 1),
+            "dimensions that vary, in their own units: [from, to, step], or as a table; the last one changes first",
+            True,
+        ),
+        "sample": Key(
+            Text(("grid", "sobol")), '"grid": all combinations (the default); "sobol": `count` of them, evenly'
+        ),
+        "count": Key(Integer(1, 2**30), "how many designs a Sobol sample has"),
+        "seed": Key(Integer(0, 2**32 - 1), "what scrambles the Sobol sequence; default 0"),
+        "keep": Key(
+            Items(Text(), 0, 50),
+            'conditions that all must hold: "mu_min > 40", "60 < swing < 90", "closes", "crank(LINK)", '
+            '"grashof(LOOP)", each also with "not" before it; over dimensions, summaries and min(OUTPUT), max(OUTPUT)',
+        ),
+        "minimize": Key(Items(Text(), 0, 3), "what is to be small: summaries, or expressions over them"),
+        "maximize": Key(Items(Text(), 0, 3), "what is to be large; at most three objectives in all"),
+        "best": Key(Integer(1, 1000), "how many of the best designs are listed; default 50"),
+    }
+)
+
 _KIND = Key(Text(), "kind of the task", True)
 _ROUND = Key(Number(), "lengths are rounded to this before they are used; not rounded by default")
 _A1 = Key(Number(), "distance A0B0; the dimension a1 by default")
@@ -597,6 +630,7 @@ DESCRIPTION = Table(
         "workbook": Key(WORKBOOK, "how the workbook is written"),
         "solution": Key(SOLUTION, "how groups of links are solved that have no closed form"),
         "exercise": Key(EXERCISE, "what is asked of students, and what varies from one to the next"),
+        "study": Key(STUDY, "which of millions of designs are kept, and what is best of them"),
     },
     later=("friction",),
 )

@@ -17,28 +17,33 @@ from __future__ import annotations
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.dynamics.acting import ActingForces, Force
+from mechsheet.dynamics.chains import ChainReactions
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Unary
+from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.motions import Motions
+from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.ties import Tied
-from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
+from mechsheet.kinematics.vectors import (
+    NOWHERE,
+    Vector,
+    cross,
+    dot,
+    minus,
+    negative,
+    over,
+    plus,
+    times,
+    together,
+    turned,
+)
 from mechsheet.words.equations import phrase
-
-
-def over(a: Node, b: Node) -> Node:
-    """a / b, a sign in front of all of it."""
-    if isinstance(a, Unary) and a.op == "-":
-        return al.neg(over(a.operand, b))
-    if isinstance(b, Unary) and b.op == "-":
-        return al.neg(over(a, b.operand))
-    return al.div(a, b)
 
 
 class Reactions:
@@ -58,15 +63,20 @@ class Reactions:
         """Write all columns down; the symbols of the efforts, by that of what is driven."""
         efforts: dict[str, str] = {}
         ledger = self.poses.ledger
-        ledger.group = len(self.found.order.dyads)
+        ledger.group = len(self.found.order.groups)
         for step in reversed(self.found.order.steps):
             if isinstance(step, Drive):
                 efforts[step.symbol] = self._effort(step, on_known=True)
             elif isinstance(step, Tied):
                 self.teeth.write(step)
-            elif isinstance(step, Dyad):  # Newton's method: refused before
-                self._dyad(step, self.found.rates.determinants[ledger.group])
-                for assembly in (step.first, step.second):
+            else:
+                det = self.found.rates.determinants[ledger.group]
+                if isinstance(step, Dyad):
+                    self._dyad(step, det)
+                else:
+                    solution = self.found.chains[ledger.group]
+                    ChainReactions(solution, self.motions, self.acting, self.joints, self.columns).write(det)
+                for assembly in step.assemblies:
                     if len(assembly) > 1:
                         drive = self.found.order.pair(assembly)
                         self._refuse_shared_pin(step, drive)
@@ -185,9 +195,8 @@ class Reactions:
 
     # --- the driver -------------------------------------------------------------------------------------------
 
-    def _refuse_shared_pin(self, dyad: Dyad, drive: Drive) -> None:
-        pins = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
-        if isinstance(drive.joint, Pin) and drive.joint.point in pins:
+    def _refuse_shared_pin(self, group: Dyad | Chain, drive: Drive) -> None:
+        if isinstance(drive.joint, Pin) and drive.joint.point in group.pins:
             message = (
                 f"the driver turns two moving links about {drive.joint.point}, where a third one is joined: "
                 "no forces there yet"

@@ -27,7 +27,7 @@ from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
-from mechsheet.kinematics.newton.carriers import ChainWriter
+from mechsheet.kinematics.newton.carriers import ChainWriter, Solution
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
@@ -79,12 +79,13 @@ def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
 class Found:
     """What is known when all positions and rates are written down: what forces are found from.
 
-    dyads  all groups, where there are forces: those that Newton's method solves are refused before
+    chains  by its number each group that Newton's method solves
     """
 
     poses: Poses
     order: Order
     rates: Written
+    chains: Mapping[int, Solution]
 
 
 Further: TypeAlias = Callable[[Found], None]
@@ -135,6 +136,7 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     _further_drivers(mechanism, ledger)
     _pairs(poses, order)
     found: list[tuple[Dyad | Chain, Solved, int, bool]] = []
+    chains: dict[int, Solution] = {}
     given = modes or {}
     for dyad in order.steps:
         if isinstance(dyad, Drive):
@@ -146,7 +148,8 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
         ledger.group += 1
         start = len(ledger.columns)
         if isinstance(dyad, Chain):
-            found.append((dyad, *_solve_chain(poses, dyad, start, dimensions, given, modes is None)))
+            solution = chains[ledger.group] = ChainWriter(poses, dyad).write()
+            found.append((dyad, *_solve_chain(poses, solution, start, dimensions, given, modes is None)))
             continue
         solved = _solve_dyad(poses, dyad)
         if modes is not None and mechanism.sketch.at is not None and solved.mode and solved.mode not in given:
@@ -166,12 +169,10 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     _note_lengths(poses)
     rates = Written({}, {})
     if wanted(mechanism):
-        _refuse_rates(mechanism, found)
-        closed = [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)]
-        _refuse_forces(mechanism, closed)
-        rates = add_rates(poses, order, [solved for _, solved in closed])
+        _refuse_forces(mechanism, [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)])
+        rates = add_rates(poses, order, [solved for _, solved, _, _ in found], chains)
     if further is not None:
-        further(Found(poses, order, rates))
+        further(Found(poses, order, rates, chains))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     law = mechanism.driver.law
@@ -364,11 +365,10 @@ def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
 
 
 def _solve_chain(
-    poses: Poses, chain: Chain, start: int, dimensions: dict[str, float], given: Mapping[str, int], unpicked: bool
+    poses: Poses, solution: Solution, start: int, dimensions: dict[str, float], given: Mapping[str, int], unpicked: bool
 ) -> tuple[Solved, int, bool]:
     """A group without a closed form: (what was written down, its assembly, whether that was left open)."""
     mechanism, ledger = poses.mechanism, poses.ledger
-    solution = ChainWriter(poses, chain).write()
     mode, at = given.get(solution.system.mode), mechanism.sketch.at
 
     def near(home: float) -> Mapping[str, float]:
@@ -398,20 +398,6 @@ def _traced(mechanism: Mechanism, at: float, home: float, variables: Sequence[st
     if not np.all(np.isfinite([values[name][-1] for name in variables])):
         raise cannot_follow(links)
     return {name: float(values[name][-1]) for name in variables}
-
-
-def _refuse_rates(mechanism: Mechanism, found: list[tuple[Dyad | Chain, Solved, int, bool]]) -> None:
-    """Velocities and forces of groups that Newton's method solves are a matter of their own."""
-    labels = [solved.label.en for dyad, solved, _, _ in found if isinstance(dyad, Chain)]
-    if labels:
-        what, key = ("forces", "dynamics") if mechanism.dynamics is not None else ("velocities", "driver.speed")
-        raise MechanismError(
-            Fault(
-                f"{what} are not found where links must be solved all at once: {labels[0]}",
-                key=key,
-                hint="leave the speed, the masses and the loads out; positions are found",
-            )
-        )
 
 
 def _refuse_forces(mechanism: Mechanism, dyads: list[tuple[Dyad, Solved]]) -> None:
