@@ -79,7 +79,7 @@ def test_tasks_typed_into_the_workbook_give_the_same(kind, seed):
     session.update({cell(symbol): dimensions[symbol].shown for symbol in mechanism.synthesis.inputs})
     expected, found = of_reference(mechanism), {}
     results, taken = mechanism.synthesis.results.values(), mechanism.synthesis.taken
-    if not all(math.isfinite(expected[symbol]) for symbol in results):
+    if not all(math.isfinite(expected[symbol]) for symbol in mechanism.synthesis.ends):
         expected |= dict.fromkeys(taken, math.nan)  # no dimension follows then, also none that the task gives itself
     for symbol in dict.fromkeys((*results, *taken)):
         value = session.get(cell(symbol))
