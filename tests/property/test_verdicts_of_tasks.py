@@ -14,6 +14,7 @@ from mechsheet.reference import dimension_values
 from mechsheet.reference.synthesis import functions, guidance
 from mechsheet.reference.synthesis.results import Given, crank_of, pairs
 from mechsheet.sheet.synthesis.does import NO
+from mechsheet.sheet.synthesis.planning import verdicts_of
 from mechsheet.sheet.synthesis.rows import ROUNDED, VALUE
 from synthesis_tasks import description, task
 
@@ -39,6 +40,7 @@ def verdicts(kind, seed):
         if key.startswith("#") and spot.sheet == spots[mechanism.synthesis.inputs[0]].sheet and spot.col == VALUE:
             mark = session.get(cell_address(spot.sheet, spot.row, ROUNDED))
             found[key[1:]] = mark, session.get(cell_address(spot.sheet, spot.row, VALUE))
+    assert found.keys() >= set(verdicts_of(mechanism.synthesis)), "a name of another sheet's has taken one"
     return found, mechanism, values
 
 
@@ -73,7 +75,7 @@ def test_of_function_generators(seed):
     assert found["order"][1] == float(abs(np.sum(np.sign(np.diff(theta)))) == len(theta) - 1)
     swept = bar.a2 * np.exp(1j * (np.linspace(np.min(theta), np.max(theta), DENSE) + bar.theta_offset))
     least = transmission(swept, bar.a1, bar.a3, bar.a4)
-    assert (found["passes"][0] == NO) == math.isnan(least)
+    assert (found["closes_throughout"][0] == NO) == math.isnan(least)
     if not math.isnan(least):
         assert found["transmission_used"][1] == pytest.approx(least, abs=0.1)
     at = bar.a2 * np.exp(1j * (theta + bar.theta_offset))
@@ -119,7 +121,7 @@ def test_of_guided_bodies(seed):
     start = cmath.phase(one.moving - one.fixed)
     swept = one.fixed + one.length * np.exp(1j * (start + np.linspace(0, third, DENSE)))
     least = transmission(swept, other.fixed, abs(other.moving - one.moving), other.length)
-    assert (found["passes"][0] == NO) == math.isnan(least)
+    assert (found["closes_throughout"][0] == NO) == math.isnan(least)
     if not math.isnan(least):
         assert found["transmission_used"][1] == pytest.approx(least, abs=0.1)
     assert found["meets"][1] < 1e-6
