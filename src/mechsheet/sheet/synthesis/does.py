@@ -171,8 +171,8 @@ class Does:
         column = self._column("curve", self._curve_col("mu"))
         self._entry(
             key, formula("COUNT(column)", column=column), "",
-            [("value<most", self.page.text("closes_throughout.not"))], self.page.text("closes_throughout.all"), red="value<most",
-            most=formula("ROWS(column)", column=column),
+            [("value<most", self.page.text("closes_throughout.not"))], self.page.text("closes_throughout.all"),
+            red="value<most", most=formula("ROWS(column)", column=column),
         )  # fmt: skip
 
     def _curve_col(self, key: str) -> int:
