@@ -173,7 +173,6 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     _note_lengths(poses)
     rates = Written({}, {})
     if wanted(mechanism):
-        _refuse_forces(mechanism, [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)])
         rates = add_rates(poses, order, [solved for _, solved, _, _ in found], chains)
     if further is not None:
         further(Found(poses, order, rates, chains))
@@ -402,16 +401,6 @@ def _traced(mechanism: Mechanism, at: float, home: float, variables: Sequence[st
     if not np.all(np.isfinite([values[name][-1] for name in variables])):
         raise cannot_follow(links)
     return {name: float(values[name][-1]) for name in variables}
-
-
-def _refuse_forces(mechanism: Mechanism, dyads: list[tuple[Dyad, Solved]]) -> None:
-    """Forces in links that move with a driven pair are a matter of their own."""
-    labels = [solved.label.en for dyad, solved in dyads if dyad.frame]
-    if labels and mechanism.dynamics is not None:
-        message = f"forces are not found where a joint between moving links is driven inside a moving loop: {labels[0]}"
-        raise MechanismError(
-            Fault(message, key="dynamics", hint="leave masses and loads out; positions and velocities are found")
-        )
 
 
 def _groups(

@@ -168,13 +168,13 @@ class Does:
                             count=len(steps))  # fmt: skip
         self._entry(key, value, "", [("value=0", page.text("order.not"))], page.text("order.kept"), amber="value=0")
 
-    def _passes(self, key: str) -> None:
+    def _closes_throughout(self, key: str) -> None:
         """In how many rows of the range the mechanism closes."""
         column = self._column("curve", self._curve_col("mu"))
         self._entry(
             key, formula("COUNT(column)", column=column), "",
-            [("value<most", self.page.text("passes.not"))], self.page.text("passes.all"), red="value<most",
-            most=formula("ROWS(column)", column=column),
+            [("value<most", self.page.text("closes_throughout.not"))], self.page.text("closes_throughout.all"),
+            red="value<most", most=formula("ROWS(column)", column=column),
         )  # fmt: skip
 
     def _curve_col(self, key: str) -> int:

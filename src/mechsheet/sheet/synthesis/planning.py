@@ -17,9 +17,17 @@ UNSOLVED = "unsolved"
 """The second: 0 where the task has a solution, 1 where an input is none, 2 where there is no solution."""
 
 VERDICTS: dict[str, tuple[str, ...]] = {
-    "function": ("meets", "assemblies", "order", "passes", "transmission_used", "at_dead_centre", "sensitivity"),
+    "function": (
+        "meets",
+        "assemblies",
+        "order",
+        "closes_throughout",
+        "transmission_used",
+        "at_dead_centre",
+        "sensitivity",
+    ),
     "dead-centres": ("meets", "together", "turns", "transmission_least", "sensitivity"),
-    "guidance": ("meets", "assemblies", "order", "passes", "transmission_used", "sensitivity"),
+    "guidance": ("meets", "assemblies", "order", "closes_throughout", "transmission_used", "sensitivity"),
     "quick-return-slider": ("meets", "together", "turns", "transmission_least", "sensitivity"),
     "quick-return-lever": ("meets", "sensitivity"),
 }
