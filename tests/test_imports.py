@@ -85,6 +85,7 @@ ALLOWED["studies"] = {
     "sheet",
     "compiled",
     "formats",
+    "words",
     "__version__",
 }
 # the page shows what the library builds and what checking says of it

@@ -191,6 +191,8 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.solution": ("Solution, step by step", "Adım adım çözüm"),
     "synthesis.does": ("Does it do it?", "Yapıyor mu?"),
     "synthesis.does.unsolved": ("solution", "çözüm"),
+    "synthesis.does.task_inputs": ("yellow cells", "sarı hücre"),
+    "synthesis.inputs.fine": ("each holds what it can be", "hepsinde olabilecek bir değer var"),
     "synthesis.does.meets": ("task", "ödev"),
     "synthesis.does.assemblies": ("assemblies", "montaj sayısı"),
     "synthesis.does.order": ("order", "sıra"),
