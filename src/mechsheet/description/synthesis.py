@@ -250,7 +250,7 @@ def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], scop
     positive = tuple(writer.positive) + ((rounding,) if rounding else ())
     synthesis = Synthesis(
         kind, inputs, tuple(writer.steps), dict(writer.results), good, positive, dict(task.chosen), rounding,
-        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names),
+        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names), roots=dict(writer.roots),
     )  # fmt: skip
     return Found(synthesis, tuple(dimensions), units, trees)
 

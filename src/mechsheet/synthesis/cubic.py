@@ -25,3 +25,4 @@ def root(w: Writer, name: str, b: str, c: str, d: str, middle: bool = False) -> 
     w.step("x_cubic", f"y_cubic - {b}/3", plain, "cubic_root")
     value, slope = f"(((x_cubic + {b})*x_cubic + {c})*x_cubic + {d})", f"((3*x_cubic + 2*{b})*x_cubic + {c})"
     w.step(name, f"x_cubic - {value}/{slope}", plain, "cubic_newton")
+    w.roots[w.names[name]] = (w.names[b], w.names[c], w.names[d])

@@ -191,10 +191,12 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.solution": ("Solution, step by step", "Adım adım çözüm"),
     "synthesis.does": ("Does it do it?", "Yapıyor mu?"),
     "synthesis.does.unsolved": ("solution", "çözüm"),
+    "synthesis.does.task_inputs": ("yellow cells", "sarı hücre"),
+    "synthesis.inputs.fine": ("each holds what it can be", "hepsinde olabilecek bir değer var"),
     "synthesis.does.meets": ("task", "ödev"),
     "synthesis.does.assemblies": ("assemblies", "montaj sayısı"),
     "synthesis.does.order": ("order", "sıra"),
-    "synthesis.does.passes": ("passes", "geçiş"),
+    "synthesis.does.closes_throughout": ("passes", "geçiş"),
     "synthesis.does.transmission_used": ("least μ", "en küçük μ"),
     "synthesis.does.transmission_least": ("least μ", "en küçük μ"),
     "synthesis.does.at_dead_centre": ("dead centre", "ölü konum"),
@@ -209,8 +211,8 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.assemblies.both": ("points on both assemblies:", "noktalar iki montajda:"),
     "synthesis.order.kept": ("goes through the points in their order", "noktalardan sırasıyla geçiyor"),
     "synthesis.order.not": ("goes through the points in another order", "noktalardan başka bir sırayla geçiyor"),
-    "synthesis.passes.all": ("passes the whole range", "bütün aralıktan geçiyor"),
-    "synthesis.passes.not": (
+    "synthesis.closes_throughout.all": ("passes the whole range", "bütün aralıktan geçiyor"),
+    "synthesis.closes_throughout.not": (
         "a dead centre between the points: it cannot pass", "noktalar arasında ölü konum var: geçemiyor"
     ),
     "synthesis.transmission.good": ("good transmission", "iletim iyi"),

@@ -9,9 +9,8 @@ from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.planning import UNSOLVED, verdicts_of
+from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED, verdicts_of
 from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import largest
@@ -53,8 +52,9 @@ class Does:
         """Every verdict, and the line under the title."""
         page = self.page
         page.heading("does")
+        self._inputs()
         self._unsolved()
-        for key in verdicts_of(page.given)[1:]:
+        for key in verdicts_of(page.given)[2:]:
             getattr(self, f"_{key}")(key)
         self._line()
 
@@ -76,7 +76,7 @@ class Does:
         for test, reason in reversed(words):
             condition = formula(test, value=number, **holes)
             said = formula("IF(condition,reason,said)", condition=condition, reason=reason, said=said)
-        if key != UNSOLVED:
+        if key not in (INPUTS, UNSOLVED):
             said = formula("IF(_unsolved>0,none,IFERROR(said,nothing))", said=said, none="–", nothing="–")
         page.formula_across(row, USED, MEANING, said, styles.VERDICT)
         bad, poor = (
@@ -90,17 +90,28 @@ class Does:
             condition = formula("mark=own", mark=CellRef(row, ROUNDED, True, True), own=mark)
             page.conditionals.append(Conditional(area, condition, colours))
 
+    def _inputs(self) -> None:
+        """The number of the first input that cannot be, 0 where all can."""
+        page, inputs = self.page, self.page.given.inputs
+        none = 10.0 ** len(str(len(inputs) + 1)) - 1  # more than there are
+        numbers = [
+            formula("number+none*good", number=number, none=none, good=formula("(good)*1", good=can_be(page, symbol)))
+            for number, symbol in enumerate(inputs, 1)
+        ]
+        first = formula("MOD(least,none)", least=al.smallest([*numbers, al.number(none)]), none=none)
+        names = self._column("task", SYMBOL)
+        before, after = page.plan.text("verdict.inputs.wrong", symbol="#").split("#")
+        number = CellRef(page.rows.of["does", INPUTS], VALUE, True, True)
+        wrong = joined(before, formula("INDEX(names,number)", names=names, number=number), after)
+        self._entry(INPUTS, first, "", [("value>0", wrong)], page.text("inputs.fine"), red="value>0")
+
     def _unsolved(self) -> None:
         page = self.page
-        good = al.all_of([can_be(page, symbol) for symbol in page.given.inputs])
+        wrong = CellRef(page.rows.of["does", INPUTS], VALUE, True, True)
         solved = al.all_of([formula("ISNUMBER(step)", step=page.cell(symbol)) for symbol in page.given.ends])
-        state = formula("IF(good,IF(solved,yes,none),wrong)", good=good, solved=solved, yes=SOLVED, none=NO_SOLUTION,
-                        wrong=WRONG_INPUT)  # fmt: skip
-        self._entry(
-            UNSOLVED, state, "",
-            [(f"value={WRONG_INPUT}", self._first_wrong()), (f"value={NO_SOLUTION}", self._why())],
-            page.text("solved"), red="value>0",
-        )  # fmt: skip
+        state = formula("IF(wrong>0,input,IF(solved,yes,none))", wrong=wrong, solved=solved, yes=SOLVED,
+                        none=NO_SOLUTION, input=WRONG_INPUT)  # fmt: skip
+        self._entry(UNSOLVED, state, "", [(f"value={NO_SOLUTION}", self._why())], page.text("solved"), red="value>0")
 
     def _why(self) -> Node:
         """Why there is no solution: what the first step without a value says of it."""
@@ -110,15 +121,6 @@ class Does:
             said = CellRef(page.rows.of["solution", symbol], REMARK, True, True)
             why = formula("IF(ISNUMBER(step),why,said)", step=page.cell(symbol), why=why, said=said)
         return why
-
-    def _first_wrong(self) -> Node:
-        """`look at theta_p2: no value that it can have`."""
-        page = self.page
-        before, after = page.plan.text("verdict.inputs.wrong", symbol="#").split("#")
-        name: Node = Text("")
-        for symbol in reversed(page.given.inputs):
-            name = formula("IF(good,name,own)", good=can_be(page, symbol), name=name, own=plain(symbol))
-        return joined(before, name, after)
 
     def _column(self, block: str, col: int) -> RangeRef:
         """A column of a table of this sheet, anchored."""
@@ -166,13 +168,13 @@ class Does:
                             count=len(steps))  # fmt: skip
         self._entry(key, value, "", [("value=0", page.text("order.not"))], page.text("order.kept"), amber="value=0")
 
-    def _passes(self, key: str) -> None:
+    def _closes_throughout(self, key: str) -> None:
         """In how many rows of the range the mechanism closes."""
         column = self._column("curve", self._curve_col("mu"))
         self._entry(
             key, formula("COUNT(column)", column=column), "",
-            [("value<most", self.page.text("passes.not"))], self.page.text("passes.all"), red="value<most",
-            most=formula("ROWS(column)", column=column),
+            [("value<most", self.page.text("closes_throughout.not"))], self.page.text("closes_throughout.all"),
+            red="value<most", most=formula("ROWS(column)", column=column),
         )  # fmt: skip
 
     def _curve_col(self, key: str) -> int:

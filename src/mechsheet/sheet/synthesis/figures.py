@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 from mechsheet.model import Synthesis
 
@@ -25,7 +26,7 @@ class Line:
     key: str
     vertices: tuple[Vertex, ...]
     color: int = 0
-    dash: str = "solid"
+    dash: Literal["solid", "dash", "dot"] = "solid"
     pins: bool = True
     number: int = 0
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from mechsheet.formula.nodes import Call, CellRef, Node, Symbol, transform
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Dimension, Synthesis
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan
@@ -10,7 +11,9 @@ from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.synthesis.naming import Naming
 from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
 from mechsheet.sheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
-from mechsheet.units import Unit
+
+LARGE = 1e6
+"""A number from here on would not fit its cell with six decimals."""
 
 
 class Page:
@@ -27,6 +30,7 @@ class Page:
         self.validations: list[Validation] = []
         self.conditionals: list[Conditional] = []
         self.charts: list[Chart] = []
+        self.nominal = dimension_values(plan.mechanism)
 
     def text(self, key: str, **parts: object) -> str:
         """A word of the sheet."""
@@ -79,9 +83,11 @@ class Page:
         """As many decimals as say something: four of a length or an angle in degrees, six of a ratio."""
         return styles.decimals(style, 4 if kind == "length" or self.is_degrees(kind) else 6)
 
-    def unit_style(self, unit: Unit, style: Style) -> Style:
-        """The same of a dimension's unit."""
-        return styles.decimals(style, 4 if unit.kind == "length" or unit.in_degrees else 6)
+    def dimension_style(self, dim: Dimension, style: Style) -> Style:
+        """The same of a dimension; one that is large, as it is described, as a power of ten."""
+        if dim.unit.kind == "number" and abs(self.nominal[dim.symbol]) >= LARGE:
+            return styles.numbered(style, "0.00000E+00")
+        return styles.decimals(style, 4 if dim.unit.kind == "length" or dim.unit.in_degrees else 6)
 
     def heading(self, block: str, last: int = MEANING, **columns: str) -> None:
         """The heading of a block across the columns, with what stands over single ones."""

@@ -16,10 +16,11 @@ from mechsheet.sheet.synthesis.rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, 
 from mechsheet.sheet.synthesis.tables import curve_columns
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
 
-SIZE, WIDTH, GAP = 340, 460, 12
-"""Pixels: the side of the figure, the width of the curve, what is between them."""
+SIZE, LEGEND, WIDTH, GAP = 330, 70, 460, 12
+"""Pixels: the side of the figure, what its title and legend take, the width of the curve, what is between them."""
 
-INNER = (0.03, 0.03, 0.94, 0.80)
+INNER = (0.02, 34 / (SIZE + LEGEND), 0.96, 0.96 * SIZE / (SIZE + LEGEND))
+"""Square, so that a circle is round."""
 
 MARGIN = 1.12
 """The figure's window is larger than what it shows."""
@@ -28,7 +29,6 @@ MARGIN = 1.12
 def write_figure(page: Page) -> None:
     """The points of the figure, their window, and where they lie in it."""
     lines = lines_of(page.given)
-    text = page.text
     page.heading("figure", value="x", rounded="y", used="X", meaning="Y")
     count = sum(len(line.vertices) for line in lines)
     first = page.rows.of["figure", "0"]
@@ -54,7 +54,7 @@ def write_figure(page: Page) -> None:
                 place = formula("(cell-middle)/half", cell=CellRef(row, col), middle=window[axis], half=window["half"])
                 page.formula(row, shown, place, styles.decimals(styles.INNER, 4))
             row += 1
-    page.charts.append(_figure(page, lines, first, text))
+    page.charts.append(_figure(page, lines, first))
 
 
 def _window(page: Page, key: str, node: Node) -> None:
@@ -64,7 +64,7 @@ def _window(page: Page, key: str, node: Node) -> None:
     page.put(row, UNIT, page.unit_text("length"), styles.UNIT)
 
 
-def _figure(page: Page, lines: list[Line], first: int, text: object) -> Chart:
+def _figure(page: Page, lines: list[Line], first: int) -> Chart:
     series, row, named = [], first, set()
     for line in lines:
         last = row + len(line.vertices) - 1
@@ -73,20 +73,26 @@ def _figure(page: Page, lines: list[Line], first: int, text: object) -> Chart:
         name = page.text(line.key, number=line.number)
         legend = name not in named
         named.add(name)
-        dash = line.dash if line.dash in ("dash", "dot") else "solid"
+        width, marker = (2.0, "circle") if line.pins else (1.25, "")
         series.append(
             Series(
-                name, x, y, line=color, width=2.0 if line.pins else 1.25, dash="dash" if dash == "dash" else "dot" if
-                dash == "dot" else "solid", marker="circle" if line.pins else "", marker_size=6, marker_line=color,
+                name, x, y, line=color, width=width, dash=line.dash, marker=marker, marker_line=color,
                 marker_fill="FFFFFF", in_legend=legend,
             )
         )  # fmt: skip
         row = last + 1
     title = page.text(f"figure.{page.given.kind}")
     return Chart(
-        title, Anchor(FIRST_ROW, CHARTS, SIZE, SIZE, dx=GAP), tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="bottom",
-        inner=INNER, name="synthesis figure", alt_text=title,
-    )  # fmt: skip
+        title,
+        Anchor(FIRST_ROW, CHARTS, SIZE, SIZE + LEGEND, dx=GAP),
+        tuple(series),
+        HIDDEN_AXIS,
+        HIDDEN_AXIS,
+        legend="bottom",
+        inner=INNER,
+        name="synthesis figure",
+        alt_text=title,
+    )
 
 
 def write_curve_chart(page: Page) -> None:
@@ -114,7 +120,7 @@ def write_curve_chart(page: Page) -> None:
         series.append(_here(page))
         x_axis = Axis(page.text("curve.axis.lam"), low=1.0, high=10.0, step=1.0)
     title = page.text(f"curve.title.{page.given.kind}")
-    anchor = Anchor(FIRST_ROW, CHARTS, WIDTH, SIZE, dx=SIZE + 2 * GAP)
+    anchor = Anchor(FIRST_ROW, CHARTS, WIDTH, SIZE + LEGEND, dx=SIZE + 2 * GAP)
     page.charts.append(
         Chart(
             title, anchor, tuple(series), x_axis, Axis(page.text(f"curve.axis.{curve.y}")), legend="bottom",

@@ -10,13 +10,24 @@ from mechsheet.sheet.synthesis.figures import lines_of
 from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import CHART_ROWS, FIRST_ROW, LINE_ROW, SYMBOL, VALUE, Rows
 
+INPUTS = "task_inputs"
+"""The first verdict: the number of the first input that cannot be, 0 where all can."""
+
 UNSOLVED = "unsolved"
-"""The first verdict: 0 where the task has a solution, 1 where an input is none, 2 where there is no solution."""
+"""The second: 0 where the task has a solution, 1 where an input is none, 2 where there is no solution."""
 
 VERDICTS: dict[str, tuple[str, ...]] = {
-    "function": ("meets", "assemblies", "order", "passes", "transmission_used", "at_dead_centre", "sensitivity"),
+    "function": (
+        "meets",
+        "assemblies",
+        "order",
+        "closes_throughout",
+        "transmission_used",
+        "at_dead_centre",
+        "sensitivity",
+    ),
     "dead-centres": ("meets", "together", "turns", "transmission_least", "sensitivity"),
-    "guidance": ("meets", "assemblies", "order", "passes", "transmission_used", "sensitivity"),
+    "guidance": ("meets", "assemblies", "order", "closes_throughout", "transmission_used", "sensitivity"),
     "quick-return-slider": ("meets", "together", "turns", "transmission_least", "sensitivity"),
     "quick-return-lever": ("meets", "sensitivity"),
 }
@@ -31,7 +42,7 @@ Place = Callable[[str, int, int, bool, str], None]
 
 def verdicts_of(task: Synthesis) -> tuple[str, ...]:
     """Names of what is said about the mechanism that comes out, in order."""
-    return (UNSOLVED, *VERDICTS[task.kind])
+    return (INPUTS, UNSOLVED, *VERDICTS[task.kind])
 
 
 def plan_rows(mechanism: Mechanism, task: Synthesis, place: Place) -> Rows:

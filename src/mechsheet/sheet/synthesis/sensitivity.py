@@ -23,31 +23,48 @@ STEP = 0.1
 def changes(task: Synthesis, dimensions: Mapping[str, Dimension]) -> dict[tuple[str, str], Node]:
     """(step, input) -> the change of the step in internal units, over symbols; `d step input` names another change.
 
-    Left out where the step does not depend on the input.
+    Left out where the step does not depend on the input, and steps from which no length follows.
     """
     found: dict[tuple[str, str], Node] = {}
+    wanted = _read_by(largest(task, dimensions), task, dimensions)
     for column in task.inputs:
         if column == task.rounding:
             continue
-        for step in task.steps:
+        for step in wanted:
             value = dimensions[step].value
             if isinstance(value, float):
                 continue
-            node = says(value)
             terms: list[Node] = []
-            for read in symbols(node):
+            for read, slope in _slopes(step, says(value), task):
                 if read == column:
-                    change = _own(dimensions[column])
+                    terms.append(al.mul(slope, _own(dimensions[column])))
                 elif (read, column) in found:
-                    change = Symbol(mark(read, column))
-                else:
-                    continue
-                slope = derivative(node, read)
-                if not al.is_zero(slope):
-                    terms.append(al.mul(slope, change))
+                    terms.append(al.mul(slope, Symbol(mark(read, column))))
             if terms:
                 found[step, column] = al.total(terms)
     return found
+
+
+def _slopes(step: str, node: Node, task: Synthesis) -> list[tuple[str, Node]]:
+    """What a step reads, and its derivative by that: of a root by the equation that it fulfils."""
+    if step not in task.roots:
+        slopes = ((read, derivative(node, read)) for read in symbols(node))
+        return [(read, slope) for read, slope in slopes if not al.is_zero(slope)]
+    b, c, _ = task.roots[step]
+    x = Symbol(step)
+    slope = al.add(al.mul(x, al.add(al.mul(Number(3.0), x), al.mul(al.TWO, Symbol(b)))), Symbol(c))
+    powers = (al.square(x), x, al.ONE)
+    return [(read, al.neg(al.div(power, slope))) for read, power in zip(task.roots[step], powers, strict=True)]
+
+
+def _read_by(ends: list[str], task: Synthesis, dimensions: Mapping[str, Dimension]) -> list[str]:
+    """The steps that these follow from, and they themselves, in order."""
+    needed = set(ends)
+    for step in reversed(task.steps):
+        value = dimensions[step].value
+        if step in needed and not isinstance(value, float):
+            needed |= set(task.roots.get(step, ())) or set(symbols(says(value)))
+    return [step for step in task.steps if step in needed]
 
 
 def mark(step: str, column: str) -> str:

@@ -93,7 +93,7 @@ def _results(page: Page) -> None:
     used = {name: symbol for symbol, name in page.given.taken.items()}
     for name, symbol in page.given.results.items():
         row, dim = page.rows.of["result", name], page.dimensions[symbol]
-        style = page.unit_style(dim.unit, styles.RESULT)
+        style = page.dimension_style(dim, styles.RESULT)
         page.put(row, SYMBOL, rich(name), styles.SYMBOL)
         page.formula(row, VALUE, page.cell(symbol), style)
         page.put(row, UNIT, dim.unit.text, styles.UNIT)
@@ -124,7 +124,7 @@ def _solution(page: Page) -> None:
             continue
         page.put(row, SYMBOL, rich(symbol), styles.SYMBOL)
         bound = Call("DEGREES", (node,)) if dim.unit.in_degrees else node
-        page.formula(row, VALUE, bound, page.unit_style(dim.unit, styles.RESULT))
+        page.formula(row, VALUE, bound, page.dimension_style(dim, styles.RESULT))
         page.put(row, UNIT, dim.unit.text, styles.UNIT)
         page.across(row, ROUNDED, MEANING, written(says(node), page.plan.language), styles.LABEL)
         label = dim.label.of(page.plan.language) if dim.label else ""

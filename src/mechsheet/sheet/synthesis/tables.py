@@ -130,4 +130,4 @@ def write_changes(page: Page) -> tuple[Column, ...]:
         value = formula("IFERROR(value,NA())", value=bound)
         at = cell(step, column)
         page.formula(at.row, at.col, value, styles.numbered(styles.RESULT, "0.0E+00"))
-    return (Column(first, last, 11, level=1),)
+    return (Column(first, last, 14, level=1),)
