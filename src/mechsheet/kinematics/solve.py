@@ -52,8 +52,12 @@ def dimension_values(mechanism: Mechanism) -> dict[str, float]:
     values: dict[str, float] = {}
     given = {dim.symbol: dim.value for dim in mechanism.dimensions}
     for symbol in dimension_order(mechanism):
+        quantity = given[symbol]
+        if not isinstance(quantity, float) and any(math.isnan(values[name]) for name in symbols(quantity)):
+            values[symbol] = math.nan  # as #N/A does in cells, also where a comparison asks for it
+            continue
         try:
-            values[symbol] = number(given[symbol], values)
+            values[symbol] = number(quantity, values)
         except (ArithmeticError, ValueError):
             if mechanism.synthesis is None:
                 raise
