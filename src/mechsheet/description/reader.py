@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, exercise, gears, joints, links, results
+from mechsheet.description import dimensions, exercise, gears, joints, links, results, tolerances
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
 from mechsheet.description.forces import dynamics, flywheel, force_names
@@ -92,6 +92,19 @@ def with_layout(mechanism: Mechanism, layout: str | None) -> Mechanism:
     return replace(found, file=mechanism.file, sketch=sketch)
 
 
+def with_tolerance(mechanism: Mechanism) -> Mechanism:
+    """The mechanism with bands of all its outputs and summaries, where its description asks for none.
+
+    It stands in its text, too. Raises DescriptionError where nothing can have a band.
+    """
+    if mechanism.bands is not None:
+        return mechanism
+    source, _ = parse_as_meant(mechanism.text, "<text>")
+    found = loads(f"{source.text.rstrip()}\n\n[tolerance]\n")
+    sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
+    return replace(found, file=mechanism.file, sketch=sketch)
+
+
 def _check_format(source: Source) -> None:
     """Another version is one fault: what else differs would only be noise."""
     version = source.data.get("format", FORMAT)
@@ -172,6 +185,8 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
+    own = (driven, *further) if driven else ()
+    parts["bands"] = tolerances.read(data, table, own, layout, scope)
     drivers.check_tables(further, parts["tables"], scope)
     name = _name(head, report)
     if report.faults or driven is None:

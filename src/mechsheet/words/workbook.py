@@ -10,6 +10,7 @@ from mechsheet.words.newton import NEWTON
 from mechsheet.words.notes import NOTES
 from mechsheet.words.page import PAGE
 from mechsheet.words.rates import RATES
+from mechsheet.words.tolerance import TOLERANCE
 
 Language = Literal["en", "tr"]
 
@@ -184,6 +185,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
     **RATES,
+    **TOLERANCE,
     **FORCES,
     **NEWTON,
     **GEARS,
