@@ -290,6 +290,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _block(plan, "assembly", modes)
     variables = [*mechanism.given_by_row]
     variables += [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
+    variables += [symbol for symbol in plan.banded if plan.equations.of(symbol).role == "point"]
     variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:

@@ -139,7 +139,7 @@ PHRASES = {
     "driving_force": ("driving force of {one} on {other}", "tahrik kuvveti, {one} → {other}"),
     "by_work": ("the same by virtual work", "aynısı, virtüel iş ile"),
     # tolerances
-    "constant_derivative": ("derivative {symbol}", "{symbol} türevi"),
+    "constant_derivative": ("change of {symbol} by {dimension}", "{dimension} değişince {symbol} değişimi"),
     "gap_influence": (
         "how far a gap of 1 in the loop would move {symbol}", "devrede 1 birimlik açıklık {symbol} değerini ne kadar oynatır"
     ),

@@ -7,18 +7,19 @@ TOLERANCE: dict[str, tuple[str, str]] = {
     "tolerance.title": ("Tolerances and sensitivity", "Toleranslar ve duyarlılık"),
     "hint.tolerance.title": ("Tolerance", "Tolerans"),
     "hint.tolerance": ("± in the dimension's own unit; 0 or more.", "Boyutun kendi biriminde ±; 0 ya da daha büyük."),
-    "block.bands": ("Bands by the tolerances", "Toleransların bandı"),
-    "bands.head.root": ("√Σ(S·t)²", "√Σ(S·t)²"),
+    "block.bands": ("± by the tolerances", "Toleranslarla ±"),
+    "bands.head.root": ("RSS", "RSS"),
+    "bands.groups": ("Groups", "Gruplar"),
     "bands.of": ("{symbol}: by each dimension, and its band", "{symbol}: her boyuta göre türevi ve bandı"),
     "bands.worst": ("± worst case", "± en kötü durum"),
-    "bands.root": ("± root sum of squares", "± karelerin kökü"),
+    "bands.root": ("± RSS", "± RSS"),
     "bands.low": ("lower end", "alt uç"),
     "bands.high": ("upper end", "üst uç"),
     "bands.dead": ("dead centre", "ölü konum"),
-    "bands.largest": ("largest band", "en geniş bant"),
+    "bands.largest": ("largest", "en geniş"),
     "bands.derivative": ("derivative", "türev"),
     "bands.share": ("share", "pay"),
-    "bands.here": ("here ", "burada "),
+    "bands.shown": ("shown", "gösterilen"),
     "bands.none": ("no number: a dead centre, or no position", "sayı yok: ölü konum ya da konum yok"),
     "bands.largest.at": ("largest at {driver} = {place}", "en geniş: {driver} = {place}"),
     "bands.mostly": ("mostly {name} ({share} %)", "en çok {name} (%{share})"),
@@ -27,7 +28,7 @@ TOLERANCE: dict[str, tuple[str, str]] = {
     "chart.band.high": ("{symbol}, upper end", "{symbol}, üst uç"),
     "notes.use.tolerance": (
         "The sheet {tolerance} has the change of a quantity by each dimension that has a tolerance, the driver standing; the "
-        "± cells beside the dimensions are inputs. Worst case: all tolerances at the end that hurts. Root sum of squares: "
+        "± cells beside the dimensions are inputs. Worst case: all tolerances at the end that hurts. Root sum of squares, RSS: "
         "independent dimensions; it holds with the confidence with which the tolerances are kept. Both are of first order.",
         "{tolerance} sayfasında, tahrik dururken her toleranslı boyutun bir niceliği ne kadar değiştirdiği vardır; boyutların "
         "yanındaki ± hücreleri giriştir. En kötü durum: bütün toleranslar kötü uçlarında. Karelerin toplamının karekökü: "

@@ -199,7 +199,7 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
     return Chart(
         title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x),
         Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
-        legend="right" if len(curves) > 1 else "", alt_text=title,
+        legend="right" if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
     )  # fmt: skip
 
 
@@ -210,7 +210,7 @@ def _ends_of_band(plan: Plan, across: str, symbol: str, color: str) -> list[Seri
     return [
         Series(
             plan.text(f"chart.band.{key}", symbol=plain(symbol)), _column(plan, across),
-            _column(plan, part_of(symbol, part)), line=color, width=1.0, dash="dash",
+            _column(plan, part_of(symbol, part)), line=color, width=1.0, dash="dash", in_legend=False,
         )
         for key, part in (("low", LOW), ("high", HIGH))
     ]  # fmt: skip

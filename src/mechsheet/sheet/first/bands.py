@@ -18,7 +18,8 @@ def write_bands(writer: Writer, tolerance: Tolerance) -> None:
         return
     writer.heading("bands", writer.plan.text("bands.head.root"))
     for line in tolerance.lines:
-        _write(writer, tolerance, line)
+        if line.kind != "shown":
+            _write(writer, tolerance, line)
 
 
 def _write(writer: Writer, tolerance: Tolerance, line: Line) -> None:
@@ -28,47 +29,47 @@ def _write(writer: Writer, tolerance: Tolerance, line: Line) -> None:
     unit = shown_unit(plan, line.quantity)
     writer.line(row, rich(key), unit, None)
     style = styles.decimals(styles.RESULT, plan.band_places.get(line.quantity, 4) + 1)
-    where = f"{'of' if summary else 'in'} {key}"
     for col, part in ((VALUE, WORST), (TOLERANCE, ROOT)):
-        value = formula("IFERROR(value,NA())", value=Symbol(f"#{part} {where}"))
+        value = formula("IFERROR(value,NA())", value=Symbol(f"#{part} {line.key}"))
         writer.formula(row, col, plan.at.bind(value, plan.main), style)
-    writer.formula(row, MEANING, plan.at.bind(_words(writer, tolerance, line), plan.main), styles.LABEL)
+    words = formula("IFERROR(words,none)", words=_words(tolerance, line), none=plan.text("bands.none"))
+    writer.formula(row, MEANING, plan.at.bind(words, plan.main), styles.LABEL)
 
 
-def _words(writer: Writer, tolerance: Tolerance, line: Line) -> Node:
-    """`26.2° ± 0.1°; mostly a3 (45 %)`; of a quantity the position shown, and where its band is largest."""
-    plan, summary = writer.plan, line.summary
-    unit = shown_unit(plan, line.quantity)
-    gap = unit if unit in ("", "°") else f" {unit}"
+def _words(tolerance: Tolerance, line: Line) -> Node:
+    """`78.9° ± 0.3°; mostly a2 (66 %)`; of a quantity where its band is largest."""
+    plan = tolerance.plan
     shares, names = tolerance.shares(line)
     most = formula("MAX(shares)", shares=shares)
     name = formula("INDEX(names,MATCH(most,shares,0))", names=names, most=most, shares=shares)
-    percent = formula("ROUND(100*most,0)", most=most)
     before, between, after = plan.text("bands.mostly", name="#", share="#").split("#")
-    mostly = joined(before, name, between, percent, after)
-    if summary is not None:
-        value: Node = Symbol(f"#summary {summary.symbol}")
-        return _or_nothing(writer, joined(_with_band(value, Symbol(f"#{WORST} of {summary.symbol}"), gap), "; ", mostly))
-    worst = Symbol(ALL + part_of(line.quantity, WORST))
-    value, band = (formula("INDEX(column,_position+1)", column=column) for column in (Symbol(ALL + line.quantity), worst))
+    mostly = joined(before, name, between, formula("ROUND(100*most,0)", most=most), after)
+    if line.summary is not None:
+        value, band = Symbol(f"#summary {line.summary.symbol}"), Symbol(f"#{WORST} {line.key}")
+        return joined(_with_band(value, band, _behind(shown_unit(plan, line.quantity))), "; ", mostly)
     driver = plan.mechanism.driver
-    drivers = Symbol(ALL + driver.symbol)
-    where = formula("INDEX(drivers,MATCH(most,worst,0))", drivers=drivers, worst=worst,
-                    most=Symbol(f"#{WORST} in {line.quantity}"))  # fmt: skip
-    own = driver.unit.text
-    tail = own if own in ("", "°") else f" {own}"
+    worst, drivers = Symbol(ALL + part_of(line.quantity, WORST)), Symbol(ALL + driver.symbol)
+    where = formula("INDEX(drivers,MATCH(most,worst,0))", drivers=drivers, worst=worst, most=Symbol(f"#{WORST} {line.key}"))
     start, end = plan.text("bands.largest.at", driver=plain(driver.symbol), place="#").split("#")
-    at = joined(start, formula("ROUND(where,4)", where=where), tail + end)
-    here = formula("IFERROR(said,none)", said=_with_band(value, band, gap), none=plan.text("bands.none"))
-    return _or_nothing(writer, joined(plan.text("bands.here"), here, "; ", at, "; ", mostly))
+    return joined(start, formula("ROUND(where,4)", where=where), _behind(driver.unit.text) + end, "; ", mostly)
+
+
+def _behind(unit: str) -> str:
+    """A unit as it stands behind a number."""
+    return unit if unit in ("", "°") else f" {unit}"
 
 
 def _with_band(value: Node, band: Node, unit: str) -> Node:
     """`26.2 ± 0.1 mm`: the last digit is the band's first."""
     digits = formula("MAX(0,-INT(LOG10(band)))", band=band)
     shown, wide = (Call("FIXED", (each, digits, formula("TRUE"))) for each in (value, band))
-    return joined(shown, f"{unit} ± ", wide, unit)
+    return joined(shown, f"{unit if unit == '°' else ''} ± ", wide, unit)
 
 
-def _or_nothing(writer: Writer, words: Node) -> Node:
-    return formula("IFERROR(words,none)", words=words, none=writer.plan.text("bands.none"))
+def band_here(writer: Writer, symbol: str, row: int) -> None:
+    """Beside a quantity at the position shown its band there."""
+    plan = writer.plan
+    if symbol in plan.banded:
+        style = styles.decimals(styles.RESULT, plan.band_places.get(symbol, 4) + 1)
+        node = formula("IFERROR(value,NA())", value=Symbol(f"#{WORST} shown {symbol}"))
+        writer.formula(row, TOLERANCE, plan.at.bind(node, plan.main), style)

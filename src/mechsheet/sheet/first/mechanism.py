@@ -9,7 +9,7 @@ from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
-from mechsheet.sheet.first.bands import write_bands
+from mechsheet.sheet.first.bands import band_here, write_bands
 from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
 from mechsheet.sheet.first.given import given_words, words_of
 from mechsheet.sheet.first.inputs import gated_tolerance
@@ -347,14 +347,18 @@ def _position(writer: Writer) -> None:
 
 def _variables(writer: Writer) -> None:
     plan = writer.plan
-    writer.heading("variables")
+    writer.heading("variables", plan.text("head.tolerance") if plan.banded else None)
     for symbol, row in plan.blocks["variables"].rows.items():
         unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
         writer.line(row, rich(symbol), shown_unit(plan, symbol), words_of(plan, symbol))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
         rate = styles.decimals(styles.RESULT, places_of(plan, unit))
         as_is = unit.per or symbol in plan.shown_forces
-        writer.formula(row, VALUE, node, rate if as_is else value_style(plan, unit.kind))
+        style = rate if as_is else value_style(plan, unit.kind)
+        if symbol in plan.band_places:
+            style = styles.decimals(styles.RESULT, plan.band_places[symbol])
+        writer.formula(row, VALUE, node, style)
+        band_here(writer, symbol, row)
 
 
 def _motion_controls(plan: Plan) -> tuple[Control, ...]:

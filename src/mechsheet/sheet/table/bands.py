@@ -93,10 +93,7 @@ def with_bands(mechanism: Mechanism, equations: Assignments, found: Sensitivitie
     """The equations for cells with the columns of bands behind all others."""
     if not found.of:
         return equations
-    constants = tuple(
-        Assignment(name, node, node, "constant", NUMBER, phrase("constant_derivative", symbol=name))
-        for name, node in found.constants.items()
-    )
+    constants = tuple(_constant(mechanism, equations, name, node) for name, node in found.constants.items())
     known = _determinants(equations, found)
     columns = [each for each in known.values() if isinstance(each, Assignment)]
     inline = {name: each for name, each in known.items() if not isinstance(each, Assignment)}
@@ -105,6 +102,17 @@ def with_bands(mechanism: Mechanism, equations: Assignments, found: Sensitivitie
     return replace(
         equations, constants=(*equations.constants, *constants), columns=(*equations.columns, *columns)
     )
+
+
+def _constant(mechanism: Mechanism, equations: Assignments, name: str, node: Node) -> Assignment:
+    """The derivative of a derived dimension, or of a constant, by a dimension."""
+    symbol, _, dimension = name.partition(":")
+    units = {dim.symbol: dim.unit for dim in mechanism.dimensions}
+    units |= {each.symbol: each.unit for each in equations.constants}
+    above, below = (mechanism.shown(units[each]).internal for each in (symbol, dimension))
+    unit = Unit("number", per(above, below).symbol)
+    label = phrase("constant_derivative", symbol=symbol, dimension=dimension)
+    return Assignment(name, node, node, "constant", unit, label)
 
 
 def _determinants(equations: Assignments, found: Sensitivities) -> dict[str, Node | Assignment]:

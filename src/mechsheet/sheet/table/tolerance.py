@@ -1,7 +1,7 @@
 """The sheet of tolerances: in the rows of the positions of each quantity its derivatives, worst case and root sum of squares.
 
-Below the table, in the columns of its quantity, a line for the row with the largest band and one for each summary: the
-derivatives there, what they come to, and the share of each dimension, (S t)^2 of the sum of squares. An extreme changes with a
+Below the table, in the columns of its quantity, a line for the position shown, one for the row with the largest band and one
+for each summary: the derivatives there, what they come to, and the share of each dimension, (S t)^2 of the sum of squares. An extreme changes with a
 dimension as the quantity does where the extreme is, since its place adds nothing to first order.
 """
 
@@ -31,11 +31,20 @@ GAP = 2
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line below the table: of a summary, or (summary None) of the row with the largest band; the shares stand below it."""
+    """A line below the table; the shares stand in the row below it.
+
+    kind  of a summary, of the row of the position shown, or of the row with the largest band
+    """
 
     quantity: str
     row: int
-    summary: Summary | None
+    kind: Literal["summary", "shown", "largest"]
+    summary: Summary | None = None
+
+    @property
+    def key(self) -> str:
+        """What its results are called, behind `#worst case`."""
+        return f"of {self.summary.symbol}" if self.summary else f"{self.kind} {self.quantity}"
 
 
 def lines_of(plan: Plan) -> list[Line]:
@@ -44,11 +53,13 @@ def lines_of(plan: Plan) -> list[Line]:
     if bands is None:
         return []
     row = plan.at.last + GAP + 1
-    found = [Line(quantity, row, None) for quantity in bands.quantities]
+    found = [Line(quantity, row, "shown") for quantity in bands.quantities]
+    row += 2
+    found += [Line(quantity, row, "largest") for quantity in bands.quantities]
     for summary in plan.mechanism.summaries:
         if summary.symbol in bands.summaries:
             row += 2
-            found.append(Line(summary.of, row, summary))
+            found.append(Line(summary.of, row, "summary", summary))
     return found
 
 
@@ -60,10 +71,9 @@ class Tolerance:
         self.lines = lines_of(plan)
         self.title = plan.at.titles.get("tolerance", "")
         for line in self.lines:
-            key = line.summary.symbol if line.summary else line.quantity
             for part in (WORST, ROOT):
                 spot = Spot(self.title, line.row, self._col(part_of(line.quantity, part)))
-                plan.at.spots[f"#{part} {'of ' if line.summary else 'in '}{key}"] = spot
+                plan.at.spots[f"#{part} {line.key}"] = spot
 
     def _col(self, symbol: str) -> int:
         return self.plan.at.spots[symbol].col
@@ -84,7 +94,7 @@ class Tolerance:
 
         def titled(number: int) -> str:
             if number < QUANTITIES:
-                return plan.text("group.driver")
+                return plan.text("bands.groups")
             quantity = plan.sensitivities.of[number - QUANTITIES].quantity
             return plan.text("bands.of", symbol=plain(quantity))
 
@@ -95,7 +105,7 @@ class Tolerance:
             for name, symbol in zip(band.dimensions, band.derivatives, strict=True):
                 cells.append(Cell(plan.at.last + GAP, self._col(symbol), plain(name), styles.HEAD))
         for line in self.lines:
-            if line.summary is not None or line is self.lines[0]:  # the first lines of all quantities share their rows
+            if line.summary is not None or line.quantity == self.lines[0].quantity:  # others stand in the same rows
                 cells += self._words(line)
             fills += self._line(line)
         return replace(made, cells=made.cells + tuple(cells), fills=made.fills + tuple(fills))
@@ -113,7 +123,7 @@ class Tolerance:
 
     def _words(self, line: Line) -> list[Cell]:
         plan, summary = self.plan, line.summary
-        said = plan.text("bands.largest") if summary is None else rich(summary.symbol)
+        said = plan.text(f"bands.{line.kind}") if summary is None else rich(summary.symbol)
         return [
             Cell(line.row, RATES_DRIVER, said, styles.LABEL),
             Cell(line.row, RATES_STATUS, plan.text("bands.derivative"), styles.STATUS),
@@ -142,8 +152,10 @@ class Tolerance:
         return styles.numbered(styles.RESULT, style_of(self.plan, column).number_format)
 
     def _derivative(self, line: Line, band: Banded, symbol: str) -> Node:
-        """Of a summary, or in the row with the largest band."""
+        """Of a summary, in the position shown, or in the row with the largest band."""
         column, summary = Symbol(ALL + symbol), line.summary
+        if line.kind == "shown":
+            return formula("INDEX(column,_position+1)", column=column)
         if summary is None:
             worst = Symbol(ALL + part_of(line.quantity, WORST))
             return formula("INDEX(column,MATCH(most,worst,0))", column=column, worst=worst, most=over_rows(MOST, worst))
