@@ -88,9 +88,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     return tally.result(), list(inputs.remarks)
 
 
-def _compare_bands(
-    plan: Plan, tally: Tally, values: Any, mechanism: Mechanism, inputs: Inputs, start: Any
-) -> None:
+def _compare_bands(plan: Plan, tally: Tally, values: Any, mechanism: Mechanism, inputs: Inputs, start: Any) -> None:
     """The sheet of tolerances, by solutions with each dimension a little smaller and larger."""
 
     def number(sheet: str, row: int, col: int) -> float:

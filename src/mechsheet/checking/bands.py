@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +49,14 @@ class Derivative:
     value: Array
     uncertain: Array
 
+    def part(self, rows: slice) -> Derivative:
+        """In some rows."""
+        return Derivative(self.value[rows], self.uncertain[rows])
+
+
+Found: TypeAlias = Mapping[str, Mapping[str, Derivative]]
+"""By dimension and quantity."""
+
 
 def derivatives(
     solution: reference.Solution, by: str, quantities: Mapping[str, bool], size: float
@@ -59,8 +68,7 @@ def derivatives(
     own = solution.dimensions[by]
     step = STEP * (abs(own) or size)
     moved = {
-        k: reference.variables(reference.nearby(solution, {by: own + k * step}))
-        for k in (*range(-4, 0), *range(1, 5))
+        k: reference.variables(reference.nearby(solution, {by: own + k * step})) for k in (*range(-4, 0), *range(1, 5))
     }
     found = {}
     with np.errstate(invalid="ignore"):
@@ -76,20 +84,28 @@ def derivatives(
     return found
 
 
-def compare_bands(plan: Plan, tally: Tally, number: Number, solve: Solve, driver: Array, dead: NDArray[np.bool_]) -> None:
+def compare_bands(
+    plan: Plan, tally: Tally, number: Number, solve: Solve, driver: Array, dead: NDArray[np.bool_]
+) -> None:
     """Judge the sheet of tolerances.
 
     driver  its value in each row;  dead  rows in which a group is at a dead centre, so that there may be no derivative
     """
-    judge = _Judge(plan, tally, number, solve)
-    judge.rows(driver, dead)
-    for line in lines_of(plan):
-        judge.line(line)
+    judge = _Judge(plan, tally, number)
+    extremes = [(line, places) for line in lines_of(plan) if (places := judge.places(line))]
+    # behind the rows: one row alone would not tell the assembly
+    solution = solve(np.concatenate([driver, *(places for _, places in extremes)]))
+    found = judge.found(solution)
+    judge.rows(found, dead)
+    first = len(driver)
+    for line, places in extremes:
+        judge.line(line, found, range(first, first + len(places)))
+        first += len(places)
 
 
 class _Judge:
-    def __init__(self, plan: Plan, tally: Tally, number: Number, solve: Solve) -> None:
-        self.plan, self.tally, self.number, self.solve = plan, tally, number, solve
+    def __init__(self, plan: Plan, tally: Tally, number: Number) -> None:
+        self.plan, self.tally, self.number = plan, tally, number
         self.title = plan.at.titles["tolerance"]
         self.kinds = {name: plan.equations.of(name).unit.kind for name in plan.banded}
         self.units = {dim.symbol: dim.unit for dim in toleranced(plan.mechanism)}
@@ -102,15 +118,16 @@ class _Judge:
         spot = self.plan.at.spots[name]
         return self.number(spot.sheet, spot.row, spot.col)
 
-    def found(self, driver: Array) -> dict[str, dict[str, Derivative]]:
+    def found(self, solution: reference.Solution) -> Found:
         """By dimension and quantity, as people read them."""
-        solution = self.solve(driver)
         turns = {name: kind == "angle" for name, kind in self.kinds.items()}
         result = {}
         for name, unit in self.units.items():
             all_found = derivatives(solution, name, turns, self.plan.size)
             result[name] = {
-                quantity: Derivative(*(self._shown(quantity) / unit.factor * part for part in (each.value, each.uncertain)))
+                quantity: Derivative(
+                    *(self._shown(quantity) / unit.factor * part for part in (each.value, each.uncertain))
+                )
                 for quantity, each in all_found.items()
             }
         return result
@@ -118,21 +135,20 @@ class _Judge:
     def _shown(self, quantity: str) -> float:
         return self.plan.mechanism.shown(self.plan.equations.of(quantity).unit).factor
 
-    def rows(self, driver: Array, dead: NDArray[np.bool_]) -> None:
+    def rows(self, found: Found, dead: NDArray[np.bool_]) -> None:
         """Derivatives and what they come to, row by row."""
-        found = self.found(driver)
         for quantity, band in self.plan.banded.items():
-            by = {name: found[name][quantity] for name in self.units}
+            by = {name: found[name][quantity].part(slice(len(dead))) for name in self.units}
             columns = {by_symbol(quantity, name): by[name] for name in band.dimensions}
             worst, root = self._sums(by)
             columns |= {part_of(quantity, WORST): worst, part_of(quantity, ROOT): root}
             for symbol, each in columns.items():
                 spot, largest = self.plan.at.spots[symbol], self._scale(quantity, by, symbol)
-                for row in np.flatnonzero(np.isfinite(each.value)):
+                for row in map(int, np.flatnonzero(np.isfinite(each.value))):
                     if dead[row] and math.isnan(self.number(self.title, spot.row + row, spot.col)):
                         continue
                     value, uncertain = float(each.value[row]), float(each.uncertain[row])
-                    self._note(symbol, spot.row + int(row), spot.col, value, uncertain, largest)
+                    self._note(symbol, spot.row + row, spot.col, value, uncertain, largest)
 
     def _scale(self, quantity: str, by: Mapping[str, Derivative], symbol: str) -> float:
         """What a difference is measured by: the largest change that the dimensions, in parts of themselves, bring about; by
@@ -161,33 +177,31 @@ class _Judge:
 
     # --- below the table --------------------------------------------------------------------------------------
 
-    def line(self, line: Line) -> None:
-        """The line of a summary that is an extreme, where that is said to be."""
+    def places(self, line: Line) -> list[float]:
+        """Values of the driver where the extremes are that a line is of; none for one that is of no extreme."""
         mechanism = self.plan.mechanism
         if mechanism.driver.law is not None or mechanism.listed_symbols:
-            return  # the reference has no positions between their rows
-        if line.summary is None or line.summary.take not in ("min", "max", "range"):
-            return
-        ways = {"min": ("min",), "max": ("max",), "range": ("max", "min")}[line.summary.take]
-        places = np.array([self._driver_at(f"#{way}_at_{line.quantity}") for way in ways])
-        if not np.isfinite(places).all():
-            return
-        found = self.found(places)
+            return []  # the reference has no positions between their rows
+        ways = {"min": ("min",), "max": ("max",), "range": ("max", "min")}
+        own = ways.get(line.summary.take, ()) if line.summary else ()
+        spots = [self.plan.at.spots[f"#{way}_at_{line.quantity}"] for way in own]
+        found = [self.number(spot.sheet, spot.row, spot.col) for spot in spots]
+        unit = mechanism.driver.unit
+        return [unit.to_internal(place) for place in found] if np.isfinite(found).all() else []
+
+    def line(self, line: Line, found: Found, rows: range) -> None:
+        """The line of a summary: what is largest, less what is smallest."""
         by = {}
         for name in self.units:
-            each = found[name][line.quantity]
-            value = each.value[0] - each.value[1] if len(places) == 2 else each.value[0]
-            by[name] = Derivative(np.array([value]), np.array([each.uncertain.sum()]))
+            each = found[name][line.quantity].part(slice(rows.start, rows.stop))
+            value = each.value[:1] - each.value[1:] if len(rows) == 2 else each.value
+            by[name] = Derivative(value, np.array([each.uncertain.sum()]))
         for part, each in zip((WORST, ROOT), self._sums(by), strict=True):
             symbol = part_of(line.quantity, part)
             col, scale = self.plan.at.spots[symbol].col, self._scale(line.quantity, by, symbol)
             if np.isfinite(each.value[0]) and not math.isnan(self.number(self.title, line.row, col)):
-                name = f"{part} of {line.summary.symbol}"
+                name = f"{part} {line.key}"
                 self._note(name, line.row, col, float(each.value[0]), float(each.uncertain[0]), scale)
-
-    def _driver_at(self, key: str) -> float:
-        spot = self.plan.at.spots[key]
-        return self.plan.mechanism.driver.unit.to_internal(self.number(spot.sheet, spot.row, spot.col))
 
 
 def _largest(column: Array) -> float:

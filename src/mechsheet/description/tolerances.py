@@ -3,6 +3,7 @@ tolerance."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from mechsheet.description.driving.rates import is_rate
@@ -19,7 +20,7 @@ _PATH: Path = ("tolerance",)
 def read(
     data: dict[str, Any],
     dimensions: tuple[Dimension, ...],
-    driven: tuple[Driver | FurtherDriver, ...],
+    driven: Sequence[Driver | FurtherDriver],
     layout: str,
     scope: Scope,
 ) -> Tolerances | None:
@@ -41,7 +42,7 @@ def read(
             _check(name, named[:number], given, (*_PATH, "of", number), scope)
         found = [name for name in named if name is not BAD]
     summaries = tuple(name for name in found if name in scope.summaries)
-    quantities = dict.fromkeys(scope.summaries[name] if name in scope.summaries else name for name in found)
+    quantities = dict.fromkeys(scope.summaries.get(name, name) for name in found)
     return Tolerances(tuple(quantities), summaries)
 
 
@@ -67,15 +68,18 @@ def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Sco
     if name in before:
         scope.report.at(path, f"{quoted(name)} is listed twice")
         return
-    of = scope.summaries.get(name, name) if name in scope.summaries else name
+    of = scope.summaries.get(name, name)
     if of is BAD:
         return
+    if name not in scope.summaries and name not in scope.units and not _known(name, scope):
+        _report_unknown(name, path, scope)
+        return
     if name not in scope.summaries:
-        if name not in scope.units and not _known(name, scope):
-            return _report_unknown(name, path, scope)
         check_column(name, path, scope)
     if _reads_rates(of, scope):
-        message = f"{quoted(name)} is, or reads, a velocity, an acceleration or a force: bands are found of positions only"
+        message = (
+            f"{quoted(name)} is, or reads, a velocity, an acceleration or a force: bands are found of positions only"
+        )
         scope.report.at(path, message)
     elif of in given:
         scope.report.at(path, f"{quoted(name)} is driven: no dimension changes it")
@@ -84,7 +88,9 @@ def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Sco
 
 
 def _known(name: str, scope: Scope) -> bool:
-    return name in scope.variables or name in scope.outputs or "." in name or is_rate(name, scope) or name in scope.forces
+    return (
+        name in scope.variables or name in scope.outputs or "." in name or is_rate(name, scope) or name in scope.forces
+    )
 
 
 def _report_unknown(name: str, path: Path, scope: Scope) -> None:

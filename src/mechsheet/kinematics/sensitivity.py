@@ -1,12 +1,12 @@
 """How much a quantity changes with a dimension while the driver stands: the design's own derivatives, for tolerances.
 
-The loop closure of a group, left minus right, is a gap g(u, known, d) = 0 in its unknowns u. A gap that were held open in the
-loop would move a quantity Q, by so much per unit of it:
+The loop closure of a group, left minus right, is a gap g(u, known, d) = 0 in its unknowns u. A gap held open in the loop
+would move a quantity Q, by so much per unit of it:
 
     lambda_x w1_x + lambda_y w1_y = - dQ/du1,   lambda_x w2_x + lambda_y w2_y = - dQ/du2,   w = dg/du, D = w1 x w2
 
-which Cramer's rule solves with the same D as velocities have. Groups that are solved later read the unknowns of earlier ones:
-they go first, as with joint forces, and what they pass on is counted to dQ/du. A dimension opens the gap by dg/dd, so
+which Cramer's rule solves with the same D as velocities have. Groups that are solved later read the unknowns of earlier
+ones: they go first, as with joint forces, and what they pass on is counted to dQ/du. A dimension opens the gap by dg/dd, so
 
     dQ/dd = (what Q's own formula says) + sum over the groups of lambda_x dg_x/dd + lambda_y dg_y/dd
 
@@ -38,8 +38,8 @@ SHORT, LONGEST = 12, 34
 class Sensitivity:
     """Of one quantity.
 
-    inner  in order, symbol -> expression: lambda_x and lambda_y of each group, last group first, and parts of long sums; over
-           positions, determinants and those before them
+    inner  in order, symbol -> expression: lambda_x and lambda_y of each group, last group first, and parts of long sums;
+           over positions, determinants and those before them
     by     by symbol of a dimension that it depends on: dQ/dd in internal units
     """
 
@@ -59,6 +59,10 @@ class Sensitivities:
     constants: Mapping[str, Node]
     groups: tuple[int, ...]
     of: tuple[Sensitivity, ...]
+
+
+NO_BANDS = Sensitivities({}, (), ())
+"""Of a mechanism of which nobody asks."""
 
 
 def determinant_symbol(group: int) -> str:
@@ -162,6 +166,9 @@ class _Writer:
                 [self.partials.of(part, unknown) for part in group.closure.gap] for unknown in group.unknowns
             )
             right = al.sub(al.mul(other, y1), al.mul(one, y2)), al.sub(al.mul(one, x2), al.mul(other, x1))
+            if max(map(_size, right)) > LONGEST:
+                x1, y1, x2, y2 = map(self._part, (x1, y1, x2, y2))
+                right = al.sub(al.mul(other, y1), al.mul(one, y2)), al.sub(al.mul(one, x2), al.mul(other, x1))
             det = Symbol(determinant_symbol(group.number))
             names = gap_symbols(self.quantity, group.number)
             along = [self._column(name, al.div(node, det)) for name, node in zip(names, right, strict=True)]
@@ -170,9 +177,7 @@ class _Writer:
     def result(self, dimensions: Sequence[str]) -> Sensitivity:
         """By all dimensions that change it."""
         by = {name: self._short(self.changes(name)) for name in dimensions}
-        return Sensitivity(
-            self.quantity, self.inner, {name: node for name, node in by.items() if not al.is_zero(node)}
-        )
+        return Sensitivity(self.quantity, self.inner, {name: node for name, node in by.items() if not al.is_zero(node)})
 
     def changes(self, by: str) -> Node:
         """What changes the quantity with `by`: by its own formula, and through the gaps of the groups found so far."""

@@ -34,7 +34,9 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     requests = chart_requests(plan)
     drawing = drawing_of(plan, traced_points(plan, requests), requests)
     sheets = (
-        with_room(mechanism_sheet(plan, checks, extremes, tolerance, charts_of(plan, requests, drawing), controls(plan))),
+        with_room(
+            mechanism_sheet(plan, checks, extremes, tolerance, charts_of(plan, requests, drawing), controls(plan))
+        ),
         positions_sheet(plan),
         *((rates_sheet(plan),) if plan.rates else ()),
         *((forces_sheet(plan),) if plan.forces else ()),

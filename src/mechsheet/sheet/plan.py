@@ -18,7 +18,7 @@ from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import BANDS, FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.sensitivity import Sensitivities, toleranced
+from mechsheet.kinematics.sensitivity import NO_BANDS, Sensitivities, toleranced
 from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
@@ -40,7 +40,8 @@ FIRST_BLOCK = 4
 """The row of the first block's heading."""
 
 SHEETS = ("mechanism", "positions", "drawing", "checks", "extremes", "notes", "description")
-"""Keys of the sheets that every workbook has; "rates", "forces" and "tolerance" stand behind the positions of one that has them."""
+"""Keys of the sheets that every workbook has; "rates", "forces", "tolerance" stand behind the positions of one that has
+them."""
 
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""
@@ -113,7 +114,7 @@ class Plan:
     forces: list[TableColumn] = field(default_factory=list)
     iterations: list[TableColumn] = field(default_factory=list)
     bands: list[TableColumn] = field(default_factory=list)
-    sensitivities: Sensitivities = Sensitivities({}, (), ())
+    sensitivities: Sensitivities = NO_BANDS
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)

@@ -27,11 +27,11 @@ TOLERANCE: dict[str, tuple[str, str]] = {
     "chart.band.low": ("{symbol}, lower end", "{symbol}, alt uç"),
     "chart.band.high": ("{symbol}, upper end", "{symbol}, üst uç"),
     "notes.use.tolerance": (
-        "The sheet {tolerance} has the change of a quantity by each dimension that has a tolerance, the driver standing; the "
-        "± cells beside the dimensions are inputs. Worst case: all tolerances at the end that hurts. Root sum of squares, RSS: "
-        "independent dimensions; it holds with the confidence with which the tolerances are kept. Both are of first order.",
-        "{tolerance} sayfasında, tahrik dururken her toleranslı boyutun bir niceliği ne kadar değiştirdiği vardır; boyutların "
-        "yanındaki ± hücreleri giriştir. En kötü durum: bütün toleranslar kötü uçlarında. Karelerin toplamının karekökü: "
-        "bağımsız boyutlar için; toleransların tutulduğu güvenle geçerlidir. İkisi de birinci mertebedendir.",
+        "The sheet {tolerance} has the change of a quantity by each dimension that has a tolerance, the driver standing. "
+        "The ± cells beside the dimensions are inputs. Worst case: all tolerances at the end that hurts. RSS, root of the "
+        "sum of squares: independent dimensions; as sure as the tolerances are kept. Both are of first order.",
+        "{tolerance} sayfasında, tahrik dururken her toleranslı boyutun bir niceliği ne kadar değiştirdiği vardır. "
+        "Boyutların yanındaki ± hücreleri giriştir. En kötü durum: bütün toleranslar kötü uçlarında. RSS, karelerin "
+        "toplamının karekökü: bağımsız boyutlar; toleranslar ne kadar güvenle tutuluyorsa o kadar. İkisi birinci mertebedendir.",
     ),
 }  # fmt: skip

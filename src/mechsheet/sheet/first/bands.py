@@ -49,7 +49,9 @@ def _words(tolerance: Tolerance, line: Line) -> Node:
         return joined(_with_band(value, band, _behind(shown_unit(plan, line.quantity))), "; ", mostly)
     driver = plan.mechanism.driver
     worst, drivers = Symbol(ALL + part_of(line.quantity, WORST)), Symbol(ALL + driver.symbol)
-    where = formula("INDEX(drivers,MATCH(most,worst,0))", drivers=drivers, worst=worst, most=Symbol(f"#{WORST} {line.key}"))
+    where = formula(
+        "INDEX(drivers,MATCH(most,worst,0))", drivers=drivers, worst=worst, most=Symbol(f"#{WORST} {line.key}")
+    )
     start, end = plan.text("bands.largest.at", driver=plain(driver.symbol), place="#").split("#")
     return joined(start, formula("ROUND(where,4)", where=where), _behind(driver.unit.text) + end, "; ", mostly)
 

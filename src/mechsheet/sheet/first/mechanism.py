@@ -29,8 +29,8 @@ from mechsheet.sheet.plan import (
 )
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.bands import tolerance_symbol
+from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.workbook import (

@@ -18,6 +18,7 @@ from mechsheet.formula.nodes import Call, Node, Symbol, transform
 from mechsheet.kinematics.equations import Equations, Role
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.sensitivity import (
+    NO_BANDS,
     Sensitivities,
     Sensitivity,
     by_symbol,
@@ -73,7 +74,7 @@ class Banded:
 def found_bands(mechanism: Mechanism, equations: Equations) -> Sensitivities:
     """The derivatives that are asked for. Raises MechanismError where there are none."""
     if mechanism.bands is None:
-        return Sensitivities({}, (), ())
+        return NO_BANDS
     newton = [group.label.en for group in equations.groups if group.system is not None]
     if newton:
         message = f"bands are not found where links must be solved all at once: {newton[0]}"
@@ -99,9 +100,7 @@ def with_bands(mechanism: Mechanism, equations: Assignments, found: Sensitivitie
     inline = {name: each for name, each in known.items() if not isinstance(each, Assignment)}
     for number, each in enumerate(found.of, QUANTITIES):
         columns += _columns(mechanism, equations, each, number, inline)
-    return replace(
-        equations, constants=(*equations.constants, *constants), columns=(*equations.columns, *columns)
-    )
+    return replace(equations, constants=(*equations.constants, *constants), columns=(*equations.columns, *columns))
 
 
 def _constant(mechanism: Mechanism, equations: Assignments, name: str, node: Node) -> Assignment:
@@ -118,9 +117,7 @@ def _constant(mechanism: Mechanism, equations: Assignments, name: str, node: Nod
 def _determinants(equations: Assignments, found: Sensitivities) -> dict[str, Node | Assignment]:
     """By symbol: a column that is empty at a dead centre; that of the velocities where there is one; a number."""
     moving = {
-        each.group: each.symbol
-        for each in equations.equations.columns
-        if each.role == "coefficient" and each.exists
+        each.group: each.symbol for each in equations.equations.columns if each.role == "coefficient" and each.exists
     }
     known: dict[str, Node | Assignment] = {}
     for group in equations.groups:
@@ -161,7 +158,9 @@ def _columns(
         shown = in_units(node, own, units[name])
         label = phrase("sensitivity", symbol=found.quantity, dimension=name)
         columns.append(
-            replace(column(by_symbol(found.quantity, name), shown, "band", per(own, units[name]), "band", node), label=label)
+            replace(
+                column(by_symbol(found.quantity, name), shown, "band", per(own, units[name]), "band", node), label=label
+            )
         )
     band = Banded(found.quantity, tuple(found.by))
     worst, root = part_of(found.quantity, WORST), part_of(found.quantity, ROOT)
@@ -190,7 +189,9 @@ def per(own: Unit, dimension: Unit) -> Unit:
     return Unit("label", f"{above or '1'}/{below}" if below else above or "1")
 
 
-def sizes(mechanism: Mechanism, found: Sensitivities, equations: Assignments, nominal: dict[str, Array]) -> dict[str, Array]:
+def sizes(
+    mechanism: Mechanism, found: Sensitivities, equations: Assignments, nominal: dict[str, Array]
+) -> dict[str, Array]:
     """By quantity its worst case in every row, as people read it, with the dimensions as described.
 
     nominal  every symbol's values over the rows
@@ -212,4 +213,3 @@ def sizes(mechanism: Mechanism, found: Sensitivities, equations: Assignments, no
             rows = next(iter(nominal.values())).shape
             result[each.quantity] = unit.to_shown(np.broadcast_to(sum(parts), rows))
     return result
-

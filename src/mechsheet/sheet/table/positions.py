@@ -28,7 +28,7 @@ from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.bands import HEADINGS, WORST, ROOT
+from mechsheet.sheet.table.bands import HEADINGS, ROOT, WORST
 from mechsheet.sheet.workbook import (
     Area,
     Cell,

@@ -1,8 +1,9 @@
-"""The sheet of tolerances: in the rows of the positions of each quantity its derivatives, worst case and root sum of squares.
+"""The sheet of tolerances: in the rows of the positions derivatives by dimensions, worst case, root sum of squares.
 
-Below the table, in the columns of its quantity, a line for the position shown, one for the row with the largest band and one
-for each summary: the derivatives there, what they come to, and the share of each dimension, (S t)^2 of the sum of squares. An extreme changes with a
-dimension as the quantity does where the extreme is, since its place adds nothing to first order.
+Below the table, in the columns of its quantity, a line for the position shown, one for the row with the largest band and
+one for each summary: the derivatives there, what they come to, and the share of each dimension, (S t)^2 of the sum of
+squares. An extreme changes with a dimension as the quantity does where the extreme is: that its place moves adds nothing
+to first order.
 """
 
 from __future__ import annotations
