@@ -31,7 +31,7 @@ TOLERANCE: dict[str, tuple[str, str]] = {
         "The ± cells beside the dimensions are inputs. Worst case: all tolerances at the end that hurts. RSS, root of the "
         "sum of squares: independent dimensions; as sure as the tolerances are kept. Both are of first order.",
         "{tolerance} sayfasında, tahrik dururken her toleranslı boyutun bir niceliği ne kadar değiştirdiği vardır. "
-        "Boyutların yanındaki ± hücreleri giriştir. En kötü durum: bütün toleranslar kötü uçlarında. RSS, karelerin "
-        "toplamının karekökü: bağımsız boyutlar; toleranslar ne kadar güvenle tutuluyorsa o kadar. İkisi birinci mertebedendir.",
+        "Boyutların yanındaki ± hücreleri giriştir. En kötü durum: bütün toleranslar kötü uçlarında. RSS: karelerin "
+        "toplamının karekökü; bağımsız boyutlar içindir ve toleranslar kadar güvenlidir. İkisi birinci mertebedendir.",
     ),
 }  # fmt: skip
