@@ -83,7 +83,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
             _compare_rate(plan, tally, symbol, column, theirs, solution, steep)
         else:
             _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol), beyond)
-    if plan.bands:
+    if plan.bands and book.sheet(plan.at.titles["tolerance"]) is not None:  # that it is missing is told as an edit
         _compare_bands(plan, tally, values, changed, inputs, start)
     return tally.result(), list(inputs.remarks)
 

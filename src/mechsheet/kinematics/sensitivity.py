@@ -75,6 +75,11 @@ def gap_symbols(quantity: str, group: int) -> tuple[str, str]:
     return f"{quantity}:gap {group}.x", f"{quantity}:gap {group}.y"
 
 
+def loop_symbol(group: int, axis: int) -> str:
+    """What the gap of a group's loop, along x (0) or y (1), is called."""
+    return f"loop {group}.{'xy'[axis]}"
+
+
 def by_symbol(quantity: str, dimension: str) -> str:
     """What the derivative of a quantity, or of a constant, by a dimension is called."""
     return f"{quantity}:{dimension}"
@@ -113,6 +118,7 @@ class _Partials:
         derived = {dim.symbol: dim.value for dim in mechanism.dimensions if not isinstance(dim.value, float)}
         self.forms |= derived
         self.fixed = {equation.symbol for equation in equations.constants} | derived.keys()
+        self.inputs = {dim.symbol for dim in mechanism.dimensions}
         self.constants: dict[str, Node] = {}
         self._known: dict[tuple[str, str], Node] = {}
 
@@ -124,6 +130,15 @@ class _Partials:
             if not al.is_zero(inner):
                 parts.append(al.mul(derivative(node, name), inner))
         return al.total(parts)
+
+    def of_gap(self, group: Group, axis: int, by: str) -> Node:
+        """d gap / d by of a group's loop; where it is long and the same in every row, a cell of its own."""
+        found = self.of(group.closure.gap[axis], by)
+        if _size(found) <= SHORT or not self.inputs | self.fixed >= set(symbols(found)):
+            return found
+        symbol = by_symbol(loop_symbol(group.number, axis), by)
+        self.constants[symbol] = found
+        return Symbol(symbol)
 
     def _of_symbol(self, name: str, by: str) -> Node:
         if name == by:
@@ -183,8 +198,9 @@ class _Writer:
         """What changes the quantity with `by`: by its own formula, and through the gaps of the groups found so far."""
         parts = [self.partials.of(Symbol(self.quantity), by)]
         for group, factors in self.held:
-            for factor, part in zip(factors, group.closure.gap, strict=True):
-                parts.append(al.mul(factor, self.partials.of(part, by)))
+            for axis, factor in enumerate(factors):
+                if not al.is_zero(factor):
+                    parts.append(al.mul(factor, self.partials.of_gap(group, axis, by)))
         return al.total(parts)
 
     def _column(self, name: str, node: Node) -> Node:

@@ -76,6 +76,8 @@ def _of_band(quantity: str, part: str) -> tuple[str, str]:
     if quantity == "det":
         return "D", part
     what, space, number = part.partition(" ")
+    if quantity.startswith("loop "):
+        return f"∂g{quantity.removeprefix('loop ')}/∂{plain(part)}", ""
     if not space:
         return f"∂{plain(quantity)}/∂{plain(part)}", ""
     if what in ("gap", "part"):

@@ -29,7 +29,7 @@ from mechsheet.kinematics.sensitivity import (
 from mechsheet.model import Mechanism
 from mechsheet.sheet.quoted import SHOWN
 from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
-from mechsheet.units import NUMBER, Unit
+from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
 QUANTITIES = 10_000
@@ -108,7 +108,9 @@ def _constant(mechanism: Mechanism, equations: Assignments, name: str, node: Nod
     symbol, _, dimension = name.partition(":")
     units = {dim.symbol: dim.unit for dim in mechanism.dimensions}
     units |= {each.symbol: each.unit for each in equations.constants}
-    above, below = (mechanism.shown(units[each]).internal for each in (symbol, dimension))
+    above, below = (
+        mechanism.shown(units.get(each, LENGTH)).internal for each in (symbol, dimension)
+    )  # a gap is a length
     unit = Unit("number", per(above, below).symbol)
     label = phrase("constant_derivative", symbol=symbol, dimension=dimension)
     return Assignment(name, node, node, "constant", unit, label)
