@@ -28,7 +28,7 @@ from random_mechanisms import Grower
 
 TEMPLATES = but(sorted((Path(__file__).parents[2] / "templates").glob("*.toml")), *ITERATED)
 CALM = 0.02
-"""Rows are judged in which each group's determinant is at least this part of its largest: differences reach over the limit."""
+"""Rows are judged in which each group's determinant is at least this part of its largest: differences reach further."""
 DRAWS, SEED = 10_000, 20
 
 

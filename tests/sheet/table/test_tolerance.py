@@ -109,8 +109,10 @@ def test_a_dead_centre_has_no_derivative():
     """A parallelogram in line: no number there, and the words say why."""
     text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
     for old, new in (
-        ("value = 62.3", "value = 70"), ("value = 56", "value = 35, tolerance = 0.1"), ("B = [50, 55]", "B = [95, 25]\nat = 45"),
-    ):  # fmt: skip
+        ("value = 62.3", "value = 70"),
+        ("value = 56", "value = 35, tolerance = 0.1"),
+        ("B = [50, 55]", "B = [95, 25]\nat = 45"),
+    ):
         text = text.replace(old, new)
     plan, _, values = numbers(loads(f'{text}\n[tolerance]\nof = ["theta14"]\n'))
     title, column = plan.at.titles["tolerance"], plan.at.spots["theta14:a4"].col
