@@ -12,9 +12,10 @@ PROGRAMS = {
     "gnumeric": ("ssconvert",),
     "jing": ("jing",),
     "octave": ("octave-cli", "octave"),
+    "chromium": ("chromium", "chromium-browser", "google-chrome"),
 }
-OPTIONAL = {"chromium": ("chromium", "chromium-browser", "google-chrome"), "latex": ("pdflatex",)}
-"""Large, and what they judge is a side of the product: nowhere a must."""
+OPTIONAL = {"latex": ("pdflatex",)}
+"""Large, and what it judges is a side of the product: nowhere a must."""
 
 gc.set_threshold(100_000, 50, 50)
 """Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""

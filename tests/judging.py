@@ -33,7 +33,7 @@ def positions_only(mechanism: Mechanism) -> tuple[Workbook, Plan]:
 
 def only_positions(workbook: Workbook, plan: Plan) -> Workbook:
     """The first two sheets, without formulas that read others."""
-    kept = {plan.main, plan.table}
+    kept = {plan.main, plan.table, plan.at.titles.get("synthesis", plan.main)}
 
     def stays(fill: Fill) -> bool:
         read = {node.sheet for node in walk(fill.formula) if isinstance(node, CellRef) and node.sheet is not None}

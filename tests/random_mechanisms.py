@@ -241,6 +241,26 @@ class Grower:
             for (plate, _), end in zip(plates, ends, strict=True):
                 self._remember(self._point(*end, plate, leg))
 
+    def _iii2(self) -> None:
+        """Two links pinned to each other, each with two legs: three unknowns."""
+        self._row_of_plates((2, 2))
+
+    def _iii3(self) -> None:
+        """Three links in a row, with two, one and two legs: four unknowns."""
+        self._row_of_plates((2, 1, 2))
+
+    def _row_of_plates(self, legs: tuple[int, ...]) -> None:
+        before: Body | None = None
+        for count in legs:
+            centre = self._spot()
+            plate = self._new_body(centre)
+            if before is not None:
+                self._remember(self._point(*self._near(before), before, plate))
+            for _ in range(count):
+                leg = self._leg(self.bodies[int(self.random.integers(2))])
+                self._remember(self._point(*self._around(centre, 40), leg, plate))
+            before = plate
+
     # --- writing ------------------------------------------------------------------------------------------------
 
     def _place(self, body: Body, point: str) -> str:

@@ -12,17 +12,20 @@ ALLOWED = {
     "diagnostics": set(),
     "arguments": {"formula", "formats.archive"},
     "units": set(),
+    "portable": set(),
     "model": {"formula.nodes", "units"},
     "words": {"model"},
-    "formula": set(),
+    "formula": {"portable"},
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
     "reference": {"model", "formula.nodes"},
-    "engine": {"formula"},
-    "description": {"model", "formula", "units"},
-    "kinematics": {"model", "formula", "units", "words"},
+    "engine": {"formula", "portable"},
+    # tasks and the steps of their solutions, as dimensions that follow from others
+    "synthesis": {"portable", "model", "formula", "units", "words"},
+    "description": {"portable", "model", "formula", "units", "synthesis"},
+    "kinematics": {"portable", "model", "formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
-    "dynamics": {"model", "formula", "kinematics", "units", "words"},
-    "sheet": {"model", "formula", "kinematics", "units", "words"},
+    "dynamics": {"portable", "model", "formula", "kinematics", "units", "words"},
+    "sheet": {"portable", "model", "formula", "kinematics", "synthesis", "units", "words"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
@@ -41,6 +44,7 @@ ALLOWED = {
     },
     # exporting prints the equations, draws what plotting draws, and tabulates their values
     "exporting": {
+        "portable",
         "model",
         "units",
         "words",
@@ -54,6 +58,7 @@ ALLOWED = {
     },
 }
 # judging other people's workbooks: the engine recalculates them, the reference knows the truth
+ALLOWED["exporting"] |= {"synthesis.writing"}
 ALLOWED["homework"] = {
     "model",
     "units",
@@ -62,15 +67,49 @@ ALLOWED["homework"] = {
     "description",
     "engine",
     "reference",
+    # which numbers may be which dimensions is tried with the equations; what is found is proven by the reference
     "kinematics.solve",
+    "kinematics.equations",
+    "kinematics.numeric",
     "compiled",
     "formats",
     "sheet.workbook",
     "arguments",
 }
+# designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says
+ALLOWED["studies"] = {
+    "model",
+    "formula",
+    "description",
+    "kinematics",
+    "sheet",
+    "compiled",
+    "formats",
+    "words",
+    "__version__",
+}
+# the page shows what the library builds and what checking says of it
+ALLOWED["drawing_page"] = {
+    "model",
+    "units",
+    "words",
+    "formula",
+    "description",
+    "kinematics",
+    "compiled",
+    "sheet.drawing.outlines",
+    "plotting",
+    "checking",
+    "library",
+    "formats.archive",
+    "arguments",
+}
 PARTS = sorted(ALLOWED)
-FORMATS = {"reading": {"reading"}, "": {"", "reading"}, "xlsx": {"", "reading", "xlsx"}, "ods": {"", "reading", "ods"}}
-"""Folder of formats ("" for what lies beside them) -> the folders it may import: the two formats are strangers."""
+FORMATS = {name: {"", "reading", name} for name in ("xlsx", "ods", "xls")} | {
+    "reading": {"reading"},
+    "": {"", "reading"},
+}
+"""Folder of formats ("" for what lies beside them) -> the folders it may import: the formats are strangers."""
 
 
 def modules_of(part: str) -> list[Path]:

@@ -33,7 +33,8 @@ def test_contents(wheel):
         "plotting/page.html",
         "plotting/page.js",
     }
-    assert inside == modules | templates | data
+    page = {f"drawing_page/page/{path.name}" for path in (source / "drawing_page" / "page").iterdir()}
+    assert inside == modules | templates | data | page
     assert "templates/mechsheet.schema.json" in templates
     outside = {name.split("/", 1)[1] for name in names if not name.startswith("mechsheet/")}
     assert outside == {"METADATA", "WHEEL", "RECORD", "entry_points.txt", "licenses/LICENSE"}

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from mechsheet.library.linkage import Linkage, Motion, load, loads, template
     from mechsheet.library.recalculation import Result, recalc
     from mechsheet.library.session import Session, open_book
+    from mechsheet.library.studying import study
     from mechsheet.model import Mechanism
     from mechsheet.plotting import plot
 
@@ -51,6 +52,7 @@ _HOMES = {
     "recalc": "library.recalculation",
     "Result": "library.recalculation",
     "Session": "library.session",
+    "study": "library.studying",
 }
 """Name -> module: imported when first used, so that `mechsheet --help` need not load numpy."""
 
@@ -78,6 +80,7 @@ __all__ = [
     "open_book",
     "plot",
     "recalc",
+    "study",
     "template",
 ]
 

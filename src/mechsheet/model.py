@@ -80,7 +80,8 @@ class Dimension:
     shown      a plain number as the description wrote it, in its unit (30 for 30 degrees), else None
     written    the expression of a derived dimension as the description wrote it, else ""
     place      where the description gives one that is not among its dimensions: ("driver", "speed"),
-               ("driver", "motion", "duration"), ("links", "crank", "mass"), ("loads", 0, "force", 1); () for its own
+               ("driver", "motion", "duration"), ("links", "crank", "mass"), ("loads", 0, "force", 1),
+               ("synthesis", "theta", 1) of a task, ("synthesis",) of a step of its solution; () for its own
     """
 
     symbol: str
@@ -523,6 +524,115 @@ class Exercise:
     not_live: float = 0.5
 
 
+TaskPlace: TypeAlias = tuple[str | int, ...]
+"""Where the task of a synthesis says something, below [synthesis]: ("theta", 1), ("A", "moving", 0), ("stroke",)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Synthesis:
+    """A task from which dimensions are found; its inputs and all steps of its solution are dimensions of the mechanism.
+
+    kind      one of `mechsheet.synthesis.KINDS`
+    task      where the description says it -> symbol of the input dimension
+    steps     symbols of the derived dimensions that solve the task, in order
+    results   name of a result -> symbol of its exact value
+    taken     dimension of the mechanism -> the result that it is
+    positive  symbols of inputs that must be greater than 0
+    chosen    what the task says beside its numbers: how many points, which of several keys is given
+    rounding  symbol of what lengths are rounded to before they are used, "" where they are not
+    mode      symbol of the assembly mode cell that follows from the task -> the result that says it
+    function  the function that is to be generated, over `x`; None where the task has none
+    reasons   steps that may not exist, in order -> why there is no solution then
+    roots     symbol of a root of x^3 + b x^2 + c x + d = 0 -> symbols of b, c and d
+    names     what inputs, steps and results are called in the kind's own equations -> their symbols
+    """
+
+    kind: str
+    task: Mapping[TaskPlace, str]
+    steps: tuple[str, ...]
+    results: Mapping[str, str]
+    taken: Mapping[str, str]
+    positive: tuple[str, ...] = ()
+    chosen: Mapping[str, str] = field(default_factory=dict)
+    rounding: str = ""
+    mode: Mapping[str, str] = field(default_factory=dict)
+    function: Node | None = None
+    reasons: tuple[tuple[str, Words], ...] = ()
+    names: Mapping[str, str] = field(default_factory=dict)
+    roots: Mapping[str, tuple[str, str, str]] = field(default_factory=dict)
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Symbols of the task's input dimensions, in its order."""
+        return tuple(self.task.values())
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """Symbols that all have a value where the task has a solution: those of the mechanism's dimensions."""
+        names = tuple(self.taken.values()) or tuple(self.results)
+        return tuple(dict.fromkeys(self.results[name] for name in names))
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """What a study does with a dimension, in its own unit: low, low + step, ... up to high, or any number between low and
+    high where `step` is 0; or one of `values`."""
+
+    symbol: str
+    low: float = 0.0
+    high: float = 0.0
+    step: float = 0.0
+    values: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """What a design must meet.
+
+    kind   "compare": sides[0] operators[0] sides[1] ..., over dimensions, summaries and extremes in the units shown;
+           "closes": in every row; "crank": the link `name` goes on turning; "grashof": in the loop `name` some link can turn
+    other  True where the opposite is asked for: `not crank(rocker)`
+    """
+
+    text: str
+    kind: Literal["compare", "closes", "crank", "grashof"]
+    name: str = ""
+    other: bool = False
+    sides: tuple[Node, ...] = ()
+    operators: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Objective:
+    """What is to be as small, or as large, as can be: an expression as in conditions."""
+
+    text: str
+    value: Node
+    largest: bool = False
+
+
+EXTREME = "{take}({of})"
+"""The symbol of an extreme that is no summary of its own, in conditions and objectives: min(mu)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Study:
+    """Which designs are tried, which are kept, and what is best.
+
+    sample  "grid": every combination of the ranges, the last one changing first; "sobol": `count` points of Sobol's
+            sequence, scrambled by `seed`
+    best    how many designs are listed
+    """
+
+    vary: tuple[Range, ...]
+    sample: Literal["grid", "sobol"] = "grid"
+    count: int = 0
+    seed: int = 0
+    keep: tuple[Condition, ...] = ()
+    objectives: tuple[Objective, ...] = ()
+    best: int = 50
+
+
 @dataclass(frozen=True, slots=True)
 class Tolerances:
     """What bands are asked for: of which variables, coordinates and outputs, and of which summaries, by symbol.
@@ -544,6 +654,7 @@ class Mechanism:
     dynamics     masses and loads; None where the description has none
     solution     how groups without a closed form are solved
     bands        what tolerances are followed to; None where nobody asks
+    synthesis    the task from which dimensions are found; None where all of them are given
     file         the stem of the file that it was read from, "" when it was read from none
     """
 
@@ -572,6 +683,8 @@ class Mechanism:
     drivers: tuple[FurtherDriver, ...] = ()
     exercise: Exercise | None = None
     bands: Tolerances | None = None
+    study: Study | None = None
+    synthesis: Synthesis | None = None
     text: str = ""
     file: str = field(default="", compare=False)
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechsheet.engine import compile_book
+from mechsheet.engine import FAST, PORTABLE, compile_book
 from mechsheet.engine.fast import emitting as emitting_module
 from mechsheet.engine.fast import segments as segments_module
 from mechsheet.engine.fast.segments import Segment
@@ -100,8 +100,9 @@ def never(*_):
     trees,
     st.sampled_from(["", "sum", "held"]),
     st.booleans(),
+    st.sampled_from([FAST, PORTABLE]),
 )
-def test_fast_equals_the_interpreter(data, singles, first, second, third, recurrence, large):
+def test_fast_equals_the_interpreter(data, singles, first, second, third, recurrence, large, arithmetic):
     builder = BookBuilder()
     sheet = builder.sheet("S")
     for col, column in enumerate(data):
@@ -128,7 +129,7 @@ def test_fast_equals_the_interpreter(data, singles, first, second, third, recurr
         "held": Call("IF", (Binary(">", third, Number(0)), second, above)),
     }[recurrence]
     sheet.block(FIRST, 5, ROWS, 1, formula)
-    plan = compile_book(builder.build())
+    plan = compile_book(builder.build(), arithmetic)
     with pytest.MonkeyPatch.context() as patch:
         if large:  # the code is written as for many cells
             patch.setattr(emitting_module, "_LARGE", 0)

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_fast_path import numeric, plain, values
 
-from mechsheet.engine import compile_book
+from mechsheet.engine import FAST, PORTABLE, compile_book
 from mechsheet.engine.fast import scalars
 from mechsheet.engine.fast.lowered_functions import UFUNCS
 from mechsheet.engine.kernels.math import rounded, rounded_one
@@ -84,10 +84,10 @@ def book_of(four, column, other, start, single, short):
     return builder.build()
 
 
-def cell_by_cell(book):
+def cell_by_cell(book, arithmetic=FAST):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(schedule_module, "row_by_row", lambda *_: None)
-        return compile_book(book).evaluate()
+        return compile_book(book, arithmetic).evaluate()
 
 
 def same(found, expected):
@@ -101,16 +101,17 @@ def same(found, expected):
 
 
 @settings(max_examples=250, deadline=None)
-@given(formulas, columns, columns, starts, st.tuples(plain, values), st.sampled_from([0, 0, 0, 1, 4]), st.booleans())
-def test_row_by_row_equals_the_interpreter(four, column, other, start, single, short, slow):
+@given(formulas, columns, columns, starts, st.tuples(plain, values), st.sampled_from([0, 0, 0, 1, 4]), st.booleans(),
+       st.sampled_from([FAST, PORTABLE]))  # fmt: skip
+def test_row_by_row_equals_the_interpreter(four, column, other, start, single, short, slow, arithmetic):
     book = book_of(four, column, other, start, single, short)
-    expected = cell_by_cell(book)
+    expected = cell_by_cell(book, arithmetic)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(row_by_row_module, "_FEW_CELLS", 0)
         patch.setattr(row_by_row_module, "_FEW_ROWS", ROWS if slow else 0)  # only values of any kind, or floats first
         patch.setattr(row_by_row_module, "_FEW_SLOW", 0)
         patch.setattr(row_by_row_module, "_FIRST_ROWS", 5)
-        same(compile_book(book).evaluate(), expected)
+        same(compile_book(book, arithmetic).evaluate(), expected)
 
 
 def lines_book(rows, *texts, start=1.0):

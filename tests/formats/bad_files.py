@@ -9,6 +9,7 @@ import zlib
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
+import xls_files as xls
 from ods_files import cell, content, number, row, table
 
 MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
@@ -149,14 +150,61 @@ def rows(text: str) -> Callable[[], bytes]:
     return lambda: sheet(text)
 
 
+ONE = xls.number(0, 0, 1.0)
+"""A cell of an .xls."""
+
+
+def more_tables() -> bytes:
+    """An .xls whose list of tables goes on in a sector that names itself as the next one."""
+    data = bytearray(xls.compound(struct.pack("<I", 3) * 2000))
+    data[68:72] = struct.pack("<I", 3)
+    return bytes(data)
+
+
 BAD: dict[str, Bad] = {
     # no workbooks
     "empty": Bad(".xlsx", lambda: b"", "the file is empty"),
     "csv": Bad(".csv", lambda: b"a,b\n1,2\n", "no zip file"),
     "csv-as-xlsx": Bad(".xlsx", lambda: "Länge;1,5\n".encode("cp1252"), "a table as text (.csv)?"),
     "random-bytes": Bad(".xlsx", lambda: bytes(range(256)) * 40, "not a workbook"),
-    "xls": Bad(".xls", lambda: ole("Workbook"), "an .xls of the old kind"),
-    "xls-without-ole": Bad(".xls", lambda: b"\x09\x08\x10\x00\x00\x06\x05\x00" + bytes(99), "an .xls of the old kind"),
+    "xls": Bad(".xlsx", lambda: ole("Workbook"), "an .xls of the old kind"),
+    "xls-without-ole": Bad(".xlsx", lambda: b"\x09\x08\x10\x00\x00\x06\x05\x00" + bytes(99), "an .xls of the old kind"),
+    "csv-as-xls": Bad(".xls", lambda: b"a,b\n1,2\n", "it does not begin as an .xls does"),
+    "xlsx-as-xls": Bad(".xls", lambda: packed(xlsx()), "a zip file with the suffix of an .xls"),
+    "xls-empty": Bad(".xls", lambda: b"", "the file is empty"),
+    "xls-of-word": Bad(".xls", lambda: xls.compound(bytes(999), "WordDocument"), "no stream in it is called Workbook"),
+    "xls-of-95": Bad(".xls", lambda: xls.compound(bytes(999), "Book"), "a workbook of Excel 95 or older"),
+    "xls-of-95-inside": Bad(".xls", lambda: xls.stream(("S", ONE), version=0x0500), "a workbook of Excel 95 or older"),
+    "xls-of-excel-2": Bad(".xls", lambda: b"\x09\x00\x04\x00\x02\x00\x10\x00", "a workbook of Excel 95 or older"),
+    "xls-password": Bad(
+        ".xls", lambda: xls.stream(("S", ONE), before=xls.record(0x2F, bytes(6))), "protected by a password"),
+    "xls-encrypted": Bad(".xls", lambda: xls.compound(bytes(999), "EncryptedPackage"), "protected by a password"),
+    "xls-cut-off": Bad(".xls", lambda: xls.stream(("S", ONE))[:-7], "damaged or cut off (the workbook ends in the middle)"),
+    "xls-head-cut-off": Bad(".xls", lambda: OLE + bytes(90), "damaged or cut off (its head is cut off)"),
+    "xls-container-cut-off": Bad(".xls", lambda: xls.compound(bytes(4000))[:3000], "damaged or cut off"),
+    "xls-stream-in-a-circle": Bad(".xls", lambda: xls.compound(bytes(4000), links={6: 4}), "a stream that runs in a circle"),
+    "xls-table-in-a-circle": Bad(".xls", more_tables, "its list of tables runs in a circle"),
+    "xls-directory-in-a-circle": Bad(
+        ".xls", lambda: xls.compound(bytes(4000), links={1: 1}), "a stream that runs in a circle"),
+    "xls-sector-nowhere": Bad(".xls", lambda: xls.compound(bytes(4000), links={4: 9999}), "a sector that is not there"),
+    "xls-longer-than-it-is": Bad(".xls", lambda: xls.compound(bytes(4000), size=1 << 31), "is shorter than it says"),
+    "xls-no-sheet": Bad(".xls", xls.stream, "the workbook has no sheet with cells"),
+    "xls-sheets-in-one-place": Bad(
+        ".xls", lambda: xls.stream(("S", ONE), ("T", ONE), at=(60, 60)), "two sheets in the same place"),
+    "xls-sheet-in-a-sheet": Bad(
+        ".xls", lambda: xls.stream(("S", ONE), ("T", xls.bof(16) + ONE), at=(0, 134)), "is not where the workbook says"),
+    "xls-sheet-nowhere": Bad(".xls", lambda: xls.stream(("S", ONE), at=(1 << 30,)), "is not where the workbook says"),
+    "xls-sheets-of-one-name": Bad(".xls", lambda: xls.stream(("S", ONE), ("s", ONE)), "two sheets are called"),
+    "xls-billions-of-texts": Bad(
+        ".xls", lambda: xls.stream(("S", ONE), before=xls.record(0xFC, struct.pack("<IIHBI", 1, 1 << 31, 1, 4, 1 << 31))),
+        "a record ends in the middle"),
+    "xls-no-such-text": Bad(
+        ".xls", lambda: xls.stream(("S", xls.record(0xFD, bytes(10)))), "S!A1: there is no shared text 0"),
+    "xls-cell-outside": Bad(".xls", lambda: xls.stream(("S", xls.number(0, 256, 1.0))), "S!IW1: a cell outside the sheet"),
+    "xls-not-a-number": Bad(".xls", lambda: xls.stream(("S", xls.number(0, 0, float("nan")))), "S!A1: nan is no number"),
+    "xls-short-cell": Bad(".xls", lambda: xls.stream(("S", xls.record(0x203, b"\0\0"))), "a record ends in the middle"),
+    "xls-array-of-nothing": Bad(
+        ".xls", lambda: xls.stream(("S", xls.array(9, 0, 0, 0, xls.cell(0, 0)))), "an array formula without a proper area"),
     "encrypted": Bad(".xlsx", lambda: ole("EncryptedPackage"), "protected by a password"),
     "encrypted-far-away": Bad(".xlsx", lambda: ole("EncryptedPackage", 400), "protected by a password"),
     "ole-cut-off": Bad(".xlsx", lambda: OLE + b"\xff" * 504, "an .xls of the old kind"),

@@ -150,3 +150,19 @@ def test_what_is_wrong_with_a_class_is_told_all_at_once(week, tmp_path):
     assert 'no column is called "id"' in run(
         "exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2
     )
+
+
+def test_an_exercise_in_which_nothing_varies_says_so(tmp_path):
+    """Silently the same dimensions for everybody would be found out in the exam room; the line proposed works as it is."""
+    text = mechsheet.template("four-bar").text
+    (tmp_path / "m.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "class.csv").write_text("id\n1\n2\n", encoding="utf-8")
+    output = run("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "same")
+    (note,) = [line for line in output.splitlines() if "everybody has the same dimensions" in line]
+    line = note[note.index("vary") :]
+    assert line == "vary = { a1 = [66.5, 73.5, 0.5], a2 = [33, 37, 0.5], a3 = [59, 65.5, 0.5], a4 = [53, 59, 0.5] }"
+    (tmp_path / "m.toml").write_text(f"{text}\n[exercise]\n{line}\n", encoding="utf-8")
+    output = run("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "other")
+    assert "everybody" not in output
+    key = json.loads((tmp_path / "other" / "key.json").read_text(encoding="utf-8"))
+    assert key["students"][0]["dimensions"] != key["students"][1]["dimensions"]

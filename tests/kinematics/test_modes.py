@@ -100,3 +100,49 @@ def test_a_good_sketch_of_the_dead_centre_itself_leaves_the_mode_open():
     (group,) = solve(mechanism).groups
     assert (group.mode_value, group.open) == (1, True)
     assert judged(mechanism).agrees
+
+
+ROBOT = """format = 1
+[mechanism]
+name = "robot"
+[links.base]
+points = {{ A0 = [0, 0], B0 = [100, 0] }}
+[links.left]
+points = {{ A0 = [0, 0], A = [60, 0] }}
+[links.left-rod]
+points = {{ A = [0, 0], P = [80, 0] }}
+[links.right-rod]
+points = {{ B = [0, 0], P = [80, 0] }}
+[links.right]
+points = {{ B0 = [0, 0], B = [60, 0] }}
+[driver]
+link = "left"
+values = [120, 110, 100]
+[[drivers]]
+link = "right"
+values = [60, 65, 70]
+[assembly]
+P = [50, {y}]
+at = 105
+"""
+
+
+def test_a_position_between_rows_of_listed_further_drivers_may_be_sketched():
+    """At 105° the other driver is half way between its values of the rows around."""
+    above, below = (loads(ROBOT.format(y=y)) for y in (120, 0))
+    assert judged(above).agrees
+    assert judged(below).agrees
+    assert {solve(above).groups[0].mode_value, solve(below).groups[0].mode_value} == {1, -1}
+
+
+def test_a_position_of_a_motion_law_may_be_sketched_at_another_value():
+    """It is shown at `at`, where the rocker is above or below, and not at the first row of the law."""
+    head, _ = FOUR_BAR.format(a1=70, a2=35, a3=62.3, a4=56, reach=60, turn="+", x=0, y=0).split("[driver]")
+    sweep = '[driver]\nlink = "arm"\nstart = 0\nstop = 300\n'
+    law, steps = 'motion = { law = "harmonic", duration = 1, rows = 9 }', "step = 30"
+    for y in (20, -20):
+        modes = {
+            solve(loads(f"{head}{sweep}{way}\n[assembly]\nB = [18, {y}]\nat = 180\n")).groups[0].mode_value
+            for way in (law, steps)
+        }
+        assert len(modes) == 1

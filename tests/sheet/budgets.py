@@ -38,6 +38,9 @@ A_PASS = 10
 MOVED, LOADED = 2, 1.5
 """And so many times those of Rates and of Forces: velocities have their own checks, forces a column for both efforts."""
 
+SYNTHESIS = 850
+"""And so many of a synthesis: its steps, their changes with each input, the figure, the curve."""
+
 LARGE_BESIDE_FEW_ROWS = {
     "fivelink": 760,
     "adjustable-pump": 650,
@@ -52,8 +55,8 @@ IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anch
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
 
 ELSEWHERE = {"sheets": 460, "page": 400}
-WIDE_WINDOW = {"scissor-lift-between-arms": 545}
-"""The window of a drawing whose frame moves."""
+LONGER = {"scissor-lift-between-arms": 545, "planar-3rpr": 490}
+"""The window of a drawing whose frame moves; the fit of the accelerations of four links and a cylinder at once."""
 KILOBYTES = {"four-bar.xlsx": 74, "four-bar-page.xlsx": 30}
 """Of the files in generated/."""
 

@@ -48,6 +48,8 @@ class Change:
                 return f"{key} {index + 1} of the driver"
             case ("tables", int(table), str(heads), int(index)):
                 return f"{heads.removesuffix('s')} {index + 1} of table {table + 1}"
+            case ("synthesis", *place):
+                return "the task's " + " ".join(str(part + 1) if isinstance(part, int) else str(part) for part in place)
             case ("links", str(link), str(key), *part):
                 return f"{key} of {link}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
             case ("loads", int(number), str(key), *part):
@@ -91,16 +93,20 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
     plan = expected.plan
     mechanism = plan.mechanism
     keys = {dim.symbol: dim.place for dim in mechanism.dimensions if dim.place and not dim.derived}
+    found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
     for symbol, given in keys.items():
-        yield given, (plan.main, plan.at.spots[symbol].row, VALUE)
+        spot = plan.at.spots[symbol]
+        yield given, (spot.sheet, spot.row, spot.col)
     for symbol, row in plan.blocks["dimensions"].rows.items():
-        if symbol in keys:
+        if symbol in keys or symbol in found:
             continue
         yield ("dimensions", symbol), (plan.main, row, VALUE)
         if mechanism.layout == "sheets":
             yield ("tolerance", symbol), (plan.main, row, TOLERANCE)
     if "assembly" in plan.blocks:
         for symbol, row in plan.blocks["assembly"].rows.items():
+            if mechanism.synthesis is not None and symbol in mechanism.synthesis.mode:
+                continue
             yield ("mode", symbol), (plan.main, row, VALUE)
     if "sweep" in plan.blocks:
         for key in ("start", "step"):

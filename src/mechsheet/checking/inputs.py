@@ -17,6 +17,7 @@ from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.driving import given_values
+from mechsheet.kinematics.places import number as place_number
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.plan import VALUE, Plan
@@ -86,11 +87,19 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
     law = plan.mechanism.driver.law
     for symbol in plan.equations.positive:
         if dimensions.get(symbol, 1.0) <= 0:
+            task = plan.mechanism.synthesis
+            if task is not None and symbol in task.positive:
+                wrong(symbol, "of the task must be greater than 0")
+                continue
             what = "is the time of the motion" if law and symbol == law.duration else "is the distance of two joints"
             wrong(symbol, f"{what} and must be greater than 0")
     modes: dict[str, int] = {}
     for group in plan.equations.groups:
-        if group.mode:
+        if group.follows is not None:  # a formula: where it is damaged, that is told of the cell
+            spot = plan.at.spots[group.mode]
+            found = values.get(spot.sheet, spot.row, spot.col)
+            modes[group.mode] = group.value_of(found) if isinstance(found, float) else group.mode_value
+        elif group.mode:
             typed = number(group.mode)
             if math.isfinite(typed) and typed not in group.mode_values:
                 wrong(
@@ -105,6 +114,24 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
     if faults:
         raise WorkbookError(faults)
     return Inputs(dimensions, modes, given, tuple(remarks))
+
+
+def _of_sweep(plan: Plan, values: Any, key: str, dimensions: Mapping[str, float]) -> Any:
+    """Start or step as its cell has it. Where that follows from dimensions and shows no number, what it should be, NaN
+    where these have none: what is shown instead is told elsewhere.
+    """
+    found = values.get(plan.main, plan.at.spots[f"#{key}"].row, VALUE)
+    quantity = getattr(plan.mechanism.driver, key)
+    if isinstance(found, float) or isinstance(quantity, float):
+        return found
+    known = tuple(
+        dim if dim.derived else replace(dim, value=dimensions[dim.symbol]) for dim in plan.mechanism.dimensions
+    )
+    try:
+        computed = place_number(quantity, dimension_values(replace(plan.mechanism, dimensions=known)))
+    except (ArithmeticError, ValueError):
+        return math.nan
+    return plan.mechanism.driver.unit.to_shown(computed)
 
 
 def _given(
@@ -124,11 +151,12 @@ def _given(
             cells = values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)
             found[symbol] = np.array([cell if isinstance(cell, float) else math.nan for cell in cells])
     else:
-        start, step = (values.get(plan.main, plan.at.spots[key].row, VALUE) for key in ("#start", "#step"))
+        start, step = (_of_sweep(plan, values, key, dimensions) for key in ("start", "step"))
         numbers = isinstance(start, float) and isinstance(step, float)
         found = {driver.symbol: start + np.arange(plan.rows) * step if numbers else np.array([math.nan])}
     for symbol, column in found.items():
-        if not np.isfinite(column).all():
+        # NaN where they follow from a task without a solution, as everything does that they decide
+        if not np.isfinite(column).all() and (mechanism.synthesis is None or len(column) != plan.rows):
             what = "the driver's values" if symbol == driver.symbol else f"the values of {symbol}"
             faults.append(Fault(f"{what} are not all numbers", shown, key=plan.table))
     for each in plan.mechanism.all_drivers:

@@ -18,9 +18,9 @@ from typing import Any
 
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.inputs import description_in, plan_inside
+from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
-from mechsheet.checking.searched import compare_program
 from mechsheet.description import load
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
@@ -286,7 +286,7 @@ def drawn(plan: Plan, draw: random.Random) -> dict[str, float]:
                 value = -value
         found[dim.symbol] = float(f"{value:.6g}")
     for group in plan.equations.groups:
-        if group.mode:
+        if group.mode and group.follows is None:
             others = [value for value in group.mode_values if value != group.mode_value] or [group.mode_value]
             flipped = others[0] if len(others) == 1 else others[int(draw.random() * len(others))]
             found[group.mode] = float(flipped if draw.random() < FLIPPED else group.mode_value)

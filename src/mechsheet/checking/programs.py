@@ -77,9 +77,18 @@ def answers_to_all(program: str, paths: Sequence[Path]) -> Iterator[Answers]:
         yield from map(stored_values, convert_with_libreoffice(list(paths), "xlsx", Path(folder)))
 
 
+LIBREOFFICE_PLACES = (
+    "C:/Program Files/LibreOffice/program/soffice.exe",
+    "C:/Program Files (x86)/LibreOffice/program/soffice.exe",
+    "/Applications/LibreOffice.app/Contents/MacOS/soffice",
+)
+"""Where its installers for Windows and macOS put it, which is not where a shell looks for commands."""
+
+
 def libreoffice_command() -> str | None:
     """The command that starts LibreOffice, or None."""
-    return shutil.which("soffice") or shutil.which("libreoffice")
+    usual = (place for place in LIBREOFFICE_PLACES if Path(place).is_file())
+    return shutil.which("soffice") or shutil.which("libreoffice") or next(usual, None)
 
 
 def convert_with_libreoffice(paths: list[Path], suffix: str, folder: Path) -> list[Path]:

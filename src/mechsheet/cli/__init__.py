@@ -16,8 +16,11 @@ from .audit import audit
 from .build import build
 from .check import check
 from .common import in_options
+from .doctor import doctor
+from .draw import draw
 from .exercise import exercise
 from .export import export
+from .helping import Explained, write_commands
 from .mark import mark
 from .new import new
 from .plot import plot
@@ -26,11 +29,12 @@ from .recalc import recalc
 from .schema import schema
 from .show import show
 from .streams import ended_by_signals, ending_well, prepare_streams
+from .study import study
 
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
-class Commands(click.Group):
+class Commands(Explained, click.Group):
     """The group of commands: suggests near misses, and turns a user's mistakes into messages."""
 
     def resolve_command(
@@ -42,6 +46,10 @@ class Commands(click.Group):
             hint = near_miss(name, self.list_commands(ctx)) or f"commands: {', '.join(self.list_commands(ctx))}"
             ctx.fail(f'no command is called "{name}": {hint}')
         return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """By what somebody wants to do."""
+        write_commands(self, ctx, formatter)
 
     def main(self, *args: Any, **options: Any) -> Any:
         """As click does, on any code page, with any end: see `streams`."""
@@ -76,5 +84,21 @@ def main() -> None:
     """
 
 
-for command in (new, build, check, recalc, plot, show, export, schema, pull, audit, exercise, mark):
+for command in (
+    new,
+    draw,
+    build,
+    check,
+    recalc,
+    plot,
+    show,
+    export,
+    schema,
+    pull,
+    audit,
+    exercise,
+    mark,
+    doctor,
+    study,
+):
     main.add_command(command)

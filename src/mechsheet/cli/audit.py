@@ -1,37 +1,64 @@
-"""`mechsheet audit`: what is right in a workbook that somebody made by hand."""
+"""`mechsheet audit`: what is right in a workbook that somebody made by hand, or what it seems to be."""
 
 from __future__ import annotations
 
 import json
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from .common import JSON, Changes, at_lines_of, described, progress
+from mechsheet.diagnostics import Fault, MechsheetError
+
+from .common import JSON, Changes, at_lines_of, described, progress, say_written
+from .helping import Explained
+
+if TYPE_CHECKING:
+    from mechsheet.homework.recognition import Recognised
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Find quantities and faults in a workbook made by hand.")
 @click.argument("workbook", metavar="BOOK", type=click.Path(path_type=Path))
 @click.option(
-    "--against", "description", required=True, metavar="DESCRIPTION", type=click.Path(path_type=Path),
-    help="What the workbook should be.",
+    "--against", "description", metavar="DESCRIPTION", type=click.Path(path_type=Path),
+    help="What the workbook should be; without it: what does it seem to be?",
 )  # fmt: skip
 @click.option("--assembly", type=click.Choice(["any"]), help="any: another assembly than the sketch's is right, too.")
+@click.option(
+    "--describe", metavar="OUT.toml", type=click.Path(path_type=Path),
+    help="Without --against: write a description to start from.",
+)  # fmt: skip
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Of the words, in place of the description's.")
 @JSON
-def audit(workbook: Path, description: Path, assembly: str | None, language: str | None, as_json: bool) -> None:
+def audit(
+    workbook: Path,
+    description: Path | None,
+    assembly: str | None,
+    describe: Path | None,
+    language: str | None,
+    as_json: bool,
+) -> None:
     """Find the quantities of a mechanism in a workbook laid out in any way, and the faults.
 
     \b
     mechsheet audit student.xlsx --against four-bar.toml
     mechsheet audit student.xlsx --against four-bar.toml --json
+    mechsheet audit old.xls --describe old.toml               what does it seem to be?
 
     The sheet's own dimensions and driver hold. Each asked quantity is right, right but for an earlier fault,
     wrong, of the other assembly, not live (it does not follow the dimensions) or missing.
 
-    Exit code 0: all right; 1: something is not; 2: cannot be read or judged.
+    Without --against: which of the packaged linkages do its formulas follow? Nothing is claimed that the sheet's own
+    formulas do not prove, also when its dimensions are retyped.
+
+    Exit code 0: all right, or recognised; 1: something is not; 2: cannot be read or judged.
     """
+    if description is None:
+        _recognised(workbook, describe, language or "en", as_json)
+        return
+    if describe is not None:
+        raise MechsheetError(Fault("with --against there is a description already", key="--describe"))
     from mechsheet.homework.audit import audit as judge
     from mechsheet.homework.words_of import lines
 
@@ -42,3 +69,37 @@ def audit(workbook: Path, description: Path, assembly: str | None, language: str
     click.echo(json.dumps(found.as_dict(), indent=2, ensure_ascii=False) if as_json else "\n".join(lines(found)))
     if not found.right:
         sys.exit(1)
+
+
+def _recognised(workbook: Path, describe: Path | None, language: str, as_json: bool) -> None:
+    """What a workbook seems to be; a description of that."""
+    from mechsheet.formats import read
+    from mechsheet.homework.recognised_words import as_dict, lines
+    from mechsheet.homework.recognition import recognise, tables
+    from mechsheet.homework.upright import upright
+
+    with progress(workbook.name) as say:
+        found = tables(upright(read(workbook)))
+        known = recognise(found, say)
+    click.echo(
+        json.dumps(as_dict(known), indent=2, ensure_ascii=False)
+        if as_json
+        else "\n".join(lines(found, known, workbook, language))
+    )
+    if known is None:
+        sys.exit(1)
+    if describe is not None:
+        _describe(known, describe, language)
+
+
+def _describe(known: Recognised, output: Path, language: str) -> None:
+    """Write the description, as the template has it, with the workbook's dimensions, driver and assembly."""
+    from mechsheet.description.templates import template_text
+    from mechsheet.formats.archive import replace_file
+    from mechsheet.homework.recognition import settings_of, with_driver
+    from mechsheet.library.changed import loads
+
+    text = with_driver(known, template_text(known.template))
+    found = loads(text, known.template, settings_of(known), language)
+    replace_file(output, found.text.encode())
+    say_written([output])

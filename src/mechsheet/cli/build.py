@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,12 +23,13 @@ from .common import (
     same_file,
     say_written,
 )
+from .helping import Explained
 
 if TYPE_CHECKING:
     from mechsheet.library.building import Target
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Write the workbooks of descriptions.")
 @click.argument("descriptions", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option(
     "-o",
@@ -47,6 +49,7 @@ if TYPE_CHECKING:
     default="",
     help="Extra files whose tables call functions: in Basic (.ods, macros), as LAMBDA (.xlsx, Excel 365).",
 )
+@click.option("--design", metavar="FOLDER:N", help="With the dimensions of a design of a study (mechsheet study).")
 @click.option("--force", is_flag=True, help="Overwrite also what somebody has changed since it was built.")
 @change_options
 def build(
@@ -57,6 +60,7 @@ def build(
     layout: str | None,
     tolerance: bool,
     functions: str,
+    design: str | None,
     force: bool,
     **changes: Any,
 ) -> None:
@@ -79,9 +83,11 @@ def build(
             Fault("a workbook is written to a file, not printed", key="-o", hint="for example -o out.xlsx")
         )
     paths = _each_once(descriptions)
+    asked = Changes(**changes)
     mechanisms = []
     for path in paths:
-        mechanism = with_layout(described(path, Changes(**changes), language), layout, readable_name(path))
+        own = described(path, asked if design is None else _of_design(path, design, asked), language)
+        mechanism = with_layout(own, layout, readable_name(path))
         mechanisms.append(with_tolerance(mechanism, readable_name(path)) if tolerance else mechanism)
     wanted = [targets(mechanism, output, formats, functions) for mechanism in mechanisms]
     _refuse_shared(paths, wanted)
@@ -94,6 +100,25 @@ def build(
             written = write_all(compiled, files, output)
         say_written(written)
         click.echo(f"{readable_name(path)}: {verdict(compiled)}", err=True)
+
+
+def _of_design(path: Path, design: str, changes: Changes) -> Changes:
+    """The changes that make a description a design of a study, and those asked for besides."""
+    from mechsheet.kinematics.driving import driver_values
+    from mechsheet.kinematics.solve import dimension_values
+    from mechsheet.library.studying import design_of
+
+    if path == STANDARD_INPUT:
+        raise MechsheetError(Fault("a design is built from a file", key="design"))
+    pairs, rows, text = design_of(design)
+    plain = described(path, Changes())
+    own = str(len(driver_values(plain, dimension_values(plain))))
+    swept = rows if rows and rows != own and changes.rows is None and changes.step is None else None
+    if described(path, Changes(rows=swept)).text != text:
+        note = "differs from the description of the study: the design is built as it says now"
+        click.echo(f"note: {readable_name(path)} {note}", err=True)
+    settings = (*(f"{name}={value}" for name, value in pairs), *changes.settings)
+    return replace(changes, settings=settings, rows=swept or changes.rows)
 
 
 def _each_once(descriptions: Sequence[Path]) -> list[Path]:

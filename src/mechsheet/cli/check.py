@@ -14,9 +14,10 @@ from mechsheet.diagnostics import Fault, MechsheetError
 
 from .common import JSON
 from .gate import Gate, concluded, fails, gate_options, of_each, workbooks
+from .helping import Explained
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Recalculate and compare with the reference and other programs.")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option(
     "--with", "programs", default="", help="Other judges: formulas, ironcalc, libreoffice, gnumeric, onlyoffice."

@@ -150,14 +150,17 @@ JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
 _OPTIONS = {
     "at": "--at",
+    "design": "--design",
     "frames": "--frames",
     "to": "--to",
     "formats": "--format",
     "functions": "--functions",
     "language": "--language",
+    "limit_memory": "--limit-memory",
     "output": "-o",
     "rows": "--rows",
     "step": "--step",
+    "workers": "--workers",
 }
 _OVERRIDES = re.compile(r"overrides: (.*)")
 

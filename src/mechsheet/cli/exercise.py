@@ -7,9 +7,10 @@ from pathlib import Path
 import click
 
 from .common import Changes, at_lines_of, described, progress, say_written
+from .helping import Explained
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Give each student of a list other dimensions.")
 @click.argument("description", type=click.Path(path_type=Path))
 @click.argument("class_list", metavar="CLASS.CSV", type=click.Path(path_type=Path))
 @click.option("-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Written there.")

@@ -21,11 +21,12 @@ from .common import (
     progress,
     say_written,
 )
+from .helping import Explained
 from .streams import print_file
 
 
-class WithKinds(click.Command):
-    """The command whose help ends with the list of kinds, read only then."""
+class WithKinds(Explained):
+    """The command whose help ends with the list of kinds, read only then, and the examples."""
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """One line for each kind."""
@@ -33,6 +34,7 @@ class WithKinds(click.Command):
 
         with formatter.section("Kinds"):
             formatter.write_dl([(kind.name, kind.about) for kind in KINDS.values()])
+        super().format_epilog(ctx, formatter)
 
 
 @click.command(cls=WithKinds)

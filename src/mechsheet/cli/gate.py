@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 Found = TypeVar("Found")
 
-SUFFIXES = (".xlsx", ".xlsm", ".ods")
+SUFFIXES = (".xlsx", ".xlsm", ".ods", ".xls")
 """What is looked for in a folder."""
 
 LOCKS = ("~$", ".~lock.")

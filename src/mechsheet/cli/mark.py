@@ -10,11 +10,12 @@ import click
 from mechsheet.diagnostics import readable_name
 
 from .common import JSON, at_lines_of, progress, same_file, say_written
+from .helping import Explained
 
 FILE = click.Path(path_type=Path)
 
 
-@click.command()
+@click.command(cls=Explained)
 @click.argument("books", nargs=-1, required=True, metavar="FOLDER|BOOK...", type=FILE)
 @click.option("--against", required=True, metavar="FILE", type=FILE, help="key.json, or a description.")
 @click.option("-o", "--output", metavar="MARKS.XLSX", type=FILE, help="The class as a workbook, .xlsx or .ods.")

@@ -7,6 +7,7 @@ import click
 from mechsheet.arguments.outputs import folder_ready, is_there
 
 from .common import STANDARD_OUTPUT, output_file, output_option, refuse_existing
+from .helping import Explained
 from .streams import print_file
 
 
@@ -17,7 +18,7 @@ def _templates(context: click.Context, parameter: click.Parameter, begun: str) -
     return [name for name in template_names() if name.startswith(begun)]
 
 
-@click.command()
+@click.command(cls=Explained)
 @click.argument("template", required=False, shell_complete=_templates)
 @output_option("File to write; standard output without it.")
 @click.option("--list", "show_list", is_flag=True, help="List the templates with their titles.")

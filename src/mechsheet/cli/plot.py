@@ -10,9 +10,10 @@ import click
 from mechsheet.arguments.outputs import folder_ready
 
 from .common import Changes, at_lines_of, change_options, described, output_file, output_option, progress, say_written
+from .helping import Explained
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Draw it: a picture, an animation, a web page.")
 @click.argument("description", type=click.Path(path_type=Path))
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @output_option("File to write: .svg, .png, .gif or .html.")

@@ -9,10 +9,11 @@ import click
 from mechsheet.arguments.outputs import folder_ready
 
 from .common import STANDARD_OUTPUT, output_file, output_option, refuse_existing, same_file
+from .helping import Explained
 from .streams import print_file
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Bring changes made in a workbook back into its description.")
 @click.argument("workbook", type=click.Path(path_type=Path))
 @output_option("File to write; standard output without it.")
 @click.option("--into", type=click.Path(path_type=Path), help="Bring the changes into this description instead.")

@@ -13,18 +13,19 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mechsheet.arguments.outputs import folder_ready, names_folder
+from mechsheet.checking.remark_lines import cell_text, remark_lines, stored_lines
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
 from .common import JSON, output_file, output_option, progress, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
-from .remarks import cell_text, remark_lines, stored_lines
+from .helping import Explained
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
     from mechsheet.library.recalculation import Result
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Recalculate any workbook without a spreadsheet program.")
 @click.argument("files", nargs=-1, required=True, metavar="WORKBOOK...", type=click.Path(path_type=Path))
 @click.option(
     "--set", "settings", multiple=True, metavar="CELL=VALUE", help="Set a named cell or Sheet!B2; may be repeated."
@@ -46,7 +47,7 @@ def recalc(
     as_json: bool,
     **options: Any,
 ) -> None:
-    """Recalculate any workbook (.xlsx, .xlsm, .ods) without a spreadsheet program.
+    """Recalculate any workbook (.xlsx, .ods, .xls ...) without a spreadsheet program.
 
     \b
     mechsheet recalc book.xlsx --set rate=0.07 --print 'Plan!A1:C9'

@@ -7,10 +7,11 @@ import click
 from mechsheet.arguments.outputs import folder_ready
 
 from .common import STANDARD_OUTPUT, output_file, output_option
+from .helping import Explained
 from .streams import print_file
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Print the JSON Schema of descriptions, for editors.")
 @output_option("File to write; standard output without it.")
 def schema(output: str | None) -> None:
     """Print the JSON Schema of descriptions: editors complete and check keys with it.

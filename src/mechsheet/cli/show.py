@@ -10,10 +10,11 @@ import click
 from mechsheet.diagnostics import readable_name
 
 from .common import JSON, Changes, at_lines_of, change_options, described
+from .helping import Explained
 from .streams import print_file
 
 
-@click.command()
+@click.command(cls=Explained, short_help="Print what was understood: variables, equations, verdicts.")
 @click.argument("description", type=click.Path(path_type=Path))
 @change_options
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
@@ -30,20 +31,27 @@ from .streams import print_file
     flag_value="tolerance",
     help="What the tolerances come to: worst case, root sum of squares, share of each dimension.",
 )
+@click.option(
+    "--dimensions",
+    "what",
+    flag_value="dimensions",
+    help="Every dimension with its value; with --json exact values, null where a task has no solution.",
+)
 @JSON
 @click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")
 def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **changes: Any) -> None:
-    """Print what was understood: the groups and variables, the equations, the cells, the verdicts, or the bands.
+    """Print what was understood: groups and variables, equations, dimensions, cells, verdicts, or bands.
 
     \b
     mechsheet show four-bar.toml
     mechsheet show four-bar.toml --equations
     mechsheet show four-bar.toml --verdicts --json
     mechsheet show mine.toml --tolerance
+    mechsheet show function-generator.toml --dimensions --json
     mechsheet show four-bar.toml --json
     """
+    from mechsheet.library import dimensions, tolerances, verdicts
     from mechsheet.library import show as shows
-    from mechsheet.library import tolerances, verdicts
 
     mechanism = described(description, Changes(**changes))
     with at_lines_of(mechanism, description):
@@ -51,6 +59,8 @@ def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **cha
             text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
         elif what == "cells":
             text = shows.cells_json(mechanism) if as_json else shows.cells_text(mechanism)
+        elif what == "dimensions":
+            text = dimensions.dimensions_json(mechanism) if as_json else dimensions.dimensions_text(mechanism)
         elif what == "verdicts":
             text = verdicts.verdicts_json(mechanism) if as_json else verdicts.verdicts_text(mechanism)
         elif what == "tolerance":

@@ -29,10 +29,10 @@ def book_of(workbook: Workbook) -> Book:
 
 
 def computed(workbook: Workbook) -> Workbook:
-    """The workbook with the value of every formula."""
-    from mechsheet.engine import evaluate
+    """The workbook with the value of every formula, the same bits on every machine."""
+    from mechsheet.engine import PORTABLE, evaluate
 
-    values = evaluate(book_of(workbook))
+    values = evaluate(book_of(workbook), arithmetic=PORTABLE)
     if values.remarks:
         raise WorkbookError(values.remarks)
 

@@ -5,33 +5,42 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from mechsheet.description import synthesis
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import Dimension
+from mechsheet.units import Unit
 
 
-def declare(data: dict[str, Any], scope: Scope) -> None:
-    """Enter the names and units of all dimensions, so that expressions can be read in any order."""
+def declare(data: dict[str, Any], scope: Scope, units: Mapping[str, Unit] | None = None) -> None:
+    """Enter the names and units of all dimensions, so that expressions can be read in any order.
+
+    units  of those that say none of their own, in place of the length unit
+    """
     for symbol, entry in data.items():
         path: Path = ("dimensions", symbol)
         scope.symbol_is_good(symbol, path)
         scope.symbols.claim(symbol, "dimension", path)
-        scope.units[symbol] = scope.unit(entry if isinstance(entry, dict) else {}, path)
+        own = units[symbol] if units and symbol in units and "unit" not in entry else None
+        scope.units[symbol] = own or scope.unit(entry if isinstance(entry, dict) else {}, path)
         scope.kinds[symbol] = unit_kind(scope.units[symbol])
-        if not (isinstance(entry, dict) and "formula" in entry):
+        if not (isinstance(entry, dict) and ("formula" in entry or "synthesis" in entry)):
             scope.inputs.append(symbol)
 
 
-def read(data: dict[str, Any], scope: Scope) -> tuple[Dimension, ...]:
-    """The dimensions in the order of the file; their values go into `scope.numbers`."""
+def read(data: dict[str, Any], scope: Scope, task: synthesis.Found | None = None) -> tuple[Dimension, ...]:
+    """The dimensions in the order of the file; their values, and those of the steps of a synthesis, go into
+    `scope.numbers`.
+    """
     for symbol, entry in data.items():
         value = entry.get("value", BAD) if isinstance(entry, dict) else entry
         if value is not BAD:
             scope.numbers[symbol] = scope.units[symbol].to_internal(value)
-    trees = _formulas(data, scope)
+    synthesis.declare(task, scope)
+    trees = _formulas(data, scope) | dict(synthesis.trees_of(task))
     _compute(trees, scope)
     return tuple(_dimension(symbol, entry, trees, scope) for symbol, entry in data.items() if entry is not BAD)
 
@@ -65,7 +74,7 @@ def _dimension(symbol: str, entry: Any, trees: Mapping[str, Node], scope: Scope)
     unit = scope.units[symbol]
     if not isinstance(entry, dict):
         return Dimension(symbol, entry, unit, shown=entry)
-    derived = "formula" in entry
+    derived = "value" not in entry
     return Dimension(
         symbol=symbol,
         value=trees[symbol] if symbol in trees else scope.numbers.get(symbol, REPORTED),
@@ -74,5 +83,5 @@ def _dimension(symbol: str, entry: Any, trees: Mapping[str, Node], scope: Scope)
         cell=scope.cell(entry, path),
         tolerance=entry.get("tolerance"),
         shown=None if derived else entry.get("value"),
-        written=entry["formula"] if derived else "",
+        written=entry.get("formula", "") if derived else "",
     )

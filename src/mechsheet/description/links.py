@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from mechsheet import portable
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.quoting import quoted
@@ -133,12 +134,12 @@ def _coordinates(
             return scope.number(x), scope.number(y)
         case Polar(r, angle):
             length, direction = scope.number(r), scope.number(angle)
-            return length * math.cos(direction), length * math.sin(direction)
+            return length * portable.cos(direction), length * portable.sin(direction)
     a, b = where.get(place.first), where.get(place.second)
     ra, rb = scope.number(place.first_distance), scope.number(place.second_distance)
     if a is None or b is None or not all(math.isfinite(value) for value in (*a, *b, ra, rb)):
         return REPORTED, REPORTED
-    between = math.dist(a, b)
+    between = portable.hypot(b[0] - a[0], b[1] - a[1])
     slack = _ROUNDING * max(between, abs(ra), abs(rb))
     problem = ""
     if min(ra, rb) < 0:

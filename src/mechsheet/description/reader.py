@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, exercise, gears, joints, links, results, tolerances
+from mechsheet.description import dimensions, exercise, gears, joints, links, results, study, synthesis, tolerances
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
 from mechsheet.description.forces import dynamics, flywheel, force_names
@@ -123,9 +123,10 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     outputs, summary = part(data, "outputs", {}), part(data, "summary", {})
 
     bare_links = links.declare(bodies, scope)  # first: a dimension that takes an angle's name is the one to rename
-    dimensions.declare(given, scope)
+    task = synthesis.read(data.get("synthesis"), given, scope, (*outputs, *summary))
+    dimensions.declare(given, scope, synthesis.defaults(task))
     scope.outputs.extend(outputs)  # known by name in messages, before they are entered after all variables
-    table = dimensions.read(given, scope)
+    table = (*synthesis.dimensions_of(task), *dimensions.read(given, scope, task))
     made = links.read(bodies, bare_links, scope)
     ends = joints.Ends(bodies, made, scope)
     sliding = joints.read(part(data, "joints", []), ends, scope)
@@ -150,7 +151,8 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     drivers.check_speeds(driven, further, scope)
     driven = drivers.listed(driven, further, scope) if driven else None
 
-    sketch = results.sketch(part(data, "assembly", {}), driven, scope)
+    sketched = part(data, "assembly", {})
+    sketch = results.sketch(sketched, driven, scope)
     shown = SketchedAngles(made, sliding, driven, further, sketch, scope)
     relations, values = gears.read(part(data, "joints", []), ends, made, sliding, shown, scope) if made else ((), ())
     table = (*table, *values)
@@ -183,7 +185,9 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "dynamics": masses,
         "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
+        "synthesis": synthesis.with_modes(task, sketched, scope),
         "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
+        "study": study.read(part(data, "study", {}), bodies, summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
     parts["bands"] = tolerances.read(data, table, [*([driven] if driven else []), *further], layout, scope)

@@ -30,6 +30,8 @@ def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
         if name == "at":
             if driver is not None and value is not BAD:
                 at = scope.quantity(value, LENGTH if driver.joint else ANGLE, path)
+        elif isinstance(value, dict):
+            continue  # a mode that the synthesis says
         elif isinstance(value, list):
             if name not in scope.points:
                 hint = suggestion(name, scope.points, "points")

@@ -7,7 +7,7 @@ of one key alone (names that must exist, circles, rows) is checked by the module
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
@@ -154,12 +154,13 @@ DIMENSION = Table(
     {
         "value": Key(Number(), "an input, in the dimension's own unit"),
         "formula": Key(Text(longest=8000), "an expression over other dimensions"),
+        "synthesis": Key(Text(names="result"), "or a result of [synthesis]"),
         "unit": _UNIT,
         "label": _LABEL,
         "cell": _CELL,
         "tolerance": Key(Number(0), "in the unit shown"),
     },
-    ways=((("value",), ("formula",)),),
+    ways=((("value",), ("formula",), ("synthesis",)),),
 )
 
 POINT = Table(
@@ -468,9 +469,11 @@ TOLERANCES = Table(
     }
 )
 
+OF_SYNTHESIS = Table({"synthesis": Key(Text(names="result"), "the result that says it", True)})
+
 ASSEMBLY = Named(
-    Either((PAIR, Quantity())),
-    "point or variable",
+    Either((PAIR, Quantity(), OF_SYNTHESIS)),
+    "point or variable; or an assembly mode that is a result of [synthesis]",
     keys={"at": Key(Quantity(), "the driver value that the sketch shows; by default the first")},
 )
 
@@ -494,10 +497,131 @@ EXERCISE = Table(
     }
 )
 
+_RANGE = Table(
+    {
+        "from": Key(Number(), "its smallest value"),
+        "to": Key(Number(), "its largest value"),
+        "by": Key(Number(), "the step of a grid"),
+        "values": Key(Items(Number(), 1, 10_000), "the values one by one, in place of a range"),
+    },
+    ways=((("from", "to"), ("values",)),),
+)
+
+STUDY = Table(
+    {
+        "vary": Key(
+            Named(Either((Items(Number(), 2, 3, "from, to, step"), _RANGE)), "dimension", 1),
+            "dimensions that vary, in their own units: [from, to, step], or as a table; the last one changes first",
+            True,
+        ),
+        "sample": Key(
+            Text(("grid", "sobol")), '"grid": all combinations (the default); "sobol": `count` of them, evenly'
+        ),
+        "count": Key(Integer(1, 2**30), "how many designs a Sobol sample has"),
+        "seed": Key(Integer(0, 2**32 - 1), "what scrambles the Sobol sequence; default 0"),
+        "keep": Key(
+            Items(Text(), 0, 50),
+            'conditions that all must hold: "mu_min > 40", "60 < swing < 90", "closes", "crank(LINK)", '
+            '"grashof(LOOP)", each also with "not" before it; over dimensions, summaries and min(OUTPUT), max(OUTPUT)',
+        ),
+        "minimize": Key(Items(Text(), 0, 3), "what is to be small: summaries, or expressions over them"),
+        "maximize": Key(Items(Text(), 0, 3), "what is to be large; at most three objectives in all"),
+        "best": Key(Integer(1, 1000), "how many of the best designs are listed; default 50"),
+    }
+)
+
+_KIND = Key(Text(), "kind of the task", True)
+_ROUND = Key(Number(), "lengths are rounded to this before they are used; not rounded by default")
+_A1 = Key(Number(), "distance A0B0; the dimension a1 by default")
+_RATIO = Key(Number(), "time of the slow way over that of the quick one")
+_BEST = Key(YesNo(), "true: whatever makes the least transmission angle largest")
+
+MOST_POINTS = 12
+"""Precision points; their sums stand in one cell each."""
+
+_PIVOT = Table(
+    {
+        "moving": Key(Items(Number(), 2, 2, "[x, y]"), "the point of the body, where it is at the first pose"),
+        "fixed": Key(Items(Number(), 2, 2, "[x, y]"), "or the fixed pivot"),
+        "turns": Key(Items(Number(), 2, 2, "[beta2, beta3]"), "or by how much the crank turns from the first pose"),
+    },
+    ways=((("moving",), ("fixed",), ("turns",)),),
+)
+
+SYNTHESIS = Kinds(
+    "kind",
+    {
+        "function": Table(
+            {
+                "kind": _KIND,
+                "a1": _A1,
+                "theta": Key(
+                    Items(Number(), 2, MOST_POINTS),
+                    "angles of the input from A0B0; of a function `f` the first and the last",
+                    True,
+                ),
+                "psi": Key(Items(Number(), 2, MOST_POINTS), "angles of the output, likewise", True),
+                "f": Key(Text(longest=1000), "or a function of x that is to be generated"),
+                "x": Key(Items(Number(), 2, 2, "[first, last]"), "its range"),
+                "points": Key(Integer(3, MOST_POINTS), "its precision points, Chebyshev's spacing; default 3"),
+                "round": _ROUND,
+            }
+        ),
+        "dead-centres": Table(
+            {
+                "kind": _KIND,
+                "a1": _A1,
+                "psi": Key(Number(), "swing of the rocker", True),
+                "phi": Key(Number(), "turn of the crank on the slow way"),
+                "time_ratio": _RATIO,
+                "lam": Key(Number(), "coupler over crank, a3/a2"),
+                "a2": Key(Number(), "or the crank"),
+                "best": _BEST,
+                "round": _ROUND,
+            },
+            ways=((("phi",), ("time_ratio",)), (("lam",), ("a2",), ("best",))),
+        ),
+        "guidance": Table(
+            {
+                "kind": _KIND,
+                "poses": Key(
+                    Items(Items(Number(), 3, 3, "[x, y, angle]"), 3, 3), "three poses of the body: [x, y, angle]", True
+                ),
+                "A": Key(_PIVOT, "what is given of the first crank", True),
+                "B": Key(_PIVOT, "and of the second", True),
+                "round": _ROUND,
+            }
+        ),
+        "quick-return-slider": Table(
+            {
+                "kind": _KIND,
+                "stroke": Key(Number(), "of the slider", True),
+                "time_ratio": replace(_RATIO, required=True),
+                "lam": Key(Number(), "rod over crank, a3/a2"),
+                "c": Key(Number(), "or the eccentricity"),
+                "a2": Key(Number(), "or the crank"),
+                "best": _BEST,
+                "round": _ROUND,
+            },
+            ways=((("lam",), ("c",), ("a2",), ("best",)),),
+        ),
+        "quick-return-lever": Table(
+            {
+                "kind": _KIND,
+                "stroke": Key(Number(), "of the end of the lever", True),
+                "time_ratio": replace(_RATIO, required=True),
+                "crank": Key(Number(), "length of the crank; the dimension crank by default"),
+                "round": _ROUND,
+            }
+        ),
+    },
+)
+
 DESCRIPTION = Table(
     {
         "format": Key(Integer(FORMAT, FORMAT), "version of this format", True),
         "mechanism": Key(MECHANISM, "what is described", True),
+        "synthesis": Key(SYNTHESIS, "a task from which dimensions are found"),
         "dimensions": Key(Named(Either((Number(), DIMENSION)), "dimension"), "named constants, one cell each"),
         "links": Key(Named(LINK, "link", 2), "rigid links; the first is the ground", True),
         "joints": Key(Items(JOINT), "sliding joints, gears, belts and racks"),
@@ -516,6 +640,7 @@ DESCRIPTION = Table(
         "workbook": Key(WORKBOOK, "how the workbook is written"),
         "solution": Key(SOLUTION, "how groups of links are solved that have no closed form"),
         "exercise": Key(EXERCISE, "what is asked of students, and what varies from one to the next"),
+        "study": Key(STUDY, "which of millions of designs are kept, and what is best of them"),
     },
     later=("friction",),
 )

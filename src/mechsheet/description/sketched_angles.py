@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from mechsheet import portable
 from mechsheet.description.scope import Scope
 from mechsheet.model import Cartesian, Driver, FurtherDriver, Joint, Link, Polar, Quantity, Sketch
 
@@ -75,12 +76,12 @@ class SketchedAngles:
         known = [(self._place(link, point), spot) for point in link.points if (spot := self._spot(point)) is not None]
         ways = [
             (
-                math.dist(own, other),
-                math.atan2(b[1] - a[1], b[0] - a[0]) - math.atan2(other[1] - own[1], other[0] - own[0]),
+                _distance(own, other),
+                portable.arctan2(b[1] - a[1], b[0] - a[0]) - portable.arctan2(other[1] - own[1], other[0] - own[0]),
             )
             for index, (own, a) in enumerate(known)
             for other, b in known[index + 1 :]
-            if own and other and math.dist(own, other) > 0 and math.dist(a, b) > 0
+            if own and other and _distance(own, other) > 0 and _distance(a, b) > 0
         ]
         return math.remainder(max(ways)[1], math.tau) if ways else None
 
@@ -97,7 +98,7 @@ class SketchedAngles:
                 continue
             base, start, end = self._place(ground, pivot), self._place(link, pivot), self._place(link, point)
             if base and start and end:
-                c, s = math.cos(self.angles[link.name]), math.sin(self.angles[link.name])
+                c, s = portable.cos(self.angles[link.name]), portable.sin(self.angles[link.name])
                 u, v = end[0] - start[0], end[1] - start[1]
                 return base[0] + u * c - v * s, base[1] + u * s + v * c
         return None
@@ -109,10 +110,14 @@ class SketchedAngles:
                 found = self._pair((x, y))
             case Polar(r, angle):
                 length, direction = self.scope.number(r), self.scope.number(angle)
-                found = length * math.cos(direction), length * math.sin(direction)
+                found = length * portable.cos(direction), length * portable.sin(direction)
             case _:
                 return None
         return found if all(map(math.isfinite, found)) else None
 
     def _pair(self, pair: tuple[Quantity, Quantity]) -> tuple[float, float]:
         return self.scope.number(pair[0]), self.scope.number(pair[1])
+
+
+def _distance(a: tuple[float, float], b: tuple[float, float]) -> float:
+    return float(portable.hypot(b[0] - a[0], b[1] - a[1]))

@@ -7,7 +7,7 @@ import math
 import unicodedata
 from dataclasses import dataclass
 
-from mechsheet.description import dimensions
+from mechsheet.description import dimensions, synthesis
 from mechsheet.description.head import scope_of
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import unit_kind
@@ -48,8 +48,10 @@ def scope_for(source: Source, option: str) -> Scope:
     """The units and dimensions of a description, with their values; what is reported from now on is the option's."""
     scope = scope_of(table_of(source, "mechanism"), Report(source))
     given = table_of(source, "dimensions")
-    dimensions.declare(given, scope)
-    dimensions.read(given, scope)
+    others = (*table_of(source, "outputs"), *table_of(source, "summary"))
+    task = synthesis.read(table_of(source, "synthesis") or None, given, scope, others)
+    dimensions.declare(given, scope, synthesis.defaults(task))
+    dimensions.read(given, scope, task)
     scope.report = AtOption(source, option=option)
     return scope
 

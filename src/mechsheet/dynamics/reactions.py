@@ -17,28 +17,33 @@ from __future__ import annotations
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.dynamics.acting import ActingForces, Force
+from mechsheet.dynamics.chains import ChainReactions
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Unary
+from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.motions import Motions
+from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.ties import Tied
-from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
+from mechsheet.kinematics.vectors import (
+    NOWHERE,
+    Vector,
+    cross,
+    dot,
+    minus,
+    negative,
+    over,
+    plus,
+    times,
+    together,
+    turned,
+)
 from mechsheet.words.equations import phrase
-
-
-def over(a: Node, b: Node) -> Node:
-    """a / b, a sign in front of all of it."""
-    if isinstance(a, Unary) and a.op == "-":
-        return al.neg(over(a.operand, b))
-    if isinstance(b, Unary) and b.op == "-":
-        return al.neg(over(a, b.operand))
-    return al.div(a, b)
 
 
 class Reactions:
@@ -58,22 +63,36 @@ class Reactions:
         """Write all columns down; the symbols of the efforts, by that of what is driven."""
         efforts: dict[str, str] = {}
         ledger = self.poses.ledger
-        ledger.group = len(self.found.order.dyads)
+        ledger.group = len(self.found.order.groups)
         for step in reversed(self.found.order.steps):
             if isinstance(step, Drive):
                 efforts[step.symbol] = self._effort(step, on_known=True)
             elif isinstance(step, Tied):
                 self.teeth.write(step)
-            elif isinstance(step, Dyad):  # Newton's method: refused before
-                self._dyad(step, self.found.rates.determinants[ledger.group])
-                for assembly in (step.first, step.second):
-                    if len(assembly) > 1:
-                        drive = self.found.order.pair(assembly)
-                        self._refuse_shared_pin(step, drive)
-                        efforts[drive.symbol] = self._effort(drive, on_known=False)
+            else:
+                det = self.found.rates.determinants[ledger.group]
+                if isinstance(step, Dyad) and step.frame:
+                    self._triangle(step, det)
+                elif isinstance(step, Dyad):
+                    self._dyad(step, det)
+                else:
+                    solution = self.found.chains[ledger.group]
+                    ChainReactions(solution, self.motions, self.acting, self.joints, self.columns).write(det)
+                self._driven_inside(step, efforts)
                 ledger.group -= 1
         ledger.group = 0
         return efforts
+
+    def _driven_inside(self, group: Dyad | Chain, efforts: dict[str, str]) -> None:
+        """The driven joints of pairs whose other joints are known by now: those of the group's links, or of its frame."""
+        frame = group.frame if isinstance(group, Dyad) else ()
+        for assembly in (*group.assemblies, frame):
+            if len(assembly) < 2:
+                continue
+            drive = self.found.order.pair(assembly)
+            self._refuse_shared_pin(group, drive)
+            if len(assembly) == 2:
+                efforts[drive.symbol] = self._effort(drive, on_known=False)
 
     # --- sums over an assembly --------------------------------------------------------------------------------
 
@@ -126,6 +145,41 @@ class Reactions:
         force = self._inner(dyad, inner, force)
         self._outer(dyad.first, p, minus(negative(self._sum(dyad.first)), force))
         self._outer(dyad.second, q, minus(force, self._sum(dyad.second)))
+
+    def _triangle(self, dyad: Dyad, det: Node) -> None:
+        """A dyad RRR on a driven pair: it moves with the pair, so that what holds all of them is known before."""
+        outer, r = dyad.pins[:2], self._at(Pin(dyad.pins[2]))
+        self._refuse_crowded(dyad)
+        arms, moments, totals = [], [], []
+        for (body,), point in zip(dyad.assemblies, outer, strict=True):
+            held = self.joints.contacts.get(body, [])[:]
+            p = self.poses.xy[point]
+            total = self.acting.total(body)
+            forces = al.total(cross(minus(force.at, p), force.vector) for force in held)
+            couples = [self.acting.moment(body, p), *self.joints.couples.get(body, [])]
+            moments.append(
+                self.acting.torque(f"M{self.acting.number(body)}", forces, couples, self.poses.name((body,)))
+            )
+            totals.append(together((total, *(force.vector for force in held))))
+            arms.append(minus(r, p))
+        both = plus(times(moments[0], arms[1]), times(moments[1], arms[0]))
+        force = self._inner(dyad, Pin(dyad.pins[2]), self._over(negative(both), al.mul(det, self.columns.metre)))
+        for (body,), point, total, on_it in zip(dyad.assemblies, outer, totals, (force, negative(force)), strict=True):
+            self._on_pair(point, body, self.motions.with_point(dyad.frame, point), minus(negative(total), on_it))
+
+    def _on_pair(self, point: str, body: str, other: str, force: Vector) -> None:
+        """The force on a link where it is pinned to one with which it moves."""
+        if self.joints.bearers[point] == body:
+            self.joints.inner(point, body, other, force)
+        else:
+            self.joints.inner(point, other, body, negative(force))
+
+    def _refuse_crowded(self, dyad: Dyad) -> None:
+        for point in dyad.pins:
+            if self.joints.bearers[point] not in dyad.whole:
+                message = f"at {point} a driven pair, a link that moves with it and a third are joined: no forces yet"
+                hint = "take masses and loads away, or let the links be joined at two points"
+                raise MechanismError(Fault(message, key="dynamics", hint=hint))
 
     def _rrp(self, dyad: Dyad, pin: Pin, inner: Pin, slide: Slide, det: Node) -> None:
         p, r = self._at(pin), self._at(inner)
@@ -185,9 +239,8 @@ class Reactions:
 
     # --- the driver -------------------------------------------------------------------------------------------
 
-    def _refuse_shared_pin(self, dyad: Dyad, drive: Drive) -> None:
-        pins = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
-        if isinstance(drive.joint, Pin) and drive.joint.point in pins:
+    def _refuse_shared_pin(self, group: Dyad | Chain, drive: Drive) -> None:
+        if isinstance(drive.joint, Pin) and drive.joint.point in group.pins:
             message = (
                 f"the driver turns two moving links about {drive.joint.point}, where a third one is joined: "
                 "no forces there yet"

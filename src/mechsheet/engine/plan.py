@@ -14,6 +14,7 @@ from .fast.marks import Marks, marks_of_constants
 from .graph import dependencies, dependents
 from .interpreter.environment import Environment
 from .interpreter.evaluator import Evaluator
+from .kernels.arithmetic import FAST, Arithmetic
 from .layout import Area, make_layout
 from .ordering.dynamic_order import Sizes, settled, sizes_of, with_sizes
 from .ordering.schedule import Special, schedule
@@ -28,14 +29,17 @@ Overrides = Mapping[tuple[str, int, int], Scalar]
 """(sheet's title, row, column) -> what to put there instead."""
 
 
-def compile_book(book: Book) -> Plan:
+def compile_book(book: Book, arithmetic: Arithmetic = FAST) -> Plan:
     """Make a book ready. Raises WorkbookError for cells filled twice."""
-    return Plan(book)
+    return Plan(book, arithmetic=arithmetic)
 
 
-def evaluate(book: Book, overrides: Overrides | None = None) -> Values:
-    """All values of a book, with some cells' contents replaced. To do so many times, keep `compile_book`'s plan."""
-    return Plan(book, once=True).evaluate(overrides)
+def evaluate(book: Book, overrides: Overrides | None = None, arithmetic: Arithmetic = FAST) -> Values:
+    """All values of a book, with some cells' contents replaced. To do so many times, keep `compile_book`'s plan.
+
+    With `PORTABLE` arithmetic their bits are the same on every machine.
+    """
+    return Plan(book, once=True, arithmetic=arithmetic).evaluate(overrides)
 
 
 def steady_plan(book: Book) -> Plan:
@@ -52,11 +56,17 @@ class Plan:
     """
 
     def __init__(
-        self, book: Book, once: bool = False, blocked: frozenset[int] = frozenset(), steady: bool = False
+        self,
+        book: Book,
+        once: bool = False,
+        blocked: frozenset[int] = frozenset(),
+        steady: bool = False,
+        arithmetic: Arithmetic = FAST,
     ) -> None:
         self.book = book
         self.once = once
         self.steady = steady
+        self.arithmetic = arithmetic
         self.layout = make_layout(book)
         self.resolver = Resolver(book, steady)
         self.resolved = self.resolver.run()
@@ -124,7 +134,13 @@ class Plan:
 
     def environment(self) -> Environment:
         """What an evaluation knows of the book."""
-        return Environment(self.book, self.formulas, self.resolved.functions, self.resolver.reference)
+        return Environment(
+            self.book,
+            self.formulas,
+            self.resolved.functions,
+            self.resolver.reference,
+            arithmetic=self.arithmetic,
+        )
 
     def values_of(self, ev: Evaluator) -> Values:
         """The values that an evaluator has computed, with what it remarked."""
@@ -152,9 +168,8 @@ class Plan:
                 self._resized.clear()
             book = copy(self.book)
             book.sheets = with_sizes(self.book.sheets, sizes)
-            self._resized[sizes] = Plan(
-                book, self.once, frozenset(number for number, _, _, blocked in sizes if blocked), self.steady
-            )
+            blocked = frozenset(number for number, _, _, blocked in sizes if blocked)
+            self._resized[sizes] = Plan(book, self.once, blocked, self.steady, self.arithmetic)
         return self._resized[sizes]
 
     def _cell(self, cell: tuple[str, int, int]) -> tuple[int, int, int]:
@@ -185,7 +200,7 @@ class Plan:
             ]
             book = copy(self.book)
             book.sheets = sheets
-            self._replaced[cells] = Plan(book, self.once, steady=self.steady)
+            self._replaced[cells] = Plan(book, self.once, steady=self.steady, arithmetic=self.arithmetic)
         return self._replaced[cells]
 
 

@@ -7,6 +7,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable
 
+from mechsheet import portable
 from mechsheet.exporting.position import Position
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
@@ -225,7 +226,7 @@ def _places(position: Position, kind: str) -> int:
     own = mechanism.angle_unit
     tolerances = [dim.tolerance for dim in mechanism.dimensions if dim.tolerance and dim.unit == own]
     if kind == "angle" and tolerances:
-        return min(10, max(0, math.ceil(-math.log10(min(tolerances)) - 1e-9)))
+        return min(10, max(0, math.ceil(-float(portable.log10(min(tolerances))) - 1e-9)))
     return places(position.plan, kind)
 
 

@@ -6,10 +6,10 @@ draws: the same outlines, guides, blocks, paths and curves.
 
 from __future__ import annotations
 
-import math
 import re
 from importlib.resources import files
 
+from mechsheet import portable
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Program, commented, heading, one_line, program_of
@@ -264,7 +264,7 @@ def _shapes(program: Program, fixed: tuple[str, ...]) -> list[str]:
     found = []
     for joint in mechanism.joints:
         if joint.on == ground:
-            below = math.cos(evaluate(direction_of(mechanism, joint), dimensions)) >= -1e-9
+            below = portable.cos(evaluate(direction_of(mechanism, joint), dimensions)) >= -1e-9
             low, high = _reach(program, joint)
             found.append(f"rail({_line(program, joint)}, {low}, {high}, h, {int(below)}, {_string(joint.symbol)})")
     for point in fixed:

@@ -16,11 +16,14 @@ from mechsheet.exporting.routines import missing_where
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
 from mechsheet.formula.printer import print_formula
-from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, System
+from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit
+
+BESIDE = (*RATES, *FORCES)
+"""Roles of what stands beside the positions."""
 
 WIDTH = 100
 """Characters of a line of a program that has a comment."""
@@ -144,7 +147,12 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     modes = tuple(
         Line(group.mode, Number(float(group.mode_value)), "", _assemblies(group, language))
         for group in equations.groups
-        if group.mode
+        if group.mode and group.follows is None
+    )
+    found = tuple(
+        Line(group.mode, group.follows, "", _assemblies(group, language))
+        for group in equations.groups
+        if group.follows is not None
     )
     driver = mechanism.driver
     sweep = (
@@ -160,13 +168,13 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     listed |= {
         each.symbol: tuple(quantity(one, each.unit) for one in each.values) for each in mechanism.drivers if each.values
     }
-    wanted = [*given, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
+    wanted = [*given, *dimensions, *(line.symbol for line in (*modes, *found)), *(eq.symbol for eq in equations.all)]
     wanted += [column.symbol for column in columns]
     return Program(
         mechanism,
         equations,
         tuple(_dimension(mechanism, dim) for dim in order if not dim.derived),
-        (*(_dimension(mechanism, dim) for dim in order if dim.derived), *constants),
+        (*(_dimension(mechanism, dim) for dim in order if dim.derived), *constants, *found),
         modes,
         (sweep[0], sweep[1], sweep[2]) if sweep else None,
         tuple(quantity(value, driver.unit) for value in driver.values),
@@ -208,6 +216,7 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
     moving = {mechanism.driver.symbol, *mechanism.given_by_row}
     systems = {name: group.system for group in equations.groups if group.system for name in group.system.unknowns}
     passes = {each.symbol for system in systems.values() for each in system.body}
+    after = _read_afterwards(equations, passes)
     closed: dict[tuple[Condition, ...], Symbol] = {}
     found = []
     for equation in equations.columns:
@@ -217,7 +226,9 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
             continue
         if any(equation.symbol in system.variables for system in systems.values()):
             equation = replace(equation, exists=())  # the loop says where it is none
-        elif equation.symbol in passes or passes & {*equation.reads}:
+        elif (
+            equation.symbol not in after and equation.role not in BESIDE and passes & {equation.symbol, *equation.reads}
+        ):
             continue  # within the loop, or what the table says of it
         still = not moving.intersection(equation.reads)
         moving.add(equation.symbol)
@@ -232,6 +243,15 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
         unit, words = mechanism.shown(equation.unit.internal).text, one_line(equation.label.of(mechanism.language))
         found.append(ColumnLine(equation.symbol, node, still, unit, words, equation.group))
     return tuple(found)
+
+
+def _read_afterwards(equations: Equations, passes: Collection[str]) -> set[str]:
+    """Parts of a pass that velocities and forces read where it has arrived: the Jacobian."""
+    found: set[str] = set()
+    for equation in reversed(equations.columns):
+        if equation.role in BESIDE or equation.symbol in found:
+            found.update(name for name in equation.reads if name in passes)
+    return found
 
 
 def _loop(equation: Equation, system: System, mechanism: Mechanism) -> list[ColumnLine]:

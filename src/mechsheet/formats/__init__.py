@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from mechsheet.formula.nodes import Scalar
     from mechsheet.sheet.workbook import Workbook
 
-FORMATS = {".xlsx": "xlsx", ".xlsm": "xlsx", ".ods": "ods", ".ots": "ods"}
+FORMATS = {".xlsx": "xlsx", ".xlsm": "xlsx", ".ods": "ods", ".ots": "ods", ".xls": "xls"}
 """Suffix -> the folder that reads the format and updates its values."""
 WRITTEN = (".xlsx", ".ods")
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
+from mechsheet import portable
 from mechsheet.formula.nodes import Binary, Boolean, Call, Node, Number, Previous, Symbol, Unary
 
 
@@ -69,10 +70,10 @@ def _power(base: float, exponent: float) -> float:
         raise ValueError("zero to the power of zero is not defined")  # spreadsheets answer #NUM!
     if base < 0 and not exponent.is_integer():
         raise ValueError(f"{base:g} to the power of {exponent:g} is not a real number")
-    try:
-        return float(base**exponent)
-    except OverflowError:
-        raise OverflowError(f"{base:g} to the power of {exponent:g} is too large") from None
+    found: float = base * base if exponent == 2 else portable.power(base, exponent)
+    if math.isinf(found):
+        raise OverflowError(f"{base:g} to the power of {exponent:g} is too large")
+    return found
 
 
 def _square_root(x: float) -> float:
@@ -84,7 +85,8 @@ def _square_root(x: float) -> float:
 def _logarithm(x: float) -> float:
     if x <= 0:
         raise ValueError(f"the logarithm of {x:g} is not a real number")
-    return math.log(x)
+    found: float = portable.log(x)
+    return found
 
 
 def _arc(function: Callable[[float], float], word: str) -> Callable[[float], float]:
@@ -99,20 +101,31 @@ def _arc(function: Callable[[float], float], word: str) -> Callable[[float], flo
 def _atan2(x: float, y: float) -> float:
     if x == 0 and y == 0:
         raise ValueError("the direction of the point (0, 0) is not defined")
-    return math.atan2(y, x)
+    found: float = portable.arctan2(y, x)
+    return found
 
 
 def _exponential(x: float) -> float:
-    try:
-        return math.exp(x)
-    except OverflowError:
-        raise OverflowError(f"exp({x:g}) is too large") from None
+    found: float = portable.exp(x)
+    if math.isinf(found):
+        raise OverflowError(f"exp({x:g}) is too large")
+    return found
 
 
 def _modulo(x: float, divisor: float) -> float:
     if divisor == 0:
         raise ZeroDivisionError("division by zero")
     return x - divisor * math.floor(x / divisor)
+
+
+def _nothing() -> float:
+    raise ValueError("there is none")
+
+
+def _rounded(x: float, digits: float) -> float:
+    """Half away from zero, as spreadsheets round."""
+    scale = 10.0**digits
+    return math.copysign(math.floor(abs(x) * scale + 0.5) / scale, x)
 
 
 def _sign(x: float) -> float:
@@ -123,12 +136,12 @@ _MANY = 255
 
 FUNCTIONS: dict[str, tuple[int, int, Callable[..., float]]] = {
     "ABS": (1, 1, abs),
-    "ACOS": (1, 1, _arc(math.acos, "arc cosine")),
+    "ACOS": (1, 1, _arc(portable.arccos, "arc cosine")),
     "AND": (1, _MANY, lambda *flags: float(all(flags))),
-    "ASIN": (1, 1, _arc(math.asin, "arc sine")),
-    "ATAN": (1, 1, math.atan),
+    "ASIN": (1, 1, _arc(portable.arcsin, "arc sine")),
+    "ATAN": (1, 1, portable.arctan),
     "ATAN2": (2, 2, _atan2),
-    "COS": (1, 1, math.cos),
+    "COS": (1, 1, portable.cos),
     "DEGREES": (1, 1, math.degrees),
     "EXP": (1, 1, _exponential),
     "INT": (1, 1, lambda x: float(math.floor(x))),
@@ -140,13 +153,15 @@ FUNCTIONS: dict[str, tuple[int, int, Callable[..., float]]] = {
     "OR": (1, _MANY, lambda *flags: float(any(flags))),
     "PI": (0, 0, lambda: math.pi),
     "POWER": (2, 2, _power),
+    "NA": (0, 0, _nothing),
     "RADIANS": (1, 1, math.radians),
+    "ROUND": (2, 2, _rounded),
     "SIGN": (1, 1, _sign),
-    "SIN": (1, 1, math.sin),
+    "SIN": (1, 1, portable.sin),
     "SQRT": (1, 1, _square_root),
     "SUM": (1, _MANY, lambda *terms: math.fsum(terms)),
     "SUMSQ": (1, _MANY, lambda *terms: math.fsum(term * term for term in terms)),
-    "TAN": (1, 1, math.tan),
+    "TAN": (1, 1, portable.tan),
 }
 """Fewest and most arguments, and the function itself."""
 

@@ -80,6 +80,27 @@ def agrees(columns: Array, quantity: Quantity, reading: Reading, allowed: float)
     return found
 
 
+def likely(columns: Array, quantity: Quantity, allowed: float) -> NDArray[np.bool_]:
+    """Which of the columns, shape (columns, rows), may say a quantity at all: all that `reading_of` finds are among them.
+
+    An angle counted from anywhere differs from it by the same in each row.
+    """
+    known = np.isfinite(quantity.values)
+    found: NDArray[np.bool_] = np.asarray(np.isfinite(columns[:, known]).all(axis=1), bool)
+    if known.sum() < min(FEWEST, len(known)):
+        return np.zeros(len(columns), bool)
+    whole, values = columns[np.ix_(found, known)], quantity.values[known]
+    good = np.zeros(len(whole), bool)
+    for unit in units_of(quantity):
+        for sense in (1,) if quantity.kind == "number" else (1, -1):
+            apart = sense * unit * whole - values
+            if quantity.kind == "angle":
+                apart = wrapped(apart - apart[:, :1])
+            good |= np.abs(apart).max(axis=1, initial=0.0) <= 2 * allowed
+    found[found] = good
+    return found
+
+
 def plain_reading(column: Array, quantity: Quantity, allowed: float) -> Reading | None:
     """The unit in which a column is the quantity itself."""
     for unit in units_of(quantity):

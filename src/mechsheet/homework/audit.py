@@ -90,7 +90,7 @@ class Audit:
 def audit(book: str | Path, mechanism: Mechanism, assembly: str = "") -> Audit:
     """Find in a workbook that somebody made by hand the quantities that a description asks for, and the faults.
 
-    book       .xlsx, .xlsm, .ods, .ots, laid out in any way
+    book       .xlsx, .xlsm, .ods, .ots, .xls, laid out in any way
     mechanism  what it should be: `mechsheet.load(...)`; its dimensions are only what the sheet does not give itself
     assembly   "any": another assembly than the description's sketch is right, too
 

@@ -21,6 +21,7 @@ from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, Outpu
 from mechsheet.formats import write
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.formula.scalar import evaluate
+from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
 from mechsheet.homework.task_sheet import task_sheet
 from mechsheet.homework.truth import truth_of
@@ -149,7 +150,7 @@ def drawn(mechanism: Mechanism, people: Sequence[tuple[str, str]], seed: int) ->
     taken_by: dict[tuple[float, ...], str] = {}
     fits: dict[tuple[float, ...], bool] = {}
     students: list[Student] = []
-    remarks = []
+    remarks = [] if vary else [_all_alike(mechanism)]
     for identifier, name in people:
         draw = random.Random(hashlib.sha256(f"{seed}\n{identifier}".encode()).digest())
         spare: tuple[float, ...] | None = None
@@ -173,6 +174,20 @@ def drawn(mechanism: Mechanism, people: Sequence[tuple[str, str]], seed: int) ->
         own = fixed | dict(zip((one.symbol for one in vary), chosen, strict=True))
         students.append(Student(identifier, name, own))
     return students, remarks
+
+
+def _all_alike(mechanism: Mechanism) -> str:
+    """That nothing varies, with what might."""
+    given = {dim.symbol: dim for dim in mechanism.dimensions}
+    ranges = []
+    for symbol in deciding(mechanism):
+        typed = given[symbol].value
+        value = float(given[symbol].unit.to_shown(typed)) if isinstance(typed, float) else 0.0
+        if value:
+            step = 10.0 ** math.floor(math.log10(abs(value) / 20)) / 2
+            low, high = (round(round(value * part / step) * step, 10) for part in (0.95, 1.05))
+            ranges.append(f"{symbol} = [{min(low, high):g}, {max(low, high):g}, {step:g}]")
+    return f"everybody has the same dimensions; under [exercise] for example: vary = {{ {', '.join(ranges)} }}"
 
 
 def _value(one: Vary, draw: random.Random) -> float:

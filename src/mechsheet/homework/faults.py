@@ -10,8 +10,8 @@ from functools import cached_property
 import numpy as np
 
 from mechsheet.formula.nodes import CellRef, Node
-from mechsheet.homework.agreement import Reading, agrees, reading_of, units_of
-from mechsheet.homework.changes import Change, Surroundings, changes
+from mechsheet.homework.agreement import Reading, agrees, likely, reading_of, units_of
+from mechsheet.homework.candidates import Candidate, Surroundings, candidates
 from mechsheet.homework.inputs import single_cells
 from mechsheet.homework.series import Graph, Series, aligned
 from mechsheet.homework.trial import Trial, UntriableError
@@ -139,14 +139,17 @@ class Search:
         work = self.graph.work
         by_main = {strip: number for number, strip in enumerate(work.strips)}
         found = {number for number, strip in enumerate(work.strips) if strip.length == 1 and not self._beside(strip)}
-        for series in self.found.series:
-            column = self.sheet.column(series)
-            for word in words:
-                reading = reading_of(column, word, self.found.allowed(word))
-                if reading is not None and (reading.plain or word.kind == "length"):
-                    if series.main is not None:
-                        found.add(by_main[series.main])
-                    break
+        computed = [series for series in self.found.series if series.main is not None]
+        columns = np.array([self.sheet.column(series) for series in computed]).reshape(
+            len(computed), self.found.driver.length
+        )
+        for word in words:
+            allowed = self.found.allowed(word)
+            for place in np.flatnonzero(likely(columns, word, allowed)).tolist():
+                reading = reading_of(columns[place], word, allowed)
+                main = computed[place].main
+                if reading is not None and main is not None and (reading.plain or word.kind == "length"):
+                    found.add(by_main[main])
         wrong = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
         return found - {by_main[strip] for strip in wrong if strip is not None}
 
@@ -180,43 +183,41 @@ class Search:
     def _of_strip(self, number: int) -> Mend | None:
         work = self.graph.work
         strip = work.strips[number]
-        candidates = self._candidates(number)
+        tried = self._candidates(number)
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
-            columns = self.trial.columns(number, [one.formula for one in candidates], goals)
+            columns = self.trial.columns(number, [one.formula for one in tried], goals)
         except UntriableError:
             return None
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
-        told: list[dict[str, None]] = [{} for _ in candidates]
+        told: list[dict[str, None]] = [{} for _ in tried]
         for symbol, series in self.goals:
             quantity = self.truth.quantity(symbol)
             allowed = self.found.allowed(quantity)
-            good = np.zeros(len(candidates), bool)
+            good = np.zeros(len(tried), bool)
             for unit in units_of(quantity):
                 good |= agrees(by_key[series.key], quantity, Reading(unit), allowed)
             for index in np.flatnonzero(good).tolist():
                 told[index][symbol] = None
         rights = np.array([len(each) for each in told])
-        best = [
-            int(index) for index in np.lexsort((np.array([one.weight for one in candidates]), -rights)) if rights[index]
-        ]
+        best = [int(index) for index in np.lexsort((np.array([one.weight for one in tried]), -rights)) if rights[index]]
         spare: Mend | None = None
         for index in best[:VERIFIED]:
-            one = candidates[index]
+            one = tried[index]
             mend = self.verified(strip, one, tuple(told[index]))
             if mend is not None and mend.live:
                 return mend
             spare = spare or mend
         return spare
 
-    def _candidates(self, number: int) -> list[Change]:
+    def _candidates(self, number: int) -> list[Candidate]:
         """The changes of a strip's formula; a cell that breaks its run may first have the run's formula."""
         work = self.graph.work
         strip = work.strips[number]
-        found = changes(self.graph.formulas[number], self._around(number))
+        found = candidates(self.graph.formulas[number], self._around(number))
         run = self._run_of(strip)
         if run is not None:
-            found.insert(0, Change(work.bound(run.at(strip.start), strip), "breaks its column", 0.1))
+            found.insert(0, Candidate(work.bound(run.at(strip.start), strip), "breaks its column", 0.1))
         return found
 
     def _around(self, number: int) -> Surroundings:
@@ -247,9 +248,9 @@ class Search:
 
     # --- in the workbook itself ---------------------------------------------------------------------------------------
 
-    def verified(self, strip: Strip, change: Change, rights: tuple[str, ...]) -> Mend | None:
+    def verified(self, strip: Strip, candidate: Candidate, rights: tuple[str, ...]) -> Mend | None:
         """The mend, when with it nothing that was right is wrong; `live` when it stays right under retyped dimensions."""
-        mended = mended_sheet(Sheet(self.found, self.sheet.asked), strip, change.formula)
+        mended = mended_sheet(Sheet(self.found, self.sheet.asked), strip, candidate.formula)
         after = findings(mended, self.truth)
         for symbol, finding in self.results.items():
             if finding.verdict in ("right", "not live") and after[symbol].verdict != "right":
@@ -261,7 +262,7 @@ class Search:
         live = all(
             follows(understanding, after[symbol], one.again(understanding)) for one in self.retyped for symbol in fixed
         )
-        return Mend(strip, change.formula, change.kind, change.weight, fixed, live)
+        return Mend(strip, candidate.formula, candidate.kind, candidate.weight, fixed, live)
 
 
 def _rank(mend: Mend) -> tuple[bool, int, float]:

@@ -10,7 +10,7 @@ from mechsheet.formula.nodes import symbols
 from mechsheet.homework.agreement import DEGREE, POWERS
 from mechsheet.homework.headings import around, contains, names_over, plain, says
 from mechsheet.homework.series import Graph, Run
-from mechsheet.homework.upright import Place, references
+from mechsheet.homework.upright import Place
 from mechsheet.model import Dimension, Mechanism
 
 SAME = 1e-6
@@ -41,16 +41,14 @@ def single_cells(graph: Graph, driver: Run) -> list[Place]:
     for number, strip in enumerate(work.strips):
         if (strip.sheet, strip.line) == (driver.sheet, driver.line) and driver.start <= strip.start <= driver.end:
             continue
-        for start, end in references(graph.formulas[number]):
+        for start, end in graph.corners(number):
             sheet = graph.titles.get((start.sheet or strip.sheet).casefold())
             if start is not end or sheet is None or not (start.row_abs or strip.length == 1):
                 continue
             place = sheet, start.row, start.col
-            filled = work.at.get(place)
-            constant = filled is None or (
-                filled.length == 1 and not list(references(work.bound(filled.formula, filled)))
-            )
-            if place not in along and constant and math.isfinite(work.number(place)):
+            filled = graph.number_of.get(place)
+            constant = filled is None or (work.strips[filled].length == 1 and not graph.corners(filled))
+            if place not in found and place not in along and constant and math.isfinite(work.number(place)):
                 found[place] = None
     order = {sheet.title: number for number, sheet in enumerate(work.book.sheets)}
     return sorted(found, key=lambda place: (order[place[0]], place[2], place[1]))

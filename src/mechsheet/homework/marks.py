@@ -20,7 +20,7 @@ from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import said
 
-SUFFIXES = (".xlsx", ".xlsm", ".ods", ".ots")
+SUFFIXES = (".xlsx", ".xlsm", ".ods", ".ots", ".xls")
 MOST_SEARCHED = 400
 """Typed cells of a workbook in which a student's id is looked for."""
 

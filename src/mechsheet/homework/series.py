@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from mechsheet.engine import Values
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import CellRef, Node
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place, Strip, Work, references
 
@@ -84,10 +84,18 @@ class Graph:
         self.formulas: list[Node] = [work.bound(strip.formula, strip) for strip in work.strips]
         self.titles = {sheet.title.casefold(): sheet.title for sheet in work.book.sheets}
 
+    def corners(self, number: int) -> list[tuple[CellRef, CellRef]]:
+        """The corners of every area that a strip reads, as seen from its first cell."""
+        return self._corners[number]
+
+    @cached_property
+    def _corners(self) -> list[list[tuple[CellRef, CellRef]]]:
+        return [list(references(formula)) for formula in self.formulas]
+
     def areas(self, number: int) -> Iterator[tuple[str, int, int, int, int]]:
         """(sheet, first pos, last pos, first line, last line) of everything that a strip reads."""
         strip = self.work.strips[number]
-        for start, end in references(self.formulas[number]):
+        for start, end in self._corners[number]:
             sheet = self.titles.get((start.sheet or strip.sheet).casefold())
             if sheet is None:
                 continue
@@ -132,10 +140,23 @@ class Graph:
         """Strips that read some of these cells directly."""
         return {
             number
-            for number in range(len(self.work.strips))
-            for title, low, high, left, right in self.areas(number)
-            if title == sheet and left <= line <= right and low < end and start <= high
+            for low, high, left, right, number in self._areas_of.get(sheet, ())
+            if left <= line <= right and low < end and start <= high
         }
+
+    @cached_property
+    def _areas_of(self) -> dict[str, list[tuple[int, int, int, int, int]]]:
+        """By sheet (first pos, last pos, first line, last line, strip) of everything that is read there."""
+        found: dict[str, list[tuple[int, int, int, int, int]]] = {}
+        for number in range(len(self.work.strips)):
+            for sheet, *area in self.areas(number):
+                found.setdefault(sheet, []).append((*area, number))  # type: ignore[arg-type]
+        return found
+
+    @cached_property
+    def number_of(self) -> dict[Place, int]:
+        """The number of the strip that fills a cell."""
+        return {place: number for number, strip in enumerate(self.work.strips) for place in strip.places()}
 
     @cached_property
     def order(self) -> dict[int, int]:
@@ -211,7 +232,7 @@ def _reads_along(graph: Graph, number: int, run: Run) -> bool:
     strip = graph.work.strips[number]
     return any(
         start is end and not start.row_abs and start.col == run.line
-        for start, end in references(graph.formulas[number])
+        for start, end in graph.corners(number)
         if graph.titles.get((start.sheet or strip.sheet).casefold()) == run.sheet
     )
 
@@ -224,7 +245,7 @@ def _stepped(graph: Graph) -> list[Run]:
             continue
         own = [
             start.row - strip.start
-            for start, end in references(graph.formulas[number])
+            for start, end in graph.corners(number)
             if start is end and not start.row_abs and start.col == strip.line
         ]
         first = (strip.sheet, strip.start - 1, strip.line)
@@ -238,7 +259,7 @@ def _stepped(graph: Graph) -> list[Run]:
 def _reads_rows(graph: Graph, number: int) -> bool:
     """Whether a strip reads another one cell by cell."""
     strip = graph.work.strips[number]
-    return any(not start.row_abs and start.col != strip.line for start, _ in references(graph.formulas[number]))
+    return any(not start.row_abs and start.col != strip.line for start, _ in graph.corners(number))
 
 
 def _linear(work: Work, strip: Strip) -> float | None:
@@ -260,7 +281,7 @@ def counted(graph: Graph, run: Run) -> list[Run]:
     for number in sorted(graph.readers_of(run.sheet, run.line, run.start, run.end)):
         strip = work.strips[number]
         step = _linear(work, strip) if strip.length >= SHORTEST and _reads_along(graph, number, run) else None
-        rows = {(start.sheet, start.col) for start, _ in references(graph.formulas[number]) if not start.row_abs}
+        rows = {(start.sheet, start.col) for start, _ in graph.corners(number) if not start.row_abs}
         if step is not None and len(rows) == 1 and abs(abs(step) - math.pi / 180) > 1e-6:
             found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
     return found
@@ -319,7 +340,7 @@ def _origins(graph: Graph, driver: Run) -> dict[int, int]:
 def _origin(graph: Graph, number: int, driver: Run, origins: dict[int, int]) -> int | None:
     strip = graph.work.strips[number]
     seen: Counter[int] = Counter()
-    for start, end in references(graph.formulas[number]):
+    for start, end in graph.corners(number):
         if start is not end or start.row_abs:
             continue
         sheet = graph.titles.get((start.sheet or strip.sheet).casefold())

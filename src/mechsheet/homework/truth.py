@@ -115,27 +115,36 @@ def _kinds(mechanism: Mechanism, columns: Mapping[str, Array]) -> dict[str, Kind
 def other_assemblies(truth: Truth) -> list[Truth]:
     """The same mechanism put together in the other ways that there are in its first row."""
     row = int(np.flatnonzero(truth.exists)[0])
-    value = float(truth.driver[row])
+    return [
+        other
+        for other in all_assemblies(truth.mechanism, truth.dimensions, truth.driver, row)
+        if not _same(other, truth)
+    ]
+
+
+def all_assemblies(mechanism: Mechanism, dimensions: Mapping[str, float], driver: Array, row: int) -> list[Truth]:
+    """The mechanism in all the ways in which it can be put together in one of the rows."""
+    value = float(driver[row])
     try:
-        found = reference.assemblies(truth.mechanism, dict(truth.dimensions), value)
-    except (MechanismError, np.linalg.LinAlgError):
+        found = reference.assemblies(mechanism, dict(dimensions), value)
+    except (MechanismError, FloatingPointError, np.linalg.LinAlgError):
         return []
-    others: list[Truth] = []
+    truths: list[Truth] = []
     for poses in found[:16]:
-        other = truth_of(truth.mechanism, truth.dimensions, truth.driver, _from_here(truth, poses, value))
-        if other is not None and not any(_same(other, one) for one in (truth, *others)):
-            others.append(other)
-    return others
+        truth = truth_of(mechanism, dimensions, driver, _from_here(mechanism, poses, value))
+        if truth is not None and not any(_same(truth, one) for one in truths):
+            truths.append(truth)
+    return truths
 
 
 def _from_here(
-    truth: Truth, poses: Mapping[str, tuple[float, float, float]], value: float
+    mechanism: Mechanism, poses: Mapping[str, tuple[float, float, float]], value: float
 ) -> dict[str, tuple[float, float, float]]:
     """Poses as `solve` takes them: they tell the driver's value, the angles of the driven link as the driver counts them."""
-    driver = truth.mechanism.driver
+    driver = mechanism.driver
     if driver.joint:
         return dict(poses)
-    base = poses[driver.relative_to or truth.mechanism.ground.name][2]
+    base = poses[driver.relative_to or mechanism.ground.name][2]
     x, y, angle = poses[driver.link]
     return {**poses, driver.link: (x, y, angle + math.tau * round((value + base - angle) / math.tau))}
 

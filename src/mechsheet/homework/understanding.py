@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet import reference
 from mechsheet.diagnostics import Fault, WorkbookError
-from mechsheet.homework.agreement import DEGREE, POWERS, allowance, reading_of
+from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
 from mechsheet.homework.headings import heading, names_over
 from mechsheet.homework.inputs import Input, inputs_of
 from mechsheet.homework.series import Graph, Run, Series, aligned, counted, drivers
@@ -79,13 +80,13 @@ def understand(
         raise WorkbookError(Fault("no table", about="no table"))
     best: tuple[tuple[int, int], Understanding] | None = None
     given = reference.dimension_values(mechanism)
-    for run in [one for likely in runs[:3] for one in (likely, *counted(graph, likely))]:
+    for run in [one for first in runs[:3] for one in (first, *counted(graph, first))]:
         series = aligned(graph, run)
         for by_words in (True, False):
             inputs = inputs_of(graph, mechanism, given, run, by_words)
             if not by_words and inputs == inputs_of(graph, mechanism, given, run, True):
                 continue
-            for factor, offset in _ways(work, run, mechanism, unusual):
+            for factor, offset in ways(work, run, mechanism, unusual):
                 found = _hypothesis(graph, run, factor, offset, inputs, mechanism, series, tolerance)
                 if found is None:
                     continue
@@ -130,7 +131,7 @@ def driver_column(work: Work, run: Run) -> Array:
     return np.array([work.number(place) for place in run.places()], float)
 
 
-def _ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[tuple[float, float]]:
+def ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[tuple[float, float]]:
     """(factor, offset) in which the driver may be written, the usual ones first."""
     column = driver_column(work, run)
     if mechanism.driver.joint:
@@ -148,7 +149,9 @@ def _ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator
 
 def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
     """(asked quantities that some series is, series that are anything of the mechanism)."""
-    columns = [series.column(found.work) for series in found.series]
+    columns = np.array([series.column(found.work) for series in found.series]).reshape(
+        len(found.series), found.driver.length
+    )
     right = 0
     for symbol in asked:
         if symbol in found.truth.columns:
@@ -156,12 +159,23 @@ def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
             if not quantity.moves(found.truth.size):
                 continue  # anything that stands still would be it
             allowed = found.allowed(quantity)
-            right += any(reading_of(column, quantity, allowed, found.zeros) for column in columns)
+            some = columns[likely(columns, quantity, allowed)]
+            right += any(reading_of(column, quantity, allowed, found.zeros) for column in some)
     if right >= min(ENOUGH, len(asked)):
         return right, 0
-    words = vocabulary(found.truth)
-    known = sum(any(reading_of(column, word, found.allowed(word)) for word in words) for column in columns)
-    return right, known
+    return right, int(anything(columns, vocabulary(found.truth), found.allowed).sum())
+
+
+def anything(
+    columns: Array, words: Sequence[Quantity], allowed: Callable[[Quantity], float], zeros: Sequence[float] = ()
+) -> NDArray[np.bool_]:
+    """Which of the columns, shape (columns, rows), are some quantity of a vocabulary."""
+    found = np.zeros(len(columns), bool)
+    for word in words:
+        near = likely(columns, word, allowed(word)) & ~found
+        for number in np.flatnonzero(near):
+            found[number] = reading_of(columns[number], word, allowed(word), zeros) is not None
+    return found
 
 
 def retyped(found: Understanding, changes: Mapping[str, float]) -> tuple[dict[str, float], dict[Place, float]]:

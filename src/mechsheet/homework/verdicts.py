@@ -16,7 +16,7 @@ from mechsheet.homework.headings import around, contains, labels, names_over, sa
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
-from mechsheet.homework.understanding import Understanding, retyped
+from mechsheet.homework.understanding import Understanding, anything, retyped
 from mechsheet.homework.upright import Place, Strip
 from mechsheet.model import Summary
 
@@ -60,6 +60,10 @@ class Sheet:
         if series.key not in self.columns:
             self.columns[series.key] = series.column(self.found.work, self.values)
         return self.columns[series.key]
+
+    def matrix(self, several: Sequence[Series]) -> Array:
+        """The numbers of several series, shape (series, rows)."""
+        return np.array([self.column(series) for series in several]).reshape(len(several), self.found.driver.length)
 
 
 def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
@@ -186,12 +190,9 @@ def unexplained(sheet: Sheet, truth: Truth, spare: Sequence[Series]) -> list[Ser
     """Computed series that are nothing of the mechanism, the driver's own value in another unit included."""
     words = vocabulary(truth)
     found = sheet.found
-
-    def known(series: Series) -> bool:
-        column = sheet.column(series)
-        return any(reading_of(column, word, found.allowed(word), found.zeros) is not None for word in words)
-
-    return [series for series in spare if series.main is not None and not known(series)]
+    computed = [series for series in spare if series.main is not None]
+    known = anything(sheet.matrix(computed), words, found.allowed, found.zeros)
+    return [series for series, one in zip(computed, known, strict=True) if not one]
 
 
 # --- retyped dimensions -----------------------------------------------------------------------------------------------

@@ -81,6 +81,11 @@ class Dyad:
         """The bodies of both."""
         return (*self.first, *self.second)
 
+    @property
+    def pins(self) -> tuple[str, ...]:
+        """The points of its revolute joints."""
+        return tuple(contact.point for contact in (*self.outer, self.inner) if isinstance(contact, Pin))
+
 
 Step = Drive | Tied | Dyad | Chain
 Bodies = tuple[str, ...]
@@ -106,6 +111,11 @@ class Order:
     def dyads(self) -> tuple[Dyad, ...]:
         """The steps that are dyads."""
         return tuple(step for step in self.steps if isinstance(step, Dyad))
+
+    @property
+    def groups(self) -> tuple[Dyad | Chain, ...]:
+        """The steps that are Assur groups."""
+        return tuple(step for step in self.steps if isinstance(step, Dyad | Chain))
 
     def pair(self, assembly: tuple[str, ...]) -> Drive:
         """The driven joint inside an assembly of bodies."""

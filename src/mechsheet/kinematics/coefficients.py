@@ -20,16 +20,21 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
-from mechsheet.kinematics.cell_lengths import LONGEST, CellLengths
+from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads import Determinant, Solved
-from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.equations import Fit
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.motions import Meeting, Motions, PointRate, Rate
+from mechsheet.kinematics.newton.carriers import Solution
+from mechsheet.kinematics.newton.chains import Chain
+from mechsheet.kinematics.newton.coefficients import ChainColumns
+from mechsheet.kinematics.newton.rates import Closings, known_pins, without
 from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.rate_columns import COEFFICIENTS, RateColumns, order_words
 from mechsheet.kinematics.ties import Held, Tied, solved_for
 from mechsheet.kinematics.vectors import Vector, cross, minus, plus, size, times
 from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
-from mechsheet.units import LENGTH, NUMBER, RAD, Unit
+from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.equations import link_words, phrase
 
 INLINE = 75
@@ -37,8 +42,6 @@ INLINE = 75
 
 SHORT = 30
 """Characters of a constant coefficient that is written where it is read."""
-
-_COEFFICIENTS = (".d", ".dd")
 
 
 def asked(mechanism: Mechanism) -> dict[str, None]:
@@ -106,7 +109,7 @@ class _ByDriver:
         return self.driven[symbol]
 
     def of(self, symbol: str) -> Rate:
-        self.unknown |= dict.fromkeys(f"{symbol}{part}" for part in _COEFFICIENTS)
+        self.unknown |= dict.fromkeys(f"{symbol}{part}" for part in COEFFICIENTS)
         return primed(symbol)
 
     def of_relative(self, symbol: str) -> Rate:
@@ -122,12 +125,15 @@ class _ByTime:
     def __init__(self, mechanism: Mechanism, points: Mapping[str, PointRate], driven: Mapping[str, Rate]) -> None:
         self.driven, self.driver = driven, driven[mechanism.driver.symbol]
         self.angles = {link.angle_symbol for link in mechanism.links}
+        self.slides = {joint.symbol for joint in mechanism.joints}
         self.points = points
 
     def of_drive(self, symbol: str) -> Rate:
         return self.driven[symbol]
 
     def of(self, symbol: str) -> Rate:
+        if symbol not in self.angles | self.slides:  # the angle of a block, which has no columns by time
+            return self.of_relative(symbol)
         return Rate(*(Symbol(name) for name in rate_symbols(symbol, symbol in self.angles)))
 
     def of_relative(self, symbol: str) -> Rate:
@@ -168,35 +174,35 @@ class Written:
     determinants  by number of the group what its rates are divided by
     """
 
-    fits: Mapping[int, tuple[Node, Node, Node, Node]]
+    fits: Mapping[int, Fit]
     turning: Mapping[str, tuple[Node, Node]]
     by_driver: Motions | None = None
     by_time: Motions | None = None
     determinants: Mapping[int, Node] = field(default_factory=dict)
 
 
-def add_rates(poses: Poses, order: Order, solved: Sequence[Solved]) -> Written:
-    """Write all equations of velocities and accelerations down, behind those of positions; `solved`: of each dyad."""
-    return _Writer(poses, order, solved).write()
+def add_rates(poses: Poses, order: Order, solved: Sequence[Solved], chains: Mapping[int, Solution]) -> Written:
+    """Write all equations of velocities and accelerations down, behind those of positions.
+
+    solved  each group;  chains  by its number each one that Newton's method solves
+    """
+    return _Writer(poses, order, solved, chains).write()
 
 
 class _Writer:
-    def __init__(self, poses: Poses, order: Order, solved: Sequence[Solved]) -> None:
-        self.poses, self.order, self.solved = poses, order, solved
+    def __init__(self, poses: Poses, order: Order, solved: Sequence[Solved], chains: Mapping[int, Solution]) -> None:
+        self.poses, self.order, self.solved, self.chains = poses, order, solved, chains
         self.mechanism, self.ledger = poses.mechanism, poses.ledger
         self.timed = self.mechanism.driver.speed is not None
         self.asked = asked(self.mechanism)
         self.points = points_of(self.mechanism)
-        self.angles = {link.angle_symbol for link in self.mechanism.links}
         self.names = _ByDriver(self.mechanism.driver.symbol)
+        self.columns = RateColumns(self.mechanism, self.ledger, self.names.unknown.keys())
         self.determinants: dict[int, Node] = {}
-        self.cells = CellLengths(self.mechanism, self.ledger)
         self.shown: set[Node] = {al.ZERO, al.ONE}
         self.ledger.group = 0
         self.motions = Motions(poses, order, self.names)
         self.pairs = {drive: Motions(poses, order, self.names, drive) for drive in _clustered(order)}
-        lengths = self.mechanism.driver.joint
-        self.per = self.mechanism.length_unit if lengths else ""
 
     def write(self) -> Written:
         self._driver()
@@ -210,6 +216,9 @@ class _Writer:
                 case Dyad():
                     self.ledger.group += 1
                     self._dyad(step, self.solved[self.ledger.group - 1])
+                case Chain():
+                    self.ledger.group += 1
+                    self._chain(self.chains[self.ledger.group])
             self._after_group()
         found = self._by_time_alone() if self.timed else Written({}, {})
         return replace(found, by_driver=self.motions, determinants=self.determinants)
@@ -244,11 +253,13 @@ class _Writer:
 
     def _in_columns(self, symbol: str, rate: Rate, turns: bool) -> Rate:
         """Coefficients in cells of their own where they are no short constants; and the rates by time, that people read."""
-        if all(self.ledger.is_constant(node) and self.length(node) <= SHORT for node in (rate.first, rate.second)):
+        if all(
+            self.ledger.is_constant(node) and self.columns.length(node) <= SHORT for node in (rate.first, rate.second)
+        ):
             own = rate
         else:
             for order, node in enumerate((rate.first, rate.second), 1):
-                self._coefficient(symbol, order, node, turns)
+                self.columns.coefficient(symbol, order, node, turns)
             own = self.names.of(symbol)
         if self.timed:
             for order, node in enumerate(self._by_time(own), 1):
@@ -285,7 +296,7 @@ class _Writer:
     def _dyad(self, dyad: Dyad, solved: Solved) -> None:
         if dyad.frame:
             meeting = self.pairs[self.order.pair(dyad.frame)].meet_within(dyad)
-            self.angles.update(meeting.unknowns)
+            self.columns.angles.update(meeting.unknowns)
             once, twice = (self._cramer(meeting, order) for order in (1, 2))
             self._solve(solved, meeting, once, twice, timed=False)
             return
@@ -293,34 +304,39 @@ class _Writer:
         for force in (False, True):
             meeting = self.motions.meet(dyad, {pin: self._outer(pin, force) for pin in pins})
             once, twice = (self._cramer(meeting, order) for order in (1, 2))
-            longest = max(map(self.length, (*once.right, *twice.right)))
+            longest = max(map(self.columns.length, (*once.right, *twice.right)))
             if longest <= LONGEST:
                 break
         self._solve(solved, meeting, once, twice)
 
+    def _chain(self, solution: Solution) -> None:
+        known = {pin: self._outer(pin, False) for pin in known_pins(self.motions, solution)}
+        closings = Closings(self.motions, solution, known).write()
+        self.determinants[self.ledger.group], symbols_found = ChainColumns(
+            self.columns, solution.system, closings, self.names.points
+        ).write()
+        shown = {joint.symbol for joint in self.mechanism.joints} | {link.angle_symbol for link in self.mechanism.links}
+        for name in symbols_found if self.timed else ():
+            if name in shown:  # but the angle of a massless block
+                self._rates(name)
+
     def _outer(self, point: str, force: bool) -> PointRate:
         """The rates of an outer pin, as columns where they are long."""
-        found = self.motions.of_point(point, self.length)
+        found = self.motions.of_point(point, self.columns.length)
         parts = (*found.first, *found.second)
-        if max(map(self.length, parts)) > INLINE or (force and not all(map(al.is_simple, parts))):
+        if max(map(self.columns.length, parts)) > INLINE or (force and not all(map(al.is_simple, parts))):
             found = self._columns_of(point, found)
         return found
 
-    def length(self, node: Node) -> float:
-        """About so many characters a cell's formula has."""
-        self.cells.own |= self.names.unknown.keys()
-        return self.cells.of(node)
-
     def _cramer(self, meeting: Meeting, order: int) -> _Cramer:
         """The equations of the first or of the second coefficients."""
-        unknowns = [f"{symbol}{_COEFFICIENTS[order - 1]}" for symbol in meeting.unknowns]
+        unknowns = [f"{symbol}{COEFFICIENTS[order - 1]}" for symbol in meeting.unknowns]
         left, right = ((way.first if order == 1 else way.second) for way in meeting.ways)
         columns = []
         for name in unknowns:
             parts = [al.sub(derivative(a, name), derivative(b, name)) for a, b in zip(left, right, strict=True)]
             columns.append((parts[0], parts[1]))
-        zero = dict.fromkeys(unknowns, al.ZERO)
-        known = minus(_without(right, zero), _without(left, zero))
+        known = minus(without(right, unknowns), without(left, unknowns))
         return _Cramer(columns[0], columns[1], known)
 
     def _solve(self, solved: Solved, meeting: Meeting, once: _Cramer, twice: _Cramer, timed: bool = True) -> None:
@@ -330,10 +346,10 @@ class _Writer:
         names = meeting.unknowns
         u = self._short(once, "u", det)
         for name, node in zip(names, once.solved(u, det), strict=True):
-            self._coefficient(name, 1, node)
+            self.columns.coefficient(name, 1, node)
         k = self._hoisted(twice.right, "k", 2)
         for name, node in zip(names, twice.solved(k, det), strict=True):
-            self._coefficient(name, 2, node)
+            self.columns.coefficient(name, 2, node)
         if self.timed and timed:
             for name in names:
                 self._rates(name)
@@ -342,52 +358,30 @@ class _Writer:
         """D as a column that has no value at a dead centre; a number where the lines keep their angle."""
         if given.dead is None:
             return given
-        column = self._define("D", given.node, self._unit(given.lengths), phrase("determinant"), given.dead)
+        column = self.columns.define(
+            "D", given.node, self.columns.unit(given.lengths), phrase("determinant"), given.dead
+        )
         return replace(given, node=column)
 
     def _short(self, once: _Cramer, base: str, det: Determinant) -> Vector:
         """The right side where it is read, as columns where the formulas would become long."""
-        longest = max(self.length(node) for node in once.solved(once.right, det))
+        longest = max(self.columns.length(node) for node in once.solved(once.right, det))
         return once.right if longest <= LONGEST else self._hoisted(once.right, base, 1)
 
     def _hoisted(self, right: Vector, base: str, order: int) -> Vector:
-        unit = self._unit(1, order)
+        unit = self.columns.unit(1, order)
         found = []
         for axis, node in zip("xy", right, strict=True):
-            label = phrase("known_side", axis=axis, order=_order(order))
+            label = phrase("known_side", axis=axis, order=order_words(order))
             if not al.is_simple(node):
-                node = self._within(node, f"{base}_{axis}", unit, label)
-                node = node if al.is_simple(node) else self._define(f"{base}_{axis}", node, unit, label)
+                node = self.columns.within(node, f"{base}_{axis}", unit, label)
+                node = node if al.is_simple(node) else self.columns.define(f"{base}_{axis}", node, unit, label)
             found.append(node)
         return found[0], found[1]
 
-    def _unit(self, lengths: int, order: int = 0) -> Unit:
-        """The unit of lengths to a power, by the driver's unit to the power `order`."""
-        power = lengths - (order if self.per else 0)
-        length = self.mechanism.length_unit
-        if power == 0:
-            return NUMBER
-        name = length + {1: "", 2: "²"}.get(abs(power), f"^{abs(power)}")
-        return Unit("number", name if power > 0 else f"1/{name}")
-
-    def _within(self, node: Node, base: str, unit: Unit, label: Words) -> Node:
-        """A sum of which no cell holds more than can be read: its first terms stand in a column of their own."""
-        return self.cells.split(node, lambda part: self._define(base, part, unit, label))
-
-    def _define(self, base: str, node: Node, unit: Unit, label: Words, *exists: Condition) -> Symbol:
-        name = self.ledger.reserve(base)
-        self.cells.own.add(name)
-        return self.ledger.define(name, node, unit, label, "coefficient", exists)
-
-    def _coefficient(self, symbol: str, order: int, node: Node, turns: bool | None = None) -> None:
-        turns = symbol in self.angles if turns is None else turns
-        label = phrase("coefficient", symbol=symbol, order=_order(order))
-        name = f"{symbol}{_COEFFICIENTS[order - 1]}"
-        self.ledger.define(name, node, self._unit(0 if turns else 1, order), label, "coefficient")
-
     def _rates(self, symbol: str) -> None:
         """omega, alpha of an angle; velocity and acceleration of a displacement."""
-        turns = symbol in self.angles
+        turns = symbol in self.columns.angles
         own = primed(symbol)
         for order, node in enumerate(self._by_time(own), 1):
             name = rate_symbols(symbol, turns)[order - 1]
@@ -423,14 +417,14 @@ class _Writer:
             if link.name in self.motions.turning:
                 self._other_names(link.angle_symbol, self.motions.turning[link.name], True)
         driver = self.mechanism.driver
-        if driver.joint or driver.symbol not in self.angles:
+        if driver.joint or driver.symbol not in self.columns.angles:
             self._other_names(driver.symbol, Rate(al.ONE, al.ZERO), not driver.joint)
 
     def _other_names(self, symbol: str, own: Rate, turns: bool) -> None:
         for order, node in enumerate((own.first, own.second), 1):
-            name = f"{symbol}{_COEFFICIENTS[order - 1]}"
+            name = f"{symbol}{COEFFICIENTS[order - 1]}"
             if name in self.asked and name not in self.ledger.values:
-                self._coefficient(symbol, order, node)
+                self.columns.coefficient(symbol, order, node)
         if not self.timed:
             return
         own_column = turns and not al.is_simple(own.first) and own.first not in self.shown
@@ -444,16 +438,9 @@ class _Writer:
 
     def _columns_of(self, point: str, found: PointRate) -> PointRate:
         """A point's coefficients as columns."""
-        columns = []
-        for order, vector in ((1, found.first), (2, found.second)):
-            for axis, node in zip("xy", vector, strict=True):
-                name = f"{point}.{axis}{_COEFFICIENTS[order - 1]}"
-                label = phrase("coefficient", symbol=f"{axis} {point}", order=_order(order))
-                part = self._within(node, f"{point}_{axis}", self._unit(1, order), label)
-                self.cells.own.add(name)
-                self.ledger.define(name, part, self._unit(1, order), label, "coefficient")
-                columns.append(Symbol(name))
-        known = PointRate((columns[0], columns[1]), (columns[2], columns[3]))
+        known = PointRate(
+            *(self.columns.point(point, order, rate) for order, rate in ((1, found.first), (2, found.second)))
+        )
         self.names.points[point] = known
         return known
 
@@ -461,7 +448,7 @@ class _Writer:
         """A point's velocity and acceleration."""
         known = self.names.of_point(point)
         if known is None:
-            known = self._columns_of(point, self.motions.of_point(point, self.length))
+            known = self._columns_of(point, self.motions.of_point(point, self.columns.length))
         speed, acceleration = (Symbol(name) for name in self.mechanism.driver_rates)
         parts = plus(times(al.square(speed), known.second), times(acceleration, known.first))
         for letter, order, vector in (("v", 1, times(speed, known.first)), ("a", 2, parts)):
@@ -494,36 +481,32 @@ class _Writer:
             if isinstance(dyad, Tied):
                 motions.tie(dyad, {held.variable: by_time.of(self._symbol(held)) for held in dyad.bodies})
                 continue
-            if not isinstance(dyad, Dyad):  # Newton's method: refused before
-                continue
             number += 1
+            if isinstance(dyad, Chain):
+                found[number] = self._fit_of_chain(motions, self.chains[number])
+                continue
             if dyad.frame:
                 meeting = pairs[self.order.pair(dyad.frame)].meet_within(dyad)
             else:
                 pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
-                meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.length) for pin in pins})
+                meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.columns.length) for pin in pins})
             left, right = meeting.ways
-            found[number] = (*minus(left.first, right.first), *minus(left.second, right.second))
+            found[number] = Fit(minus(left.first, right.first), minus(left.second, right.second))
         turning = {
             link.angle_symbol: (motions.turning[link.name].first, motions.turning[link.name].second)
             for link in self.mechanism.links[1:]
         }
         return Written(found, turning, by_time=motions)
 
+    def _fit_of_chain(self, motions: Motions, solution: Solution) -> Fit:
+        """At the second end of each link between two carriers, at each pin that closes a loop."""
+        known = {pin: motions.of_point(pin, self.columns.length) for pin in known_pins(motions, solution)}
+        gaps = [closing.gap for closing in Closings(motions, solution, known).write()]
+        return Fit(
+            tuple(part for gap in gaps for part in gap.first), tuple(part for gap in gaps for part in gap.second)
+        )
+
 
 def _clustered(order: Order) -> list[Drive]:
     """Driven pairs with which dyads move."""
     return list(dict.fromkeys(order.pair(dyad.frame) for dyad in order.dyads if dyad.frame))
-
-
-def _order(order: int) -> Words:
-    return phrase("velocity_word" if order == 1 else "acceleration_word")
-
-
-def _without(vector: Vector, zero: Mapping[str, Node]) -> Vector:
-    """The vector where some symbols are 0."""
-
-    def change(part: Node) -> Node:
-        return zero.get(part.name, part) if isinstance(part, Symbol) else al.tidied(part)
-
-    return transform(vector[0], change), transform(vector[1], change)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from mechsheet.kinematics.numeric import Array, value
+from mechsheet.kinematics.numeric import Array, interpolated, value
 from mechsheet.kinematics.places import number
 from mechsheet.model import TIME, Mechanism
 
@@ -44,7 +44,7 @@ def listed_values(mechanism: Mechanism, dimensions: Mapping[str, float], driver:
     if np.array_equal(driver, own[: len(driver)]):
         return {symbol: column[: len(driver)] for symbol, column in besides.items()}
     order = np.argsort(own, kind="stable")
-    return {symbol: np.interp(driver, own[order], column[: len(own)][order]) for symbol, column in besides.items()}
+    return {symbol: interpolated(driver, own[order], column[: len(own)][order]) for symbol, column in besides.items()}
 
 
 def given_at(mechanism: Mechanism, dimensions: Mapping[str, float], places: Array) -> dict[str, Array]:

@@ -177,6 +177,7 @@ class Group:
     sides         lengths that must form a triangle for the group to close: its three sides; or the hypotenuse and a leg of
                   a right triangle; none where two lines meet
     system        the equations that Newton's method solves, where no formula does; such a group has no `closure`
+    follows       the mode as a synthesis finds it, over its steps; None where it is given
     determinant   that of the closure's derivatives by the unknowns, in their order: w1 x w2, where w is the derivative of
                   left minus right by one of them; None where there is no `closure`
     dead          what must hold for derivatives to be numbers; None where the determinant never vanishes
@@ -199,6 +200,7 @@ class Group:
     transmission: str = ""
     sides: tuple[Node, ...] = ()
     system: System | None = None
+    follows: Node | None = None
     determinant: Node | None = None
     dead: Condition | None = None
 
@@ -242,6 +244,14 @@ def assembly_of(mode: float) -> int:
 
 
 @dataclass(frozen=True, slots=True)
+class Fit:
+    """What is 0 in every row: how far velocities, and accelerations, are from fitting together."""
+
+    velocity: tuple[Node, ...]
+    acceleration: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Equations:
     """All equations of a mechanism: constants first, then columns, in order of solution.
 
@@ -249,8 +259,7 @@ class Equations:
                and the duration of a motion law
     tolerance  symbol of the constant below which a length counts as zero
     poses      where each link is, by its name
-    fits       by number of a group what is 0 in every row: how far its velocities (two parts), its accelerations (two parts)
-               are from fitting together, over points, velocities and accelerations
+    fits       by number of a group what its two ways to a point differ by, over points, velocities and accelerations
     turning    how fast each link turns, by the symbol of its angle: its angular velocity and acceleration
     listed     further drivers whose values are listed, row by row: each is itself
     tied       what gears, racks and further drivers decide, by symbol: it turns as fast as they say, and need not repeat
@@ -263,7 +272,7 @@ class Equations:
     positive: tuple[str, ...]
     tolerance: str
     poses: Mapping[str, LinkPose] = field(default_factory=dict)
-    fits: Mapping[int, tuple[Node, Node, Node, Node]] = field(default_factory=dict)
+    fits: Mapping[int, Fit] = field(default_factory=dict)
     turning: Mapping[str, tuple[Node, Node]] = field(default_factory=dict)
     listed: tuple[Equation, ...] = ()
     tied: tuple[str, ...] = ()

@@ -264,7 +264,16 @@ class Motions:
         self._whole(assembly, body)
         return symbol
 
-    def _guided(self, assembly: Assembly, slide: Slide) -> str:
+    def pinned(self, assembly: Assembly, point: str, moves: PointRate, turning: Rate) -> None:
+        """An assembly that turns about a point, `turning` being that of its first body."""
+        body = self.with_point(assembly, point)
+        if body != assembly[0]:
+            drive = self.order.pair(assembly)
+            turning = turning + self.relative(body, drive) + -self.relative(assembly[0], drive)
+        self._turns(body, point, moves, turning)
+        self._whole(assembly, body)
+
+    def guided(self, assembly: Assembly, slide: Slide) -> str:
         """An assembly on a guide of a solved body: the displacement that is unknown."""
         body = slide.body if slide.body in assembly else slide.on
         self._slides(body, slide, self.rates.of(slide.joint.symbol))
@@ -293,7 +302,7 @@ class Motions:
             if isinstance(contact, Pin):
                 unknowns.append(self._pinned(assembly, contact, outer[contact.point]))
             else:
-                unknowns.append(self._guided(assembly, contact))
+                unknowns.append(self.guided(assembly, contact))
             ways.append(self.motion[self.with_point(assembly, inner.point)](place))
         return Meeting(place, (ways[0], ways[1]), (unknowns[0], unknowns[1]))
 
@@ -322,7 +331,7 @@ class Motions:
         self, dyad: Dyad, inner: Slide, pin: Pin, slide: Slide, outer: Mapping[str, PointRate]
     ) -> Meeting:
         """RPP: at the outer pin."""
-        guide = self._guided(dyad.second, slide)
+        guide = self.guided(dyad.second, slide)
         body = inner.body if inner.body in dyad.first else inner.on
         self._slides(body, inner, self.rates.of(inner.joint.symbol))
         self._whole(dyad.first, body)

@@ -6,12 +6,14 @@ A position that does not exist is NaN. Only the functions that equations use are
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet import portable
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, Unary
 from mechsheet.kinematics.equations import Equation
 
@@ -26,17 +28,17 @@ def _round(x: Any, digits: Any) -> Any:
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ABS": np.abs,
-    "ACOS": np.arccos,
+    "ACOS": portable.arccos,
     "AND": lambda *args: np.logical_and.reduce(np.broadcast_arrays(*args)),
-    "ASIN": np.arcsin,
-    "ATAN": np.arctan,
-    "ATAN2": lambda x, y: np.arctan2(y, x),  # the sheet's order is x first, numpy's y first
-    "COS": np.cos,
+    "ASIN": portable.arcsin,
+    "ATAN": portable.arctan,
+    "ATAN2": lambda x, y: portable.arctan2(y, x),  # the sheet's order is x first, numpy's y first
+    "COS": portable.cos,
     "DEGREES": np.degrees,
-    "EXP": np.exp,
+    "EXP": portable.exp,
     "IF": np.where,
     "ISNUMBER": lambda x: ~np.isnan(x),
-    "LN": np.log,
+    "LN": portable.log,
     "MAX": lambda *args: _fold(np.maximum, args),
     "MIN": lambda *args: _fold(np.minimum, args),
     "NA": lambda: np.nan,
@@ -46,10 +48,10 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "RADIANS": np.radians,
     "ROUND": _round,
     "SIGN": np.sign,
-    "SIN": np.sin,
+    "SIN": portable.sin,
     "SQRT": np.sqrt,
-    "SUMSQ": lambda *args: sum(arg * arg for arg in args),
-    "TAN": np.tan,
+    "SUMSQ": lambda *args: _fold(operator.add, tuple(arg * arg for arg in args)),
+    "TAN": portable.tan,
 }
 
 OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
@@ -57,7 +59,7 @@ OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
     "-": np.subtract,
     "*": np.multiply,
     "/": np.divide,
-    "^": np.power,
+    "^": portable.power,
     "<": np.less,
     "<=": np.less_equal,
     ">": np.greater,
@@ -99,7 +101,7 @@ def value(node: Node, known: Mapping[str, Any], rooted: bool = False) -> Any:
         case Call(name, args) if name in FUNCTIONS:
             return FUNCTIONS[name](*(value(arg, known, rooted) for arg in args))
         case Direction(y, x):
-            return without_jumps(np.arctan2(value(y, known), value(x, known)))
+            return without_jumps(portable.arctan2(value(y, known), value(x, known)))
         case TriangleAngle(opposite, beside, other):
             return triangle_angle(*(value(side, known) for side in (opposite, beside, other)))
     raise ValueError(f"no numeric meaning here: {node}")
@@ -114,7 +116,21 @@ def triangle_angle(opposite: Any, beside: Any, other: Any) -> Any:
     a, b, c = beside, other, opposite
     both, less = a + b, a - b
     product = (both + c) * (both - c) * (c + less) * (c - less)
-    return np.arctan2(np.sqrt(np.maximum(0.0, product)), a * a + b * b - c * c)
+    return portable.arctan2(np.sqrt(np.maximum(0.0, product)), a * a + b * b - c * c)
+
+
+def interpolated(x: Array, known: Array, values: Array) -> Array:
+    """The values at x on straight lines between those at ascending `known` places; beyond the ends the outermost.
+
+    (`numpy.interp` rounds once less where the processor can.)
+    """
+    if len(known) == 1:
+        return np.full(len(x), values[0])
+    left = np.clip(np.searchsorted(known, x, side="right") - 1, 0, len(known) - 2)
+    with np.errstate(all="ignore"):
+        slope = (values[left + 1] - values[left]) / (known[left + 1] - known[left])
+        between = (np.clip(x, known[0], known[-1]) - known[left]) * slope
+    return np.where(x >= known[-1], values[-1], values[left] + between)
 
 
 def without_jumps(angles: Any) -> Any:

@@ -15,6 +15,7 @@ from itertools import combinations, islice
 
 import numpy as np
 
+from mechsheet import portable
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.graph import graph_of
@@ -132,8 +133,11 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
     if isinstance(part, Link):
         first, second = _shared(mechanism, part)
         places = _flat(part, dimensions)
-        length = math.dist(places[first], places[second])
-        apart = np.hypot(values[f"{first}.x"] - values[f"{second}.x"], values[f"{first}.y"] - values[f"{second}.y"])
+        (x, y), (x2, y2) = places[first], places[second]
+        length = portable.hypot(x2 - x, y2 - y)
+        apart = portable.hypot(
+            values[f"{first}.x"] - values[f"{second}.x"], values[f"{first}.y"] - values[f"{second}.y"]
+        )
         return np.asarray(np.abs(apart - length))
     on = next(link for link in mechanism.links if link.name == part.on)
     base = _flat(on, dimensions)
@@ -143,15 +147,17 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
     anchor = "" if on is mechanism.ground else next(iter(base))
     x0, y0 = (values[f"{anchor}.x"], values[f"{anchor}.y"]) if anchor else (0.0, 0.0)
     du, dv = (u - base[anchor][0], v - base[anchor][1]) if anchor else (u, v)
-    x = x0 + du * np.cos(theta) - dv * np.sin(theta)
-    y = y0 + du * np.sin(theta) + dv * np.cos(theta)
+    x = x0 + du * portable.cos(theta) - dv * portable.sin(theta)
+    y = y0 + du * portable.sin(theta) + dv * portable.cos(theta)
     line = theta + number(part.angle, dimensions)
-    across = np.abs((values[f"{part.point}.y"] - y) * np.cos(line) - (values[f"{part.point}.x"] - x) * np.sin(line))
+    across = np.abs(
+        (values[f"{part.point}.y"] - y) * portable.cos(line) - (values[f"{part.point}.x"] - x) * portable.sin(line)
+    )
     if part.kind == "pin-slot":
         return np.asarray(across)
     body = next(link for link in mechanism.links if link.name == part.link)
     turned = _angle(mechanism, body, values) - line - number(part.orientation, dimensions)
-    return np.asarray(across + np.abs(np.sin(turned / 2)) * _size(mechanism, values))
+    return np.asarray(across + np.abs(portable.sin(turned / 2)) * _size(mechanism, values))
 
 
 def _flat(link: Link, dimensions: Mapping[str, float]) -> dict[str, tuple[float, float]]:
@@ -167,10 +173,10 @@ def _flat(link: Link, dimensions: Mapping[str, float]) -> dict[str, tuple[float,
                 found[point] = (number(x, dimensions), number(y, dimensions))
             case Polar(r, angle):
                 length, direction = number(r, dimensions), number(angle, dimensions)
-                found[point] = (length * math.cos(direction), length * math.sin(direction))
+                found[point] = (length * portable.cos(direction), length * portable.sin(direction))
             case Distances(first, b, second, c, side):
                 (x, y), (x2, y2) = place(first), place(second)
-                near, far, apart = number(b, dimensions), number(c, dimensions), math.dist((x, y), (x2, y2))
+                near, far, apart = number(b, dimensions), number(c, dimensions), portable.hypot(x2 - x, y2 - y)
                 along = (near * near - far * far + apart * apart) / (2 * apart)
                 across = math.sqrt(max(near * near - along * along, 0.0)) * (1 if side == "left" else -1)
                 ux, uy = (x2 - x) / apart, (y2 - y) / apart

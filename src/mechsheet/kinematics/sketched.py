@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet import portable
 from mechsheet.diagnostics import DescriptionWarning, Fault
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
@@ -122,7 +123,7 @@ def _phases(mechanism: Mechanism, entries: Sequence[Entry], values: Mapping[str,
                 off = entry.wanted[0] - float(values[link.angle_symbol][row])
             elif entry.name in link.points and entry.name != pivot:
                 here, there = (
-                    math.atan2(y - float(values[f"{pivot}.y"][row]), x - float(values[f"{pivot}.x"][row]))
+                    portable.arctan2(y - float(values[f"{pivot}.y"][row]), x - float(values[f"{pivot}.x"][row]))
                     for x, y in (tuple(float(values[column][row]) for column in entry.columns), entry.wanted)
                 )
                 off = there - here

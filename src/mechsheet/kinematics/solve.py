@@ -17,7 +17,7 @@ from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.coefficients import Written, add_rates, wanted
-from mechsheet.kinematics.driving import driver_values, given_values
+from mechsheet.kinematics.driving import driver_values, given_values, listed_values
 from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Equation, Equations, Group, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
@@ -27,7 +27,7 @@ from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
-from mechsheet.kinematics.newton.carriers import ChainWriter
+from mechsheet.kinematics.newton.carriers import ChainWriter, Solution
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
@@ -48,11 +48,20 @@ PROBED_ROWS = 200
 
 
 def dimension_values(mechanism: Mechanism) -> dict[str, float]:
-    """All dimensions in internal units, derived ones computed."""
+    """All dimensions in internal units, derived ones computed; NaN for what follows from a task without a solution."""
     values: dict[str, float] = {}
     given = {dim.symbol: dim.value for dim in mechanism.dimensions}
     for symbol in dimension_order(mechanism):
-        values[symbol] = number(given[symbol], values)
+        quantity = given[symbol]
+        if not isinstance(quantity, float) and any(math.isnan(values[name]) for name in symbols(quantity)):
+            values[symbol] = math.nan  # as #N/A does in cells, also where a comparison asks for it
+            continue
+        try:
+            values[symbol] = number(quantity, values)
+        except (ArithmeticError, ValueError):
+            if mechanism.synthesis is None:
+                raise
+            values[symbol] = math.nan
     return values
 
 
@@ -74,12 +83,13 @@ def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
 class Found:
     """What is known when all positions and rates are written down: what forces are found from.
 
-    dyads  all groups, where there are forces: those that Newton's method solves are refused before
+    chains  by its number each group that Newton's method solves
     """
 
     poses: Poses
     order: Order
     rates: Written
+    chains: Mapping[int, Solution]
 
 
 Further: TypeAlias = Callable[[Found], None]
@@ -119,6 +129,7 @@ def solve_unpicked(mechanism: Mechanism) -> Equations:
 
 def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Further | None = None) -> Equations:
     """`modes`: those that are given, the sketch picks the others; None: none is picked."""
+    _check_solved(mechanism)
     graph = graph_of(mechanism)
     opened: list[str] = []
     _check_mobility(mechanism, graph)
@@ -129,6 +140,7 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     _further_drivers(mechanism, ledger)
     _pairs(poses, order)
     found: list[tuple[Dyad | Chain, Solved, int, bool]] = []
+    chains: dict[int, Solution] = {}
     given = modes or {}
     for dyad in order.steps:
         if isinstance(dyad, Drive):
@@ -140,7 +152,8 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
         ledger.group += 1
         start = len(ledger.columns)
         if isinstance(dyad, Chain):
-            found.append((dyad, *_solve_chain(poses, dyad, start, dimensions, given, modes is None)))
+            solution = chains[ledger.group] = ChainWriter(poses, dyad).write()
+            found.append((dyad, *_solve_chain(poses, solution, start, dimensions, given, modes is None)))
             continue
         solved = _solve_dyad(poses, dyad)
         if modes is not None and mechanism.sketch.at is not None and solved.mode and solved.mode not in given:
@@ -150,7 +163,7 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
             given = {group.mode: group.mode_value for group in shown if group.system is None} | dict(given)
         value, is_open = 1, True
         if modes is not None:
-            mode = given.get(solved.mode)
+            mode = given.get(solved.mode, _found_mode(mechanism, solved, dimensions))
             if mode is None and dyad.frame:
                 mode = sketched_mode(mechanism.sketch, dyad, dimensions)
             value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, mode)
@@ -160,20 +173,18 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     _note_lengths(poses)
     rates = Written({}, {})
     if wanted(mechanism):
-        _refuse_rates(mechanism, found)
-        closed = [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)]
-        _refuse_forces(mechanism, closed)
-        rates = add_rates(poses, order, [solved for _, solved in closed])
+        rates = add_rates(poses, order, [solved for _, solved, _, _ in found], chains)
     if further is not None:
-        further(Found(poses, order, rates))
+        further(Found(poses, order, rates, chains))
     _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     law = mechanism.driver.law
-    positive = {*ledger.positive, *((law.duration,) if law else ())}
+    task = mechanism.synthesis
+    positive = {*ledger.positive, *((law.duration,) if law else ()), *(task.positive if task else ())}
     result = Equations(
         tuple(ledger.constants),
         tuple(ledger.columns),
-        _groups(found, loops_of(poses, order.steps)),
+        _groups(mechanism, found, loops_of(poses, order.steps)),
         tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in positive),
         ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
         {link.name: poses.link_pose(link.name) for link in mechanism.links},
@@ -201,11 +212,47 @@ def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
         raise MechanismError([replace(error.faults[0], hint=hint), *found]) from error
 
 
+def _check_solved(mechanism: Mechanism) -> None:
+    """Raise MechanismError with the reason where a synthesis finds no dimensions."""
+    task = mechanism.synthesis
+    if task is None:
+        return
+    values = dimension_values(mechanism)
+    if all(math.isfinite(values[symbol]) for symbol in task.taken):
+        return
+    why = next((words for symbol, words in task.reasons if not math.isfinite(values[symbol])), None)
+    message = "the task has no solution" if why is None else why.en
+    raise MechanismError(Fault(message, key="synthesis", hint="give it another one"))
+
+
+def _mode_of_task(mechanism: Mechanism, solved: Solved) -> Node | None:
+    """The mode that a synthesis finds, as a group counts it: a task goes from the driven link to the other."""
+    task = mechanism.synthesis
+    if task is None or solved.mode not in task.mode:
+        return None
+    mode = Symbol(task.results[task.mode[solved.mode]])
+    driven = next((link for link in mechanism.links if link.name == mechanism.driver.link), None)
+    first = driven is None or solved.pins[0] in driven.points
+    return mode if first else al.neg(mode)
+
+
+def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, float]) -> int | None:
+    follows = _mode_of_task(mechanism, solved)
+    return None if follows is None else round(number(follows, dimensions))
+
+
 def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
-    driver = replace(mechanism.driver, values=(at,))
+    dimensions = dimension_values(mechanism)
+    driver = replace(mechanism.driver, values=(at,), law=None, speeds=(), accelerations=(), times=(), speed=None)
+    listed = listed_values(mechanism, dimensions, np.array([number(at, dimensions)]))
+    drivers = tuple(
+        replace(other, values=(float(listed[other.symbol][0]),)) if other.values else other
+        for other in mechanism.drivers
+    )
+    there = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None), dynamics=None)
     try:
-        return _solve(replace(mechanism, driver=driver, sketch=replace(mechanism.sketch, at=None)), {}).groups
+        return _solve(there, {}).groups
     except NeverClosesError as error:
         message = f"the sketch cannot show this position: there {error.links} cannot be joined"
         hint = "check `at`, which is in the driver's unit, and the lengths of these links"
@@ -255,10 +302,11 @@ def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
 def _largest_length(mechanism: Mechanism) -> Node:
     """MAX of the sizes of all lengths given: input dimensions, and plain numbers in places; where there are none, the
     largest length that there is."""
+    found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
     lengths: list[Node] = [
         Symbol(dim.symbol) if isinstance(dim.value, float) and dim.value > 0 else Call("ABS", (Symbol(dim.symbol),))
         for dim in mechanism.dimensions
-        if is_length(dim) and not dim.derived
+        if is_length(dim) and (not dim.derived or dim.symbol in found)
     ]
     plain = [abs(value) for value in _lengths_of_places(mechanism) if isinstance(value, float)]
     if plain and max(plain) > 0:
@@ -320,11 +368,10 @@ def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
 
 
 def _solve_chain(
-    poses: Poses, chain: Chain, start: int, dimensions: dict[str, float], given: Mapping[str, int], unpicked: bool
+    poses: Poses, solution: Solution, start: int, dimensions: dict[str, float], given: Mapping[str, int], unpicked: bool
 ) -> tuple[Solved, int, bool]:
     """A group without a closed form: (what was written down, its assembly, whether that was left open)."""
     mechanism, ledger = poses.mechanism, poses.ledger
-    solution = ChainWriter(poses, chain).write()
     mode, at = given.get(solution.system.mode), mechanism.sketch.at
 
     def near(home: float) -> Mapping[str, float]:
@@ -356,36 +403,14 @@ def _traced(mechanism: Mechanism, at: float, home: float, variables: Sequence[st
     return {name: float(values[name][-1]) for name in variables}
 
 
-def _refuse_rates(mechanism: Mechanism, found: list[tuple[Dyad | Chain, Solved, int, bool]]) -> None:
-    """Velocities and forces of groups that Newton's method solves are a matter of their own."""
-    labels = [solved.label.en for dyad, solved, _, _ in found if isinstance(dyad, Chain)]
-    if labels:
-        what, key = ("forces", "dynamics") if mechanism.dynamics is not None else ("velocities", "driver.speed")
-        raise MechanismError(
-            Fault(
-                f"{what} are not found where links must be solved all at once: {labels[0]}",
-                key=key,
-                hint="leave the speed, the masses and the loads out; positions are found",
-            )
-        )
-
-
-def _refuse_forces(mechanism: Mechanism, dyads: list[tuple[Dyad, Solved]]) -> None:
-    """Forces in links that move with a driven pair are a matter of their own."""
-    labels = [solved.label.en for dyad, solved in dyads if dyad.frame]
-    if labels and mechanism.dynamics is not None:
-        message = f"forces are not found where a joint between moving links is driven inside a moving loop: {labels[0]}"
-        raise MechanismError(
-            Fault(message, key="dynamics", hint="leave masses and loads out; positions and velocities are found")
-        )
-
-
-def _groups(found: list[tuple[Dyad | Chain, Solved, int, bool]], loops: tuple[Loop, ...]) -> tuple[Group, ...]:
+def _groups(
+    mechanism: Mechanism, found: list[tuple[Dyad | Chain, Solved, int, bool]], loops: tuple[Loop, ...]
+) -> tuple[Group, ...]:
     return tuple(
         Group(
             index, dyad.kind, dyad.bodies, solved.pins, solved.unknowns, loop, solved.mode,
             solved.assemblies, assembly, solved.closes, solved.apart, solved.degenerate, is_open, solved.label,
-            solved.transmission, solved.sides, solved.system,
+            solved.transmission, solved.sides, solved.system, _mode_of_task(mechanism, solved),
             None if solved.system else _determinant(dyad, solved.determinant), solved.determinant.dead,
         )
         for index, ((dyad, solved, assembly, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TypeAlias
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Node
+from mechsheet.formula.nodes import Binary, Node, Unary
 
 Vector: TypeAlias = tuple[Node, Node]
 
@@ -31,6 +31,15 @@ def less(a: Node, b: Node) -> Node:
         case Binary("-", left, right):
             return al.add(less(a, left), right)
     return al.sub(a, b)
+
+
+def over(a: Node, b: Node) -> Node:
+    """a / b, a sign in front of all of it."""
+    if isinstance(a, Unary) and a.op == "-":
+        return al.neg(over(a.operand, b))
+    if isinstance(b, Unary) and b.op == "-":
+        return al.neg(over(a, b.operand))
+    return al.div(a, b)
 
 
 def times(factor: Node, a: Vector) -> Vector:

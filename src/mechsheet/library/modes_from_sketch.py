@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from mechsheet import portable
 from mechsheet.description import loads
 from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.source import Source
@@ -141,11 +142,13 @@ def _gaps(
         apart = np.abs(right[equation.symbol] - left[equation.symbol])
         if equation.role == "point":
             point = equation.symbol.rpartition(".")[0]
-            found[point] = np.hypot(found.get(point, np.zeros_like(apart)), apart / size)
+            found[point] = portable.hypot(found.get(point, np.zeros_like(apart)), apart / size)
         elif equation.role == "variable":
-            found[equation.symbol] = 2 * np.abs(np.sin(apart / 2)) if equation.unit.kind == "angle" else apart / size
+            found[equation.symbol] = (
+                2 * np.abs(portable.sin(apart / 2)) if equation.unit.kind == "angle" else apart / size
+            )
     return found
 
 
 def _rough(value: float, gap: float) -> float:
-    return round(value, max(0, DIGITS - math.floor(math.log10(gap)))) + 0.0
+    return round(value, max(0, DIGITS - math.floor(float(portable.log10(gap))))) + 0.0

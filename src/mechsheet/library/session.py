@@ -30,7 +30,7 @@ _SHOWN_NAMES = 20
 
 
 def open_book(path: str | Path) -> Session:
-    """Read a workbook (.xlsx, .xlsm, .ods, .ots) and compute it once.
+    """Read a workbook (.xlsx, .xlsm, .ods, .ots, .xls) and compute it once.
 
     What cannot be computed as it is meant is in `remarks`. Raises WorkbookError: not a workbook, a damaged one.
 

@@ -23,6 +23,7 @@ from mechsheet.library.verdicts import verdict
 from mechsheet.model import TIME, Mechanism, Rack, Relation, energy_unit, inertia_unit
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
+from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, unit_of
 from mechsheet.words.workbook import words
 
@@ -95,7 +96,8 @@ def _stands(mechanism: Mechanism) -> bool:
 def equations_text(mechanism: Mechanism) -> str:
     """All equations, one a line, by group; constants first."""
     equations = lowered(mechanism, told(mechanism).equations)
-    lines = ["constants"]
+    lines = _synthesis_lines(mechanism)
+    lines.append("constants")
     lines += [_line(equation) for equation in equations.constants]
     part: tuple[int, str] | None = None
     if given := given_by_law(mechanism):
@@ -112,6 +114,21 @@ def equations_text(mechanism: Mechanism) -> str:
         if equation.first is not None:
             lines[-1] += f"    (first row: {print_formula(equation.first, 'text')})"
     return "\n".join(lines)
+
+
+def _synthesis_lines(mechanism: Mechanism) -> list[str]:
+    """The steps of the synthesis, and the dimensions that it gives; nothing where there is none."""
+    task = mechanism.synthesis
+    if task is None:
+        return []
+    own = {dim.symbol: dim for dim in mechanism.dimensions}
+    steps = (own[symbol] for symbol in (*task.steps, *task.taken))
+    lines = [
+        f"  {dim.symbol} = {print_formula(says(dim.value), 'text')}"
+        for dim in steps
+        if not isinstance(dim.value, float)
+    ]
+    return [f"synthesis: {task.kind}", *lines, ""]
 
 
 def given_by_law(mechanism: Mechanism) -> dict[str, Node]:

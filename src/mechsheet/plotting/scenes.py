@@ -10,7 +10,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.engine import Values, compile_book
+from mechsheet.engine import PORTABLE, Values, compile_book
 from mechsheet.formula.nodes import CellRef, ErrorValue
 from mechsheet.plotting.following import following_book
 from mechsheet.plotting.sampling import Sample
@@ -53,7 +53,7 @@ class Stage:
         self.sample = sample
         spot = sample.plan.at.spots["#position"]
         self._position = (spot.sheet, spot.row, spot.col)
-        self._book: Follower = compile_book(following_book(sample.workbook, self._position))
+        self._book: Follower = compile_book(following_book(sample.workbook, self._position), PORTABLE)
 
     @property
     def charts(self) -> tuple[Chart, ...]:

@@ -38,6 +38,8 @@ _FUNCTIONS: Mapping[str, Callable[..., Value]] = {
     "LN": np.log,
     "RADIANS": np.radians,
     "DEGREES": np.degrees,
+    "NA": lambda: np.float64(np.nan),
+    "ROUND": lambda x, digits: np.sign(x) * np.floor(np.abs(x) * 10.0**digits + 0.5) / 10.0**digits,
     "PI": lambda: np.float64(np.pi),
     "IF": np.where,
 }

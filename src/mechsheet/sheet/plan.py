@@ -24,6 +24,8 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
+from mechsheet.sheet.synthesis.planning import plan_rows
+from mechsheet.sheet.synthesis.rows import Rows
 from mechsheet.sheet.table.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
 from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
@@ -99,6 +101,7 @@ class Plan:
     bands   those of the sheet of tolerances, likewise;  sensitivities: what these say
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
     arrow_rows  rows of the drawing's sheet in which its arrows stand, likewise
+    synthesis   rows of the sheet of synthesis; None where no dimension is found from a task
     """
 
     mechanism: Mechanism
@@ -119,6 +122,7 @@ class Plan:
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
     arrow_rows: range = range(0)
+    synthesis: Rows | None = None
 
     @cached_property
     def size(self) -> float:
@@ -254,6 +258,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
         key for key, own in (("rates", RATES), ("forces", FORCES), ("iterations", ("iteration",))) if roles & {*own}
     ]
     further += ["tolerance"] if mechanism.bands else []
+    further += ["synthesis"] if mechanism.synthesis else []
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
@@ -272,8 +277,9 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     mechanism = plan.mechanism
     order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
     own = [dim for dim in mechanism.dimensions if not dim.place]
-    inputs = [dim for dim in own if not dim.derived]
-    derived = sorted((dim for dim in own if dim.derived), key=lambda dim: order[dim.symbol])
+    found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
+    inputs = [dim for dim in own if not dim.derived or dim.symbol in found]
+    derived = sorted((dim for dim in own if dim not in inputs), key=lambda dim: order[dim.symbol])
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
     taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
     plan.next_row = FIRST_BLOCK
@@ -301,7 +307,9 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     _block(plan, "verdicts", plan.found.entries)
     _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
     for dim in mechanism.dimensions:
-        _place_dimension(plan, dim, taken)
+        if block_of(dim) != "synthesis":
+            _place_dimension(plan, dim, taken)
+    _place_synthesis(plan, taken)
     for equation in plan.equations.constants:
         row = plan.blocks["derived"].rows[equation.symbol]
         _spot(
@@ -342,9 +350,10 @@ INPUT_BLOCKS = ("motion", "drivers", "gears", "masses", "loads")
 
 
 def block_of(dim: Dimension) -> str:
-    """The block of the first sheet in which such a dimension stands; "" for one of the description's own."""
+    """The block of the first sheet in which such a dimension stands; "" for one of the description's own; "synthesis" for
+    what has a sheet of its own."""
     places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
-    places |= {"joints": "gears", "drivers": "drivers"}
+    places |= {"joints": "gears", "drivers": "drivers", "synthesis": "synthesis"}
     return places[str(dim.place[0])] if dim.place else ""
 
 
@@ -359,9 +368,25 @@ def _place_bands(plan: Plan, taken: set[str]) -> None:
 
 
 def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
-    block = plan.blocks[block_of(dim) or ("derived" if dim.derived else "dimensions")]
+    block = plan.blocks[block_of(dim) or ("dimensions" if dim.symbol in plan.blocks["dimensions"].rows else "derived")]
     name = dim.cell or safe_name(dim.symbol, taken)
     _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit.in_degrees, name, taken)
+
+
+def _place_synthesis(plan: Plan, taken: set[str]) -> None:
+    """The task's inputs, the steps, and what is said of them."""
+    task = plan.mechanism.synthesis
+    if task is None:
+        return
+    title = plan.at.titles["synthesis"]
+
+    def place(symbol: str, row: int, col: int, degrees: bool, wanted: str) -> None:
+        name = safe_name(wanted, taken)
+        taken.add(folded(name))
+        plan.at.spots[symbol] = Spot(title, row, col, degrees=degrees, name=name)
+        plan.names.append(Name(name, title, row, col))
+
+    plan.synthesis = plan_rows(plan.mechanism, task, place)
 
 
 def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str], col: int = VALUE) -> None:

@@ -91,6 +91,13 @@ PHRASES = {
     "known_side": (
         "known side of the {order} equations, {axis} part", "{order} denklemlerinin bilinen yanı, {axis} bileşeni"
     ),
+    "known_side_of": (
+        "known side of the {order} equation {number}", "{number}. {order} denkleminin bilinen yanı"
+    ),
+    "gap_part": (
+        "gap of the two ways round link {number}, {order}, {axis} part",
+        "{number}. bağlantıdaki iki yol arasındaki fark, {order}, {axis} bileşeni",
+    ),
     "driver_speed": ("speed of the driver", "tahrik hızı"),
     "driver_acceleration": ("acceleration of the driver", "tahrik ivmesi"),
     "angular_velocity": ("angular velocity of link {number}, {link}", "{number} numaralı uzvun açısal hızı ({link})"),
@@ -104,6 +111,8 @@ PHRASES = {
     "point_v_part": ("velocity of {point}, {axis} part", "{point} noktasının hızı, {axis} bileşeni"),
     "point_a_part": ("acceleration of {point}, {axis} part", "{point} noktasının ivmesi, {axis} bileşeni"),
     # forces
+    "across_link": ("what {link} exerts across its pins", "{link} uzvunun mafsallarına dik uyguladığı"),
+    "held_by": ("with what equation {number} of the group holds", "grubun {number}. denkleminin tuttuğu"),
     "metre": ("metres in one {unit}", "bir {unit} kaç metre"),
     "velocity_part": ("velocity of the {what}, {axis} part", "{what} hızı, {axis} bileşeni"),
     "velocity_of": ("velocity of the {what}", "{what} hızı"),

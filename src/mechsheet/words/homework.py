@@ -45,6 +45,20 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "marks": ("{marks} of {of} marks", "{of} üzerinden {marks} puan"),
     "marks.plain": ("{plain} without follow-through", "hata takibi olmadan {plain}"),
     "remark": ("remark: {text}", "not: {text}"),
+    # what a workbook seems to be
+    "recognised": ("{file}: {title} (template {template})", "{file}: {title} (şablon {template})"),
+    "unrecognised": (
+        "{file}: no linkage of the templates fits its numbers; there are",
+        "{file}: şablonlardaki hiçbir mekanizma sayılarına uymuyor; bulunanlar",
+    ),
+    "driver": ("driver", "tahrik"),
+    "otherwise": ("from another zero, or in the other sense", "başka bir başlangıçtan ya da ters yönde"),
+    "taken as zero": ("taken as 0, no cell has it: {symbols}", "hücresi yok, 0 alındı: {symbols}"),
+    "not there": (
+        "not in the workbook; in the description in proportion: {symbols}",
+        "çalışma kitabında yok; tanımda orantılı alınır: {symbols}",
+    ),
+    "unexplained": ("nothing that is known: {cells}", "ne olduğu bilinmeyen: {cells}"),
     # remarks
     "remark.comma": (
         "{count} numbers were typed as texts with a decimal comma; they are read as numbers",

@@ -20,6 +20,18 @@ NEWTON: dict[str, tuple[str, str]] = {
     "notes.newton.jacobian": ("its determinant is 0 where two assemblies meet", "iki montaj birleşince determinantı 0 olur"),
     "notes.newton.iteration": ("a fixed number of passes in each row", "her satırda belirli sayıda yineleme"),
     "notes.newton.assembly": ("an assembly of the first position", "ilk konumun bir montajı"),
+    "notes.newton.velocities": (
+        "group {number}: the derivatives of F = 0, J of the last pass, x′ by Cramer's rule",
+        "{number}. grup: F = 0 türevleri, J son yinelemenin, x′ Cramer kuralı ile",
+    ),
+    "notes.newton.accelerations": (
+        "group {number}: the second derivatives; k is what the velocities leave",
+        "{number}. grup: ikinci türevler; k hızlardan kalan kısımdır",
+    ),
+    "notes.newton.forces": (
+        "group {number}: what its equations hold (λ) against all that acts along its unknowns (Q)",
+        "{number}. grup: denklemlerinin tuttuğu (λ), bilinmeyenleri boyunca etkiyen her şeye (Q) karşı",
+    ),
     "newton.start": ("starts at", "başlangıç:"),
     "newton.nowhere": ("no position there", "orada konum yok"),
     "verdict.residual": ("residual", "kalan"),

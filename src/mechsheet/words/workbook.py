@@ -10,6 +10,7 @@ from mechsheet.words.newton import NEWTON
 from mechsheet.words.notes import NOTES
 from mechsheet.words.page import PAGE
 from mechsheet.words.rates import RATES
+from mechsheet.words.synthesis import SHEET
 from mechsheet.words.tolerance import TOLERANCE
 
 Language = Literal["en", "tr"]
@@ -190,6 +191,7 @@ WORDS: dict[str, tuple[str, str]] = {
     **NEWTON,
     **GEARS,
     **PAGE,
+    **SHEET,
     "table.about": ("{value} over {rows} and {columns}", "{rows} ve {columns} değerlerine göre {value}"),
     "table.near": ("the first row within half a turn of:", "ilk satır bundan en çok yarım tur uzaktadır:"),
     "table.hint": (

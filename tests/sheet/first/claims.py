@@ -24,6 +24,7 @@ import numpy as np
 ROOT = Path(__file__).parents[3]
 sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "src")]
 
+from chosen import LISTED, but  # noqa: E402
 from mechsheet.compiled.evaluation import book_of  # noqa: E402
 from mechsheet.description import load, loads  # noqa: E402
 from mechsheet.diagnostics import MechanismError  # noqa: E402
@@ -72,7 +73,7 @@ class Sheets:
         self.equations = solve(mechanism)
         workbook, self.plan = lay_out(mechanism, self.equations)
         titles = self.plan.at.titles
-        wanted = ("mechanism", "positions", "rates", "forces", "checks", "extremes", "iterations")
+        wanted = ("mechanism", "synthesis", "positions", "rates", "forces", "checks", "extremes", "iterations")
         needed = {titles[key] for key in wanted if key in titles}
         self.rules = []
         sheets = []
@@ -750,7 +751,8 @@ def main():
     claims = Claims()
     begun = time.perf_counter()
     runs = []
-    for path in sorted((ROOT / "templates").glob(f"{given.templates}.toml")):
+    # where a list gives positions there are no others between them to search
+    for path in but(sorted((ROOT / "templates").glob(f"{given.templates}.toml")), *LISTED):
         runs.append((path.stem, lambda path=path: Sheets(load(path))))
     for seed in (
         [int(part) for part in given.seeds.split(",")]

@@ -15,6 +15,7 @@ from typing import Any
 from ...formula.book import Block
 from ...formula.nodes import Binary, Boolean, Call, CellRef, ErrorValue, Node, Number, Scalar, Text, Unary
 from ..graph import area_read
+from ..kernels.arithmetic import FAST, Arithmetic
 from ..kernels.math import BELOW_HALF, rounded_one
 from ..layout import Layout
 from ..values.calling import to_number
@@ -69,13 +70,15 @@ class Memory:
         return found
 
 
-def cell_code(layout: Layout, sheets: dict[str, int], block: Block) -> Callable[[Memory], CellCode] | None:
+def cell_code(
+    layout: Layout, sheets: dict[str, int], block: Block, arithmetic: Arithmetic = FAST
+) -> Callable[[Memory], CellCode] | None:
     """From the memory of an evaluation to a function of the row (0 is the block's first) that gives a cell's value."""
-    writer = _Writer(layout, sheets, block)
+    writer = _Writer(layout, sheets, block, arithmetic)
     try:
         text = writer.result(block.formula)
         source = f"def make(look, code):\n    return lambda k: {text}\n"
-        namespace = {**_NAMES, **writer.names}
+        namespace = {**_NAMES, "atan2": _atan2(scalar("arctan2", arithmetic)), **writer.names}
         exec(compile(source, "<cell>", "exec"), namespace)
     except (_UnsaidError, RecursionError, SyntaxError, MemoryError):
         return None
@@ -90,7 +93,8 @@ class _UnsaidError(Exception):
 class _Writer:
     """Writes a formula as a Python expression."""
 
-    def __init__(self, layout: Layout, sheets: dict[str, int], block: Block) -> None:
+    def __init__(self, layout: Layout, sheets: dict[str, int], block: Block, arithmetic: Arithmetic) -> None:
+        self.arithmetic = arithmetic
         self.layout = layout
         self.sheets = sheets
         self.block = block
@@ -184,11 +188,13 @@ class _Writer:
         if power == 2:
             return f"squared({self.number(base)})"
         name = f"power_{len(self.names)}"
-        self.names[name] = _raised(power)
+        self.names[name] = _raised(power, scalar_power(power, self.arithmetic))
         return f"{name}({self.number(base)})"
 
     def _ufunc(self, op: str) -> str:
-        self.names[op] = _guarded(sign_of if op == "sign" else scalar(op)) if op not in _EXACT else _EXACT[op]
+        self.names[op] = (
+            _guarded(sign_of if op == "sign" else scalar(op, self.arithmetic)) if op not in _EXACT else _EXACT[op]
+        )
         return op
 
     def condition(self, node: Node) -> str:
@@ -324,9 +330,7 @@ def _over(left: float, right: float) -> float:
     return _finite(left / right)
 
 
-def _raised(exponent: float) -> Callable[[float], float]:
-    function = scalar_power(exponent)
-
+def _raised(exponent: float, function: Callable[[float], float]) -> Callable[[float], float]:
     def power(base: float) -> float:
         if base == 0:
             if exponent < 0:
@@ -350,10 +354,13 @@ def _guarded(function: Callable[..., float]) -> Callable[..., float]:
     return guarded
 
 
-def _atan2(x: float, y: float) -> float:
-    if x == 0 == y:
-        raise CellError(DIV0)
-    return scalar("arctan2")(y, x)
+def _atan2(function: Callable[[float, float], float]) -> Callable[[float, float], float]:
+    def atan2(x: float, y: float) -> float:
+        if x == 0 == y:
+            raise CellError(DIV0)
+        return function(y, x)
+
+    return atan2
 
 
 def _modulo(number: float, divisor: float) -> float:
@@ -461,7 +468,7 @@ _NAMES: dict[str, Any] = {
     "finite": _finite, "fail": _fail, "number": _number, "only_number": _only_number, "shown": _shown,
     "plus": lambda a, b: _finite(a + b), "minus": lambda a, b: _finite(a - b), "times": lambda a, b: _finite(a * b),
     "over": _over, "plus_snapped": lambda a, b: snap(_finite(a + b), a), "squared": lambda a: _finite(a * a),
-    "minus_snapped": lambda a, b: snap(_finite(a - b), a), "atan2": _atan2, "modulo": _modulo, "total": _total,
+    "minus_snapped": lambda a, b: snap(_finite(a - b), a), "modulo": _modulo, "total": _total,
     "least": lambda *numbers: min(numbers), "greatest": lambda *numbers: max(numbers),
     "truth": _truth, "rounded_one": rounded_one,
     "rounded_whole": lambda a: trunc(a + math.copysign(BELOW_HALF, a)), "iferror": _iferror, "ifna": _ifna,

@@ -13,6 +13,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from ..kernels.arithmetic import FAST, Arithmetic
 from ..layout import Layout
 from ..values.cells import NEAR, TEXT
 from .helpers import HELPERS
@@ -48,12 +49,12 @@ class _Pool:
         self.free.append(int(name[1:]))
 
 
-def emit(lowering: Lowering, layout: Layout) -> tuple[Code, str, dict[str, int]]:
+def emit(lowering: Lowering, layout: Layout, arithmetic: Arithmetic = FAST) -> tuple[Code, str, dict[str, int]]:
     """The function `code(numbers, codes, buffers, i, j)`, its source, and how many buffers of each kind it needs.
 
     `buffers` maps "t", "b" (one value or truth a row) and "w", "v" (the same for wide blocks) to arrays of that many rows.
     """
-    emitter = _Emitter(lowering, layout)
+    emitter = _Emitter(lowering, layout, arithmetic)
     emitter.write()
     source = emitter.source()
     namespace = emitter.namespace
@@ -62,8 +63,8 @@ def emit(lowering: Lowering, layout: Layout) -> tuple[Code, str, dict[str, int]]
 
 
 class _Emitter(Singles):
-    def __init__(self, lowering: Lowering, layout: Layout) -> None:
-        super().__init__(lowering, layout)
+    def __init__(self, lowering: Lowering, layout: Layout, arithmetic: Arithmetic) -> None:
+        super().__init__(lowering, layout, arithmetic)
         self.boxed: set[int] = set()
         self.pools = {key: _Pool(letter) for key, letter in zip("tbwv", "tbwv", strict=True)}
         self.owned: dict[int, tuple[_Pool, str]] = {}
@@ -159,7 +160,7 @@ class _Emitter(Singles):
             parts = ", ".join(f"numbers[{start}:{end}].{value.op[8:]}()" for start, end in value.data)
             text = f"array([{parts}])[:, None]"
         elif value.op in HELPERS:
-            self.namespace[value.op] = HELPERS[value.op]
+            self.namespace[value.op] = self.helper(value.op)
             text = f"{value.op}({', '.join(args)}{f', {value.data}' if value.op == 'rounded' else ''})"
         elif value.op == "snap":
             result, left = args

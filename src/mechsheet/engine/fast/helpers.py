@@ -42,11 +42,11 @@ def _find_up(line: Any, wanted: float) -> float:
     return place
 
 
-def _power_of(base: float, exponent: float) -> float:
+def power_of(base: float, exponent: float, raised: Callable[..., Any] = np.power) -> float:
     """One number to the power of another, whatever that is."""
     if base == 0:
         raise TroubleError
-    return float(np.square(base)) if exponent == 2 else float(np.power(base, exponent))
+    return float(np.square(base)) if exponent == 2 else float(raised(base, exponent))
 
 
 def _first(array: Any) -> float:
@@ -55,6 +55,6 @@ def _first(array: Any) -> float:
 
 
 HELPERS: dict[str, Callable[..., Any]] = {
-    "pick": _pick, "find": _find, "find_up": _find_up, "rounded": rounded, "power_of": _power_of,
+    "pick": _pick, "find": _find, "find_up": _find_up, "rounded": rounded, "power_of": power_of,
     "item_of": _first,
 }  # fmt: skip

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from itertools import count
 from struct import Struct
 
+from ..kernels.arithmetic import FAST, Arithmetic
 from ..kernels.math import rounded_one
 from ..layout import Layout
 from .helpers import HELPERS, TroubleError
@@ -48,12 +49,12 @@ _OWN: dict[str, str] = {
 """As `SINGLE`. A sum far above NEAR = 2^-48 of its left operand, as nearly all are, is known by two comparisons."""
 
 
-def row_code(lowering: RowLowering, layout: Layout) -> tuple[RowCode, str]:
+def row_code(lowering: RowLowering, layout: Layout, arithmetic: Arithmetic = FAST) -> tuple[RowCode, str]:
     """`code(numbers, above, i, j, out)` and its source: computes rows [i, j) into the rows of `out`, until one stops it.
 
     `above` holds the values of `above_order(lowering)`. Returns how many rows it has computed.
     """
-    emitter = _RowEmitter(lowering, layout)
+    emitter = _RowEmitter(lowering, layout, arithmetic)
     source = emitter.source()
     try:
         exec(compile(source, "<rows>", "exec"), emitter.namespace)
@@ -72,8 +73,8 @@ def above_order(lowering: RowLowering) -> list[tuple[int, int]]:
 
 
 class _RowEmitter(Singles):
-    def __init__(self, lowering: RowLowering, layout: Layout) -> None:
-        super().__init__(lowering, layout)
+    def __init__(self, lowering: RowLowering, layout: Layout, arithmetic: Arithmetic) -> None:
+        super().__init__(lowering, layout, arithmetic)
         self.rows = lowering
         self.above = above_order(lowering)
         self.depth: dict[int, int] = {}
@@ -220,9 +221,9 @@ class _RowEmitter(Singles):
             return f"{op}({', '.join(args)})"
         if op == "power":
             name = f"power{value.args[1]}"
-            self.namespace[name] = scalar_power(float(str(self.values[value.args[1]].data)))
+            self.namespace[name] = scalar_power(float(str(self.values[value.args[1]].data)), self.arithmetic)
             return f"{name}({args[0]})"
-        self.namespace[op] = scalar(op)
+        self.namespace[op] = scalar(op, self.arithmetic)
         return f"{op}({', '.join(args)})"
 
     def _rounded(self, data: object) -> str:

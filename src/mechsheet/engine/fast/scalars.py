@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ..kernels.arithmetic import FAST, Arithmetic
 from ..values.cells import NEAR
 
 _TRIED = 4096
@@ -51,9 +52,12 @@ SINGLE = {
 
 
 @cache
-def scalar(op: str) -> Callable[..., float]:
-    """A numpy operation as a function of floats. Outside its domain it raises ValueError or ArithmeticError, or gives what
-    is not finite (numpy's own, where its errors are not raised)."""
+def scalar(op: str, arithmetic: Arithmetic = FAST) -> Callable[..., float]:
+    """A numpy operation, or what stands for it, as a function of floats. Outside its domain it raises ValueError or
+    ArithmeticError, or gives what is not finite (numpy's own, where its errors are not raised)."""
+    own = arithmetic.operations.get(op)
+    if own is not None:
+        return own
     by_numpy = getattr(np, op)
     by_math = _MATH.get(op)
     if by_math is not None and _agree(by_math, by_numpy, op):
@@ -62,8 +66,11 @@ def scalar(op: str) -> Callable[..., float]:
 
 
 @cache
-def scalar_power(exponent: float) -> Callable[[float], float]:
+def scalar_power(exponent: float, arithmetic: Arithmetic = FAST) -> Callable[[float], float]:
     """x^exponent as a function of x. numpy has short cuts for some exponents."""
+    own = arithmetic.operations.get("power")
+    if own is not None:
+        return lambda x: float(own(x, exponent))
     ways: tuple[Callable[[float], float], ...] = (lambda x: math.pow(x, exponent), math.sqrt, lambda x: 1.0 / x)
     tried = _samples("power")[:: _TRIED // 512].tolist()
     with np.errstate(all="ignore"):

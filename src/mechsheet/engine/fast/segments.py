@@ -125,7 +125,7 @@ class Segment:
             self._interpreted(ev, marks, 0, self.rows)
             return
         if self._code is None:
-            self._code, _, self._counts = emit(self.lowering, self.layout)
+            self._code, _, self._counts = emit(self.lowering, self.layout, ev.around.arithmetic)
         buffers = self._buffers.pop() if self._buffers else self._new_buffers()
         reads = self.lowering.reads
         first, last = min(reads.top, self.rows), max(reads.top, self.rows - reads.bottom)

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 
+from ..kernels.arithmetic import FAST, Arithmetic
 from ..layout import Layout
 from ..values.cells import NEAR
-from .helpers import HELPERS, TroubleError
+from .helpers import HELPERS, TroubleError, power_of
 from .lowering import Lowering, Value
 from .scalars import SINGLE
 from .usage import Usage
@@ -23,7 +26,8 @@ _UNFLAGGED = frozenset(("add", "subtract", "multiply", "divide", "square"))
 class Singles:
     """Lines of code and the names of the values in them."""
 
-    def __init__(self, lowering: Lowering, layout: Layout) -> None:
+    def __init__(self, lowering: Lowering, layout: Layout, arithmetic: Arithmetic = FAST) -> None:
+        self.arithmetic = arithmetic
         self.lowering = lowering
         self.layout = layout
         self.values = lowering.values
@@ -49,9 +53,14 @@ class Singles:
             self.line(f"if not isfinite({' + '.join(names[start : start + _TERMS])}): raise TroubleError")
 
     def function(self, op: str) -> str:
-        """The name of a numpy function."""
-        self.namespace[op] = getattr(np, op)
+        """The name of a numpy function, or of what stands for it."""
+        self.namespace[op] = self.arithmetic.operations.get(op) or getattr(np, op)
         return op
+
+    def helper(self, op: str) -> Callable[..., Any]:
+        """What the code calls beside numpy."""
+        raised = self.arithmetic.operations.get("power")
+        return HELPERS[op] if raised is None or op != "power_of" else partial(power_of, raised=raised)
 
     def define(self, number: int) -> None:
         """A value that is the same in all rows: its name, and the code that computes it."""
@@ -74,7 +83,7 @@ class Singles:
         elif value.op.startswith("line_"):
             text = f"float({args[0]}.{value.op[5:]}())"
         elif value.op in HELPERS:
-            self.namespace[value.op] = HELPERS[value.op]
+            self.namespace[value.op] = self.helper(value.op)
             digits = f", {value.data}" if value.op == "rounded" else ""
             text = f"float({value.op}({', '.join(args)}{digits}))"
         elif value.op in SINGLE:

@@ -9,6 +9,7 @@ from ...diagnostics import Fault
 from ...formula.book import Book
 from ...formula.nodes import FunctionRef, Node
 from ...formula.references import cell_address
+from ..kernels.arithmetic import FAST, Arithmetic
 from ..layout import Area
 
 _MOST = 100
@@ -29,6 +30,7 @@ class Environment:
     """`reference` reads a text as a reference; `check` raises NotReadyError for cells of an area that are not computed yet
     and not of some producers.
 
+    arithmetic  which code the elementary functions have
     closely  whether every cell that is read is checked, not only those that no formula names
     sizes    the size that each dynamic array has, by its block
     remarks  what could not be computed as it is meant, with its cell
@@ -39,6 +41,7 @@ class Environment:
     functions: Mapping[FunctionRef, Node] = field(default_factory=dict)
     reference: Callable[[str, bool, str, int, int], Node | None] = _no_reference
     check: Callable[[Area, Collection[int]], None] = _all_there
+    arithmetic: Arithmetic = FAST
     closely: bool = False
     sizes: dict[int, tuple[int, int]] = field(default_factory=dict)
     remarks: list[Fault] = field(default_factory=list)

@@ -183,7 +183,7 @@ class Evaluator(Reading):
             return compared(op, left, right, self.texts)
         if op == "&":
             return each(lambda a, b: to_text(a) + to_text(b), (left, right), self.texts)
-        return self.mapped(OPERATORS[op], (left, right))
+        return self.mapped(self.around.arithmetic.functions.get(op, OPERATORS[op]), (left, right))
 
     def signed(self, op: str, operand: Cells) -> Cells:
         """A sign or `%`."""

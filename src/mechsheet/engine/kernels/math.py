@@ -33,13 +33,13 @@ def snapped(result: Any, left: Any) -> Any:
     return np.where((size < NEAR * np.abs(left)) & (size < 1), 0.0, result)
 
 
-def power(base: Any, exponent: Any) -> Result:
+def power(base: Any, exponent: Any, raised: Callable[[Any, Any], Any] = np.power) -> Result:
     """base^exponent: 0^0 and roots of negatives are #NUM!, 0 to a negative power is #DIV/0!."""
     if np.ndim(exponent) == 0 and exponent == 2.0:
         return np.square(base)
     zero = np.equal(base, 0)
     codes = np.where(zero & np.equal(exponent, 0), np.uint8(NUM), np.uint8(0))
-    return np.power(base, exponent), np.where(zero & np.less(exponent, 0), np.uint8(DIV0), codes)
+    return raised(base, exponent), np.where(zero & np.less(exponent, 0), np.uint8(DIV0), codes)
 
 
 def divide(left: Any, right: Any) -> Result:
@@ -47,10 +47,10 @@ def divide(left: Any, right: Any) -> Result:
     return np.divide(left, right), np.where(np.equal(right, 0), np.uint8(DIV0), np.uint8(0))
 
 
-def atan2(x: Any, y: Any) -> Result:
+def atan2(x: Any, y: Any, direction: Callable[[Any, Any], Any] = np.arctan2) -> Result:
     """The direction of (x, y) from +x, -pi..pi [rad]; x first; #DIV/0! where both are 0."""
     nowhere = np.equal(x, 0) & np.equal(y, 0)
-    return np.arctan2(y, x), np.where(nowhere, np.uint8(DIV0), np.uint8(0))
+    return direction(y, x), np.where(nowhere, np.uint8(DIV0), np.uint8(0))
 
 
 def modulo(number: Any, divisor: Any) -> Result:
@@ -67,7 +67,7 @@ def half_away(number: Any) -> Any:
 def _scaled(number: Any, digits: Any, whole: Callable[[Any], Any]) -> Any:
     """`whole` of |number| at `digits` decimals. Beyond 15 digits there is nothing to round."""
     digits = np.trunc(digits)
-    factor = np.power(10.0, np.clip(np.abs(digits), 0, 308))
+    factor = np.take(_POWERS_OF_TEN, np.clip(np.abs(digits), 0, 308).astype(np.intp), mode="clip")
     size = np.abs(number)
     up = np.where(digits >= 0, size * factor, size / factor)
     # A decimal fraction times its power of ten misses the whole number by rounding errors: those are not digits.
@@ -101,7 +101,8 @@ def rounded_one(number: float, digits: int) -> float:
     return math.copysign(whole / factor if digits > 0 else whole * factor, number)
 
 
-_FACTORS = [float(np.power(10.0, places)) for places in range(308)]
+_FACTORS = [float(f"1e{places}") for places in range(309)]  # to the last bit, which a power function need not give
+_POWERS_OF_TEN = np.array(_FACTORS)
 
 
 def _half_up(size: Any) -> Any:

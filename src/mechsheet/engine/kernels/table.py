@@ -44,7 +44,7 @@ def _mapped(row: Function, function: Callable[..., Any]) -> Kernel:
             elif kind == "b":
                 mask, errors = truths_of(cells[place], ev.texts)
                 cells[place] = Cells(np.asarray(mask, np.float64), errors)
-        return ev.mapped(function, tuple(cells))
+        return ev.mapped(ev.around.arithmetic.functions.get(row.name, function), tuple(cells))
 
     return kernel
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from ..fast.marks import Marks
 from ..fast.row_loop import RowCode, above_order, row_code
 from ..fast.row_lowering import RowBlock, RowLowering
 from ..interpreter.evaluator import Evaluator
+from ..kernels.arithmetic import Arithmetic
 from ..layout import Layout
 from ..values.frames import Frame
 from .row_order import Line, Stretch, lines_in_order, stretches
@@ -33,6 +34,8 @@ _FIRST_ROWS, _MOST_ROWS = 64, 4096
 """Rows of the loop at a time: few where they stop early, many when all goes well."""
 _MOST_BURST = 256
 """Rows computed as values of any kind before floats are tried again, where that has failed again and again."""
+
+_Loop: TypeAlias = tuple[RowLowering, RowCode]
 
 
 class RowByRow:
@@ -56,13 +59,13 @@ class RowByRow:
             block, start = self.layout.blocks[number], self.layout.block_offsets[number]
             marks.note(number, ev.codes[start : start + block.rows * block.cols])
 
-    def code_of(self, line: Line, memory: Memory) -> CellCode | None:
+    def code_of(self, line: Line, memory: Memory, arithmetic: Arithmetic) -> CellCode | None:
         """A line's formula as a function of the row, once there is reason to make one."""
         if self._slow < _FEW_SLOW:
             return None
         known = id(line)
         if known not in self._codes:
-            self._codes[known] = cell_code(self.layout, self.sheets, line.block)
+            self._codes[known] = cell_code(self.layout, self.sheets, line.block, arithmetic)
         make = self._codes[known]
         return None if make is None else make(memory)
 
@@ -85,7 +88,8 @@ class _Cells:
         if not self._codes:
             self.step.note_slow()
             if self.step._slow >= _FEW_SLOW:
-                self._codes = {id(line): self.step.code_of(line, self.memory) for line in self.step.lines}
+                arithmetic = self.ev.around.arithmetic
+                self._codes = {id(line): self.step.code_of(line, self.memory, arithmetic) for line in self.step.lines}
         for line in lines:
             down = time - line.first
             code = self._codes.get(id(line))
@@ -125,6 +129,8 @@ class _Part:
         self.first = stretch.first
         self.rows = stretch.last - stretch.first
         self._runs = 0
+        self._tried = False
+        self._loop: _Loop | None = None
 
     @cached_property
     def blocks(self) -> list[RowBlock]:
@@ -137,20 +143,22 @@ class _Part:
             found.append(RowBlock(line.producer, line.sheet, rows, line.offset + down))
         return found
 
-    @cached_property
-    def loop(self) -> tuple[RowLowering, RowCode] | None:
-        """The loop of floats, None where a formula cannot be said so."""
-        try:
-            lowering = RowLowering(self.layout, self.step.sheets, FUNCTIONS, self.blocks, set(self.step.producers))
-            return lowering, row_code(lowering, self.layout)[0]
-        except UnsuitableError:
-            return None
+    def loop(self, arithmetic: Arithmetic) -> _Loop | None:
+        """The loop of floats, None where a formula cannot be said so. A plan knows one arithmetic, so one loop is kept."""
+        if not self._tried:
+            self._tried = True
+            try:
+                lowering = RowLowering(self.layout, self.step.sheets, FUNCTIONS, self.blocks, set(self.step.producers))
+                self._loop = lowering, row_code(lowering, self.layout, arithmetic)[0]
+            except UnsuitableError:
+                pass
+        return self._loop
 
     def run(self, cells: _Cells, marks: Marks) -> None:
         """Compute the rows from the first to the last."""
         self._runs += 1
         enough = self._runs > 1 or self.rows * len(self.lines) > _FEW_CELLS
-        loop = self.loop if enough and self.rows > _FEW_ROWS else None
+        loop = self.loop(cells.ev.around.arithmetic) if enough and self.rows > _FEW_ROWS else None
         if loop is None or not self._as_expected(loop[0], cells.ev, marks):
             for row in range(self.rows):
                 cells.row(self.lines, self.first + row)

@@ -12,7 +12,7 @@ from mechsheet.formula.references import parse_cell
 
 from .cell_faults import CellFaults
 
-_MOST = 1 << 24
+MOST_CELLS = 1 << 24
 """Cells of all array formulas of a sheet: more of them are a mistake, or meant to fill the memory."""
 
 
@@ -34,7 +34,7 @@ def array_text(row: int, col: int, ref: str, text: str, dynamic: bool) -> ArrayT
     if corners[0] != (row, col) or corners[1] is None:
         return None
     rows, cols = corners[1][0] - row + 1, corners[1][1] - col + 1
-    if rows < 1 or cols < 1 or rows * cols > _MOST:
+    if rows < 1 or cols < 1 or rows * cols > MOST_CELLS:
         return None
     return ArrayText(row, col, rows, cols, text, dynamic)
 
@@ -45,8 +45,8 @@ def give_arrays(sheet: BookSheet, arrays: Iterable[ArrayText], faults: CellFault
     cells = 0
     for array in arrays:
         cells += array.rows * array.cols
-        if cells > _MOST:
-            faults.note(f"array formulas over more than {_MOST} cells: this is no workbook", array.row, array.col)
+        if cells > MOST_CELLS:
+            faults.note(f"array formulas over more than {MOST_CELLS} cells: this is no workbook", array.row, array.col)
             break
         area = array.row, array.col, array.rows, array.cols
         formula = faults.formula(array.text, area)
@@ -61,10 +61,10 @@ def give_arrays(sheet: BookSheet, arrays: Iterable[ArrayText], faults: CellFault
     sheet.blocks.extend(taken)
     wide = [block for block in taken if block.rows * block.cols > 1]
     if wide:
-        _move_values(sheet, wide)
+        move_values(sheet, wide)
 
 
-def _move_values(sheet: BookSheet, blocks: list[Block]) -> None:
+def move_values(sheet: BookSheet, blocks: list[Block]) -> None:
     """What stands as a constant inside the areas is a stored result."""
     areas: dict[int, list[tuple[int, int]]] = {}
     for block in sorted(blocks, key=lambda block: block.row):

@@ -9,7 +9,7 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Any, NoReturn
 from xml.parsers import expat
 
 from mechsheet.diagnostics import Fault, WorkbookError, readable_name
@@ -33,7 +33,7 @@ _OLE_HEAD = 512
 _ENCRYPTED = "EncryptedPackage".encode("utf-16-le")
 _KINDS = (
     (re.compile(rb"\A(?:" + re.escape(_OLE) + rb"|\x09[\x00\x02\x04\x08][\x04-\x10]\x00)"),
-     "an .xls of the old kind", "save it as .xlsx"),
+     "an .xls of the old kind", "rename it to .xls, or save it as .xlsx"),
     (re.compile(rb"urn:oasis:names:tc:opendocument:xmlns:office"),
      "a flat OpenDocument file (.fods), which is not read", "save it as .ods"),
     (re.compile(rb"urn:schemas-microsoft-com:office:spreadsheet"), "an XML spreadsheet of 2003", "save it as .xlsx"),
@@ -194,10 +194,15 @@ def _check_head(path: Path, name: str) -> None:
     if head.startswith(_OLE) and _ENCRYPTED in head + directory:
         message = "the workbook is protected by a password"
         raise WorkbookError(Fault(message, file=name, hint="save it as .xlsx without a password"))
+    refuse_what_it_is(head, name)
+
+
+def refuse_what_it_is(head: bytes, name: str, missing: str = "this is no zip file") -> NoReturn:
+    """Say what a file is, by how it begins, that is no workbook of the format expected. Raises WorkbookError."""
     for mark, message, hint in _KINDS:
         if mark.search(head):
             raise WorkbookError(Fault(message, file=name, hint=hint))
-    message = "the file is empty" if not head else "not a workbook: this is no zip file"
+    message = "the file is empty" if not head else f"not a workbook: {missing}"
     hint = "" if not head or b"\0" in head else "a table as text (.csv)? save it as .xlsx first"
     raise WorkbookError(Fault(message, file=name, hint=hint))
 

@@ -11,7 +11,7 @@ it; with the unknown of a carrier below, as the pin A moves, or as the carrier b
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -44,13 +44,25 @@ class Demand:
 
 
 @dataclass(frozen=True, slots=True)
+class Span:
+    """From the first to the second pin of a link between two carriers: the way over its columns, and its length."""
+
+    way: Vector
+    length: Node
+
+
+@dataclass(frozen=True, slots=True)
 class Solution:
-    """A group that has been written down."""
+    """A group that has been written down.
+
+    spans  of each link between carriers that has two pins, by its assembly
+    """
 
     chain: Chain
     system: System
     label: Words
     pins: tuple[str, ...]
+    spans: Mapping[Assembly, Span]
 
 
 class ChainWriter:
@@ -61,7 +73,8 @@ class ChainWriter:
         self.carrier = {body: each for each in chain.carriers for body in each.assembly}
         self.variables: dict[Assembly, str] = {}
         self.guides: dict[Assembly, Guide] = {}
-        self.signs: dict[Assembly, int] = {}
+        self.lengths: dict[Assembly, Node] = {}
+        self.spans: dict[Assembly, Span] = {}
 
     def write(self) -> Solution:
         """Carriers, equations, passes; then the poses of the links between them."""
@@ -80,7 +93,7 @@ class ChainWriter:
         links = several(self.poses.name(each) for each in self.chain.assemblies)
         pins = tuple(dict.fromkeys(point for body in self.chain.bodies for point in self._joints(body)))
         label = phrase("group_pins", links=links, pins=", ".join(pins)) if pins else links
-        return Solution(self.chain, system, label, pins)
+        return Solution(self.chain, system, label, pins, self.spans)
 
     def _joints(self, body: str) -> list[str]:
         graph = self.poses.graph
@@ -122,7 +135,9 @@ class ChainWriter:
         own = carrier.assembly == unknown
         if isinstance(joint, str):
             pin = self.poses.xy[joint]
-            return turned(minus(place, pin)) if own else self._moves(self._below(carrier, joint), pin, unknown)
+            return (
+                turned(minus(place, pin)) if own else self._moves(self._holder(joint, carrier.assembly), pin, unknown)
+            )
         if own:
             guide = self.guides[carrier.assembly]
             direction = al.cos(guide.delta), al.sin(guide.delta)
@@ -130,19 +145,9 @@ class ChainWriter:
         inside = joint.body if joint.body in carrier.assembly else joint.on
         return self._moves(joint.other(inside), place, unknown)
 
-    def _below(self, carrier: Carrier, point: str) -> str:
-        """A body at the other side of the pin over which a carrier is reached."""
-        order = [each.assembly for each in self.chain.carriers]
-        earlier = {body for assembly in order[: order.index(carrier.assembly)] for body in assembly}
-        bodies = self.poses.graph.bodies_at(point)
-        known = [body for body in bodies if body not in self.chain.bodies]
-        return (known or [body for body in bodies if body in earlier])[0]
-
-    def _holder(self, point: str, but: Assembly) -> str:
-        """A body that is known or a carrier, and has the point."""
-        bodies = [body for body in self.poses.graph.bodies_at(point) if body not in but]
-        known = [body for body in bodies if body not in self.chain.bodies]
-        return (known or [body for body in bodies if body in self.carrier])[0]
+    def _holder(self, point: str, but: Assembly = ()) -> str:
+        """The body, known or a carrier, with which the point was found."""
+        return holder(self.poses, self.chain, point, but)
 
     # --- what is asked ------------------------------------------------------------------------------------------
 
@@ -156,6 +161,7 @@ class ChainWriter:
         if isinstance(second, str):
             q, body_q = poses.xy[second], self._holder(second, assembly)
             length, _ = poses.arm(assembly, first, second)
+            self.lengths[assembly] = length
             way = minus(p, q)
             value = al.div(al.sub(dot_of(way), al.square(length)), al.TWO)
             slopes = tuple(
@@ -180,7 +186,7 @@ class ChainWriter:
         """Both parts of a pin between two carriers, or between one and what is known."""
         poses = self.poses
         bodies = [
-            next(body for body in (assembly or poses.graph.bodies) if point in poses.graph.points[body])
+            next((body for body in assembly if point in poses.graph.points[body]), "") or self._holder(point)
             for assembly in (one, other)
         ]
         pose = poses.known[bodies[1]]
@@ -313,6 +319,7 @@ class ChainWriter:
                 )
                 for axis, part in zip("xy", minus(q, p), strict=True)
             )
+            self.spans[assembly] = Span((s_x, s_y), self.lengths[assembly])
             phi = self.ledger.direction(f"phi_{name}", s_x, s_y, words)
             poses.fix(assembly, Angle(phi) - line, place, *p)
             return
@@ -322,6 +329,13 @@ class ChainWriter:
         reach = al.add(al.mul(way[0], al.cos(guide.delta)), al.mul(way[1], al.sin(guide.delta)))
         poses.displacement(guide.symbol, reach if guide.sign > 0 else al.neg(reach))
         poses.fix(assembly, guide.angle, place, *p)
+
+
+def holder(poses: Poses, chain: Chain, point: str, but: Assembly = ()) -> str:
+    """The body that a point of a group was found with: a known one, else the first carrier that has it."""
+    bodies = [body for body in poses.graph.bodies_at(point) if body not in but]
+    known = [body for body in bodies if body not in chain.bodies]
+    return (known or [body for carrier in chain.carriers for body in carrier.assembly if body in bodies])[0]
 
 
 def _given(body: Sequence[Equation], iterated: dict[str, str]) -> tuple[str, ...]:

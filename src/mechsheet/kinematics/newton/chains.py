@@ -77,6 +77,14 @@ class Chain:
         """All bodies."""
         return tuple(body for assembly in self.assemblies for body in assembly)
 
+    @property
+    def pins(self) -> tuple[str, ...]:
+        """The points of its revolute joints."""
+        meetings = [carrier.reached for carrier in self.carriers]
+        meetings += [end for binary in self.binaries for end in binary.ends]
+        points = [meeting.joint for meeting in meetings if isinstance(meeting.joint, str)]
+        return tuple(dict.fromkeys([*points, *(point for point, _, _ in self.shut)]))
+
 
 class TooManyUnknownsError(Exception):
     """The smallest group has more unknowns than are solved; `assemblies` are its members."""

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from mechsheet import portable
 from mechsheet.diagnostics import Fault
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
@@ -110,7 +111,7 @@ def _rounded(number: float, turns: bool, size: float, unit: Unit) -> float:
         return float(
             unit.to_internal(round(float(unit.to_shown(number)), DEGREES_SHOWN if unit.in_degrees else DIGITS))
         )
-    return round(number, DIGITS - 1 - math.floor(math.log10(size)))
+    return round(number, DIGITS - 1 - math.floor(float(portable.log10(size))))
 
 
 def _first_position(
@@ -168,18 +169,18 @@ def _gap(state: Array, wanted: list[float], turning: tuple[bool, ...], size: flo
         math.remainder(one - other, math.tau) if turns else (one - other) / size
         for one, other, turns in zip(state, wanted, turning, strict=True)
     )
-    return math.hypot(*gaps)
+    return float(portable.hypot(*gaps))
 
 
 def _nearest(entries: list[tuple[str, float, float]], places: list[list[float]], solution: Solution) -> int:
     """The assembly nearest to the sketch. BetweenModesError where the next one is as near."""
     missed = [
-        math.hypot(*(difference(x, wanted, scale) for x, (_, wanted, scale) in zip(place, entries, strict=True)))
+        portable.hypot(*(difference(x, wanted, scale) for x, (_, wanted, scale) in zip(place, entries, strict=True)))
         for place in places
     ]
     order = sorted(range(len(places)), key=missed.__getitem__)
     best, following = order[:2]
-    between = math.hypot(
+    between = portable.hypot(
         *(difference(x, y, scale) for x, y, (_, _, scale) in zip(places[best], places[following], entries, strict=True))
     )
     if missed[following] - missed[best] < NEARLY * between or between == 0:

@@ -11,7 +11,7 @@ import numpy as np
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
-from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.numeric import Array, interpolated
 from mechsheet.model import Mechanism
 
 FINER = (2, 4, 8)
@@ -48,7 +48,9 @@ class Steps:
 
     def _at(self, driver: Array, equations: Equations, parts: int) -> list[Array]:
         """The unknowns at these values of the driver, followed in steps divided into so many parts."""
-        path = np.interp(np.arange((len(driver) - 1) * parts + 1) / parts, np.arange(len(driver)), driver)
+        path = interpolated(
+            np.arange((len(driver) - 1) * parts + 1) / parts, np.arange(len(driver), dtype=float), driver
+        )
         rows = replace(self.mechanism.driver, values=tuple(float(value) for value in path), law=None)
         values = self.sweep(replace(self.mechanism, driver=rows), _finer(equations, parts), path)
         return [values[name][::parts] for name in self.unknowns]

@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from mechsheet import portable
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.numeric import FUNCTIONS, Array
@@ -34,8 +35,8 @@ SETTLED = 1e-12
 FEWEST_PASSES, MOST_PASSES = 3, 12
 
 _SINGLE: Mapping[str, Callable[..., Any]] = FUNCTIONS | {
-    "ABS": abs, "COS": math.cos, "MAX": max, "MIN": min, "PI": lambda: math.pi, "RADIANS": math.radians,
-    "SIN": math.sin, "SQRT": math.sqrt,
+    "ABS": abs, "COS": portable.cos, "MAX": max, "MIN": min, "PI": lambda: math.pi, "RADIANS": math.radians,
+    "SIN": portable.sin, "SQRT": math.sqrt,
 }  # fmt: skip
 """What numpy does for arrays, for one number at a time."""
 

@@ -7,7 +7,7 @@ difference over the angular velocities in it (their squares and the angular acce
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
@@ -17,26 +17,26 @@ from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import ANGLE, LENGTH, Unit
 
-Fit = tuple[Literal["velocity", "acceleration"], int, Node]
+Column: TypeAlias = tuple[Literal["velocity", "acceleration"], int, Node]
 
 
-def fit_columns(plan: Plan, sheet: str, row: int) -> list[Fit]:
+def fit_columns(plan: Plan, sheet: str, row: int) -> list[Column]:
     """(what, number of the group, largest difference) of each column, as formulas of `sheet` for a row of the table.
 
     An empty text in rows without velocities.
     """
-    found: list[Fit] = []
+    found: list[Column] = []
     for number, parts in plan.equations.equations.fits.items():
-        found += _columns(plan, sheet, row, "velocity", number, parts[:2], "ABS(rate)")
+        found += _columns(plan, sheet, row, "velocity", number, parts.velocity, "ABS(rate)")
     for number, parts in plan.equations.equations.fits.items():
-        found += _columns(plan, sheet, row, "acceleration", number, parts[2:], "rate^2")
+        found += _columns(plan, sheet, row, "acceleration", number, parts.acceleration, "rate^2")
     return found
 
 
 def _columns(
     plan: Plan, sheet: str, row: int, what: Literal["velocity", "acceleration"], number: int, parts: Sequence[Node],
     size: str,
-) -> list[Fit]:  # fmt: skip
+) -> list[Column]:  # fmt: skip
     """Each part over what it is measured by, in as few columns as their length allows."""
     group = plan.equations.groups[number - 1]
     own = {*plan.mechanism.driver_rates, *(eq.symbol for eq in plan.equations.columns if eq.group == group.number)}

@@ -7,10 +7,10 @@ row like the table of positions, what the frame and the paths need of the whole 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, Symbol, symbols, transform
 from mechsheet.formula.scalar import evaluate
@@ -237,7 +237,7 @@ def _shapes(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Guide]
     found = []
     for guide in guides:
         if guide.joint.on == ground.name:
-            below = math.cos(evaluate(direction_of(mechanism, guide.joint), dimensions)) >= -1e-9
+            below = portable.cos(evaluate(direction_of(mechanism, guide.joint), dimensions)) >= -1e-9
             found.append(rail(page, text("drawing.rail", symbol=plain(guide.joint.symbol)), guide, below))
     for name in ground.points:
         if name in pins_of(mechanism):

@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef
 from mechsheet.model import Mechanism
@@ -42,7 +43,7 @@ def place_names(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Gu
     mechanism, text = page.plan.mechanism, page.plan.text
     page.section(text("drawing.names"))
     first = page.row
-    for name, function in (("cos", math.cos), ("sin", math.sin)):
+    for name, function in (("cos", portable.cos), ("sin", portable.sin)):
         page.put(NAME, name)
         for n, direction in enumerate(DIRECTIONS):
             page.put(FIRST + n, round(function(math.radians(direction)), 6) + 0.0, NUMBER_STYLE)
@@ -96,5 +97,5 @@ def _cosine(here: PointCells, other: PointCells, c: Node, s: Node) -> Node:
 
 
 def _fixed(direction: float, c: Node, s: Node) -> Node:
-    x, y = round(math.cos(direction), 6), round(math.sin(direction), 6)
+    x, y = round(portable.cos(direction), 6), round(portable.sin(direction), 6)
     return al.add(al.mul(al.number(x), c), al.mul(al.number(y), s))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
+from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
@@ -18,13 +19,13 @@ def corners(link: Link, dimensions: Mapping[str, float]) -> tuple[str, ...]:
     """The link's points in the order in which its outline passes them: around their middle."""
     if len(link.points) <= 3:
         return tuple(link.points)
-    places = _number_places(link, dimensions)
-    x = sum(place[0] for place in places.values()) / len(places)
-    y = sum(place[1] for place in places.values()) / len(places)
-    return tuple(sorted(places, key=lambda point: math.atan2(places[point][1] - y, places[point][0] - x)))
+    places = number_places(link, dimensions)
+    x = math.fsum(place[0] for place in places.values()) / len(places)
+    y = math.fsum(place[1] for place in places.values()) / len(places)
+    return tuple(sorted(places, key=lambda point: portable.arctan2(places[point][1] - y, places[point][0] - x)))
 
 
-def _number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
+def number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
     """Every point of a link, in the order of the description."""
     found: dict[str, Point] = {}
 
@@ -42,11 +43,11 @@ def _number_place(place: Place, dimensions: Mapping[str, float], locate: Callabl
             return number(x, dimensions), number(y, dimensions)
         case Polar(r, angle):
             turn = number(angle, dimensions)
-            return number(r, dimensions) * math.cos(turn), number(r, dimensions) * math.sin(turn)
+            return number(r, dimensions) * portable.cos(turn), number(r, dimensions) * portable.sin(turn)
         case Distances(first, first_distance, second, second_distance, side):
             (x1, y1), (x2, y2) = locate(first), locate(second)
             a, b = number(first_distance, dimensions), number(second_distance, dimensions)
-            base = math.hypot(x2 - x1, y2 - y1)
+            base = portable.hypot(x2 - x1, y2 - y1)
             along = (a * a - b * b + base * base) / (2 * base)
             across = math.sqrt(max(0.0, a * a - along * along)) * (1 if side == "left" else -1)
             c, s = (x2 - x1) / base, (y2 - y1) / base

@@ -18,13 +18,14 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Area, Conditional
 
-Kind = Literal["number", "length", "step", "mode", "choice"]
+Kind = Literal["number", "length", "step", "mode", "choice", "task"]
 
 CAN_BE: dict[Kind, str] = {
     "number": "ISNUMBER(cell)",
     "length": "(N(cell)>0)",
     "step": "(N(cell)<>0)",
     "mode": "(ABS(N(cell))=1)",
+    "task": "(cell=0)",
     "choice": "((ABS(2*N(cell)-most-1)<most)*(MOD(N(cell),1)=0))",
 }
 """What holds of a cell of each kind; an empty cell counts as 0 for N, and so does a text."""
@@ -53,8 +54,8 @@ class Input:
 
 
 def inputs_of(plan: Plan) -> list[Input]:
-    """Dimensions, gears, start and step (of a motion law start, stop and duration), modes, in the order in which they stand:
-    what positions depend on.
+    """Dimensions, gears, start and step (of a motion law start, stop and duration), modes, in the order in which they stand,
+    and whether the task of a synthesis has a solution: what positions depend on.
 
     The driver's listed values are not among them.
     """
@@ -74,10 +75,12 @@ def inputs_of(plan: Plan) -> list[Input]:
         if isinstance(getattr(driver, key), float):
             found.append(Input(f"#{key}", plan.text(f"name.{key}"), kind, plan.blocks["sweep"].rows[key]))
     for group in plan.equations.groups:
-        if group.mode:
+        if group.mode and group.follows is None:
             kind = "mode" if group.system is None else "choice"
             row = plan.blocks["assembly"].rows[group.mode]
             found.append(Input(group.mode, plain(group.mode), kind, row, len(group.assemblies)))
+    if plan.synthesis is not None:
+        found.append(Input("#unsolved", plan.at.titles["synthesis"], "task", plan.blocks["dimensions"].row))
     return found
 
 
@@ -107,7 +110,7 @@ def _named(plan: Plan, wrong: Node) -> Node:
     """What the input of that number is called: the symbol beside it where the inputs stand one below another."""
     found = inputs_of(plan)
     first, last = found[0].row, found[-1].row
-    if last - first < len(found):
+    if last - first < len(found) and found[-1].kind != "task":
         symbols = RangeRef(CellRef(first, SYMBOL, True, True), CellRef(last, SYMBOL, True, True))
         return formula("INDEX(symbols,wrong)", symbols=symbols, wrong=wrong)
     return _choice(wrong, [Text(each.name) for each in found])
@@ -136,6 +139,7 @@ def red_where_wrong(plan: Plan, nowhere: Node | None) -> list[Conditional]:
     rules = [
         red(each.row, formula("NOT(can_be)", can_be=each.can_be(CellRef(each.row, VALUE, True, True))))
         for each in inputs_of(plan)
+        if each.kind != "task"
     ]
     if nowhere is not None:
         rules.append(red(plan.blocks["position"].rows["position"], nowhere))

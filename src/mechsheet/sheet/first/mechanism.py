@@ -140,10 +140,14 @@ def _legend(writer: Writer) -> None:
 def _dimensions(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("dimensions", plan.text("head.tolerance"))
+    rows = plan.blocks["dimensions"].rows
     for dim in plan.mechanism.dimensions:
-        if not isinstance(dim.value, float) or dim.place:
+        if dim.symbol not in rows:
             continue
-        row = plan.blocks["dimensions"].rows[dim.symbol]
+        row = rows[dim.symbol]
+        if not isinstance(dim.value, float):
+            _from_synthesis(writer, dim, row)
+            continue
         writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim))
         value = dim.shown if dim.shown is not None else dim.unit.written(dim.value)
         writer.put(row, VALUE, value, styles.INPUT)
@@ -163,6 +167,19 @@ def _tolerance_validation(plan: Plan, row: int) -> Validation:
     )  # fmt: skip
 
 
+def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
+    """A dimension that the synthesis finds: no number while its task has no solution."""
+    plan = writer.plan
+    label = _label(plan, dim)
+    said = plan.text("synthesis.from")
+    writer.line(row, rich(dim.symbol), dim.unit.text, f"{label} ({said})" if label else said)
+    writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
+    value: Node = dim.value if not isinstance(dim.value, float) else Text("")
+    value = Call("DEGREES", (value,)) if dim.unit.in_degrees else value
+    solved = formula("IF(_unsolved>0,NA(),value)", value=value)
+    writer.formula(row, VALUE, plan.at.bind(solved, plan.main), value_style(plan, dim.unit.kind))
+
+
 def _label(plan: Plan, dim: Dimension) -> str:
     return dim.label.of(plan.language) if dim.label else ""
 
@@ -172,7 +189,7 @@ def _derived(writer: Writer) -> None:
     writer.heading("derived")
     rows = plan.blocks["derived"].rows
     for dim in plan.mechanism.dimensions:
-        if not isinstance(dim.value, float) and not dim.place:
+        if not isinstance(dim.value, float) and dim.symbol in rows:
             row = rows[dim.symbol]
             writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim) or dim.written)
             _result(writer, row, dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
@@ -253,8 +270,12 @@ def _assembly(writer: Writer) -> None:
             continue
         row = plan.blocks["assembly"].rows[group.mode]
         writer.line(row, rich(group.mode), "", None)
-        writer.put(row, VALUE, float(group.mode_value), styles.INPUT)
         writer.formula(row, MEANING, _mode_words(plan, group, row), styles.LABEL)
+        if group.follows is not None:
+            mode = formula("IF(_unsolved>0,NA(),mode)", mode=group.follows)
+            writer.formula(row, VALUE, plan.at.bind(mode, plan.main), styles.RESULT)
+            continue
+        writer.put(row, VALUE, float(group.mode_value), styles.INPUT)
         writer.validations.append(
             Validation(
                 Area(row, VALUE, row, VALUE),

@@ -273,6 +273,10 @@ class _Page:
         forces = [equation for equation in columns if equation.role in FORCES]
         if forces:
             self._group(self.plan.text("forces.title"))
+            for group in self.plan.equations.groups:
+                if group.system is not None:
+                    said = self.text("newton.forces", number=group.number)
+                    self._entry("", "", "Jᵀ λ = Q", said, self.plan.at.titles["forces"])
             self._groups(forces)
         self._groups([equation for equation in columns if equation.group < 0])
 
@@ -283,6 +287,9 @@ class _Page:
         loops = LoopRates(self.plan)
         for group in self.plan.equations.groups:
             if group.system is not None:
+                for text, key in (("J x′ = u,  u = −F′", "velocities"), ("J x″ = k,  k = −F″", "accelerations")):
+                    said = self.text(f"newton.{key}", number=group.number)
+                    self._entry(self.text(f"loop.{key}"), "", text, said, self.plan.at.titles["rates"])
                 continue
             for key, equation in (
                 ("velocities", loops.velocities(group.closure)),

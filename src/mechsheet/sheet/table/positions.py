@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 
+from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import (
     Binary,
@@ -332,7 +333,7 @@ def places(plan: Plan, kind: str) -> int:
     if kind == "force":
         return 3
     finest = min(tolerances) if tolerances else plan.size / 1e4
-    return min(10, max(0, math.ceil(-math.log10(finest) - 1e-9)))
+    return min(10, max(0, math.ceil(-float(portable.log10(finest)) - 1e-9)))
 
 
 def _decimals(style: Style, count: int) -> Style:

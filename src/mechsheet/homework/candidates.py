@@ -41,7 +41,7 @@ _NUMBERS = (0.0, 1.0, 2.0, 0.5, 180.0, 90.0, 360.0)
 
 
 @dataclass(frozen=True, slots=True)
-class Change:
+class Candidate:
     """A formula with one change; see the module."""
 
     formula: Node
@@ -61,19 +61,19 @@ class Surroundings:
     numbers: tuple[float, ...]
 
 
-def changes(formula: Node, around: Surroundings) -> list[Change]:
+def candidates(formula: Node, around: Surroundings) -> list[Candidate]:
     """Every single change of a formula, each formula once, the lightest first."""
     paths = _paths(formula)
     parts = [part for part in paths if not isinstance(part, RangeRef)]
     angles = _angles(formula)
     arguments = {arg for part in parts for arg in _sums(part)}
     terms = set(_terms(formula)) | {term for arg in arguments for term in _terms(arg)}
-    found: dict[Node, Change] = {}
+    found: dict[Node, Candidate] = {}
 
     def add(whole: Node, kind: str, weight: float) -> None:
         known = found.get(whole)
         if whole != formula and (known is None or weight < known.weight):
-            found[whole] = Change(whole, kind, weight)
+            found[whole] = Candidate(whole, kind, weight)
 
     for part in parts:
         for new, kind, weight in _variants(part, formula, angles, terms, arguments, around):
@@ -82,7 +82,7 @@ def changes(formula: Node, around: Surroundings) -> list[Change]:
                     add(whole, kind, weight)
     for whole in _exchanged(formula, paths):
         add(whole, "reference", 1.4)
-    return sorted(found.values(), key=lambda change: change.weight)[:MOST]
+    return sorted(found.values(), key=lambda one: one.weight)[:MOST]
 
 
 _Path = tuple[int, ...]

@@ -1,0 +1,78 @@
+"""`mechsheet doctor`: what is there, what is missing, how to get it."""
+
+from __future__ import annotations
+
+import json
+import platform
+import sys
+import tempfile
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from mechsheet import __version__
+
+from .common import JSON, progress
+from .helping import Explained
+
+if TYPE_CHECKING:
+    from mechsheet.checking import Report
+
+TRIED = "four-bar"
+"""The template that is built and checked."""
+
+
+@click.command(cls=Explained, short_help="Say what works here, what is missing, how to get it.")
+@JSON
+def doctor(as_json: bool) -> None:
+    """Say what of mechsheet works on this machine, what is missing, and how to get it.
+
+    \b
+    mechsheet doctor
+
+    A workbook is built in a temporary folder and checked. Nothing is installed, nothing leaves the machine.
+
+    Exit code 0: it works, whatever extras are missing; 1: the workbook does not agree with its reference.
+    """
+    from mechsheet.library.installed import installed, on_path
+
+    with progress("doctor") as say:
+        say(f"building and checking {TRIED}")
+        report = _tried()
+    parts = installed()
+    about = {"mechsheet": __version__, "python": platform.python_version(), "system": platform.platform()}
+    if as_json:
+        found = [asdict(part) for part in parts]
+        click.echo(json.dumps({**about, "works": report.agrees, "command": on_path(), "parts": found}, indent=2))
+    else:
+        click.echo(f"mechsheet {__version__}, Python {about['python']}, {about['system']}")
+        works = "agrees with its numpy reference" if report.agrees else "DOES NOT AGREE: see mechsheet check"
+        click.echo(f"  a workbook of {TRIED}, built and checked: {works}")
+        if not on_path():
+            starter = "py" if sys.platform == "win32" else "python3"
+            click.echo(
+                f"  the command is not on the PATH: {starter} -m mechsheet does the same (or install it by pipx)"
+            )
+        for heading, rows in (("There", [p for p in parts if p.found]), ("Missing", [p for p in parts if not p.found])):
+            if rows:
+                click.echo(f"\n{heading}")
+            for part in rows:
+                click.echo(f"  {part.name:<20} {part.use}")
+                click.echo(f"  {'':<20} {part.found or part.get}")
+    if not report.agrees:
+        sys.exit(1)
+
+
+def _tried() -> Report:
+    """The check of a workbook that is built here and now."""
+    from mechsheet.checking import check
+    from mechsheet.description.templates import template_text
+    from mechsheet.library.building import build
+    from mechsheet.library.changed import loads
+
+    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+        file = Path(folder) / f"{TRIED}.xlsx"
+        build(loads(template_text(TRIED)), file)
+        return check(file)

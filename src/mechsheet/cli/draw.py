@@ -1,0 +1,48 @@
+"""`mechsheet draw`: a page in the browser on which a mechanism is drawn and moved."""
+
+from __future__ import annotations
+
+import contextlib
+import webbrowser
+from pathlib import Path
+
+import click
+
+from mechsheet.diagnostics import Fault, MechsheetError, readable_name
+
+
+@click.command()
+@click.argument("description", required=False, type=click.Path(path_type=Path))
+@click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the page.  [default: the browser's]")
+@click.option("--no-browser", is_flag=True, help="Print the address and open nothing.")
+def draw(description: Path | None, language: str | None, no_browser: bool) -> None:
+    """Draw a mechanism with the mouse: a page on this machine, beside its text.
+
+    \b
+    mechsheet draw                      begin with an empty sheet
+    mechsheet draw four-bar.toml        draw, move and change what is there
+
+    The page is served to this machine only and needs no network. It ends when it is closed, or
+    with Ctrl-C.
+    """
+    from mechsheet.description.source import read_text
+    from mechsheet.drawing_page.answers import Studio
+    from mechsheet.drawing_page.server import DrawingServer
+
+    if description is not None:
+        if description.suffix.lower() != ".toml":
+            hint = "a workbook carries its description inside: mechsheet pull WORKBOOK -o mine.toml"
+            raise MechsheetError(Fault("name a description, a .toml file", readable_name(description), hint=hint))
+        if description.exists():
+            read_text(description)  # a folder, or no text: said here, not on the page
+        elif not description.parent.is_dir():
+            raise MechsheetError(Fault("its folder is not there", readable_name(description)))
+    server = DrawingServer(Studio(description, Path.cwd(), language))
+    server.start()
+    click.echo(server.address)
+    click.echo("Close the page to end, or press Ctrl-C here.", err=True)
+    if not no_browser and not webbrowser.open(server.address):
+        click.echo("No browser was found: open the address above in one on this machine.", err=True)
+    with contextlib.suppress(KeyboardInterrupt):
+        server.wait()
+    server.stop()

@@ -1,0 +1,131 @@
+"""`mechsheet study`: millions of designs, those kept as Parquet, the best as a table."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mechsheet.diagnostics import Fault, MechsheetError
+
+from .common import Changes, at_lines_of, change_options, described
+from .helping import Explained
+
+if TYPE_CHECKING:
+    from mechsheet.studies.run import Progress, Studied
+
+WIDTH = 24
+
+
+@click.command(cls=Explained, short_help="Try millions of designs and keep the good ones.")
+@click.argument("description", type=click.Path(path_type=Path))
+@click.option("-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Written there.")
+@click.option("--workers", type=click.IntRange(1), metavar="N", help="Processes.  [default: one for each core]")
+@click.option("--on", metavar="ADDRESS", help="A Dask scheduler that computes instead: tcp://HOST:8786.")
+@click.option("--resume", is_flag=True, help="Go on with a study that was begun in the folder.")
+@click.option("--limit-memory", metavar="SIZE", help="What all processes may have together: 2GiB.")
+@click.option("--format", "formats", help="Of the summary workbook: xlsx, ods, or both with a comma.  [default: xlsx]")
+@change_options
+def study(
+    description: Path,
+    output: Path,
+    workers: int | None,
+    on: str | None,
+    resume: bool,
+    limit_memory: str | None,
+    formats: str | None,
+    **changes: Any,
+) -> None:
+    """Try the designs that [study] of the description asks for: grids or samples of any size.
+
+    \b
+    mechsheet study wiper.toml -o wiper                        all cores of this machine
+    mechsheet study wiper.toml -o wiper --resume               goes on after an end of any kind
+    mechsheet study wiper.toml -o wiper --on tcp://10.0.0.5:8786
+
+    Written are FOLDER/parts/*.parquet (a row for each design that meets all conditions), study.json, result.json, the
+    summary workbook study.xlsx and the picture study.svg; printed are the best designs, * for those on the front. The
+    same study gives the same bytes, however it was computed. `mechsheet build wiper.toml --design wiper:17` writes the
+    workbook of design 17.
+    """
+    from mechsheet.library.studying import bytes_of, known_formats
+    from mechsheet.studies.run import studied
+
+    mechanism = described(description, Changes(**changes))
+    memory = bytes_of(limit_memory)
+    forms = known_formats(formats)
+    with at_lines_of(mechanism, description), _bar() as say:
+        found = studied(
+            mechanism, output, workers=workers, on=on, resume=resume, limit_memory=memory, formats=forms, say=say
+        )
+    _tell(found)
+    click.echo(_table(found))
+
+
+def _tell(found: Studied) -> None:
+    """The counts; where nothing is kept they are an error."""
+    result = found.result
+    lines = [f"{count:>16,} fail {text}" for text, count in result.failed]
+    if not result.kept and result.failed:
+        hint = "each design is counted once, by the first condition that it fails:\n" + "\n".join(lines)
+        raise MechsheetError(
+            Fault(f"none of {result.designs:,} designs meets all conditions", key="study.keep", hint=hint)
+        )
+    share = 100 * result.kept / result.designs
+    click.echo("\n".join([*lines, f"{result.kept:>16,} kept of {result.designs:,} designs ({share:.3g} %)"]), err=True)
+
+
+def _table(found: Studied) -> str:
+    """The best designs, one a line; * marks those on the front."""
+    if found.best is None:
+        return ""
+    front = set(found.ranked.front.tolist())
+    table = found.best
+    units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in table.schema}
+    heads = ["", *(f"{name} [{units[name]}]" if units[name] else name for name in table.column_names)]
+    rows = [
+        ["*" if row["design"] in front else "", *("–" if value is None else f"{value:.7g}" for value in row.values())]
+        for row in table.to_pylist()
+    ]
+    widths = [max(len(line[at]) for line in [heads, *rows]) for at in range(len(heads))]
+    return "\n".join(
+        "  ".join(text.rjust(width) for text, width in zip(line, widths, strict=True)) for line in [heads, *rows]
+    )
+
+
+@contextmanager
+def _bar() -> Iterator[Callable[[Progress], None]]:
+    """A bar on a terminal: designs, share kept, designs a second, time left; nothing in a pipe."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    begun = time.monotonic()
+
+    def say(progress: Progress) -> None:
+        passed = max(time.monotonic() - begun, 1e-9)
+        rate = (progress.done - progress.earlier) / passed
+        filled = WIDTH * progress.done // progress.all
+        words = f"{'█' * filled}{'░' * (WIDTH - filled)} {progress.done:,} of {progress.all:,} designs"
+        if progress.done:
+            words += f", {100 * progress.kept / progress.done:.3g} % kept"
+        if rate:
+            words += f", {rate:,.0f}/s, {_duration((progress.all - progress.done) / rate)} left"
+        click.echo(f"\r\033[K{words}", nl=False, err=True)
+
+    try:
+        yield say
+    finally:
+        click.echo("\r\033[K", nl=False, err=True)
+
+
+def _duration(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    days, hours = divmod(hours, 24)
+    clock = f"{hours}:{minutes:02d}:{rest:02d}" if hours or days else f"{minutes}:{rest:02d}"
+    return f"{days} d {clock}" if days else clock

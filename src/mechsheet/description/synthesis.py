@@ -1,0 +1,303 @@
+"""The part [synthesis]: a task, checked, and the dimensions that solve it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from mechsheet.description.index import Path
+from mechsheet.description.kinds import LENGTH, unit_kind
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, suggestion
+from mechsheet.description.scope import Scope
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Call, Node, Symbol, symbols
+from mechsheet.formula.scalar import evaluate
+from mechsheet.model import Dimension, Synthesis, TaskPlace
+from mechsheet.synthesis.kinds import written
+from mechsheet.synthesis.writing import Task, Units, Writer
+from mechsheet.units import NUMBER, Unit, unit_of
+
+ANGLES = ("theta", "psi", "phi", "turns")
+"""Keys whose numbers are angles; of a pose the third number is one."""
+
+NUMBERS = ("time_ratio", "lam", "x")
+"""Keys of plain numbers; all others are lengths."""
+
+POSITIVE = ("a1", "a2", "stroke", "crank", "time_ratio", "lam", "round")
+"""Keys that must be greater than 0."""
+
+OWN = ("a1", "crank")
+"""Keys that a dimension of the same name can give."""
+
+ROUNDING = "round_to"
+
+STEEPEST = 1e-9
+"""Of a function whose ends lie nearer to each other, as a part of its size, it is said that it is constant."""
+
+
+@dataclass(slots=True)
+class Found:
+    """What was read.
+
+    dimensions  inputs of the task, and the steps of its solution
+    units       of the mechanism's dimensions that are results;  trees: what these are
+    results     name of a result -> its unit
+    """
+
+    synthesis: Synthesis
+    dimensions: tuple[Dimension, ...]
+    units: dict[str, Unit] = field(default_factory=dict)
+    trees: dict[str, Node] = field(default_factory=dict)
+
+
+def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str] = ()) -> Found | None:
+    """The task and its solution; None where there is none, or nothing usable.
+
+    given   the part [dimensions];  others: further names of the description, that no step may have
+    """
+    taken = {
+        symbol: entry["synthesis"]
+        for symbol, entry in given.items()
+        if isinstance(entry, dict) and entry.get("synthesis", BAD) is not BAD
+    }
+    if not isinstance(data, dict) or not data:
+        for symbol in taken if data is not BAD else ():
+            message = "there is no part [synthesis] whose result it could be"
+            scope.report.at(("dimensions", symbol, "synthesis"), message)
+        return None
+    before = len(scope.report.faults)
+    task = _task(data, given, scope)
+    if task is None or len(scope.report.faults) > before or any(value is BAD for value in data.values()):
+        return None
+    units = Units(unit_of(scope.length_unit, scope.length_unit), scope.angle_unit, NUMBER)
+    plain = [symbol for symbol, entry in given.items() if _is_plain(entry)]
+    writer = written(data["kind"], task, units, frozenset((*given, *others)), plain)
+    return _found(data["kind"], task, writer, taken, scope)
+
+
+def declare(found: Found | None, scope: Scope) -> None:
+    """Enter the names, units and values of the task's inputs and steps; a step that has no value stays without."""
+    if found is None:
+        return
+    for dim in found.dimensions:
+        hint = "rename it: a step of the synthesis has that name" if dim.derived else "rename it"
+        scope.symbols.claim(dim.symbol, "synthesis", dim.place, hint)
+        scope.units[dim.symbol] = dim.unit
+        scope.kinds[dim.symbol] = unit_kind(dim.unit)
+        value = dim.value if isinstance(dim.value, float) else _value(dim.value, scope.numbers)
+        if value is not None:
+            scope.numbers[dim.symbol] = value
+
+
+def _value(tree: Node, numbers: Mapping[str, float]) -> float | None:
+    """The value of a step; None where the task has no solution."""
+    if not all(name in numbers for name in symbols(tree)):
+        return None
+    try:
+        return evaluate(tree, numbers)
+    except (ArithmeticError, ValueError):
+        return None
+
+
+# --- the task ------------------------------------------------------------------------------------------------------
+
+
+def _task(data: dict[str, Any], given: Mapping[str, Any], scope: Scope) -> Task | None:
+    """The task's numbers in internal units; reports what is wrong with them."""
+    kind, numbers = data["kind"], _numbers(data, scope)
+    for place, value in numbers.items():
+        if place[0] in POSITIVE and value <= 0:
+            scope.report.at(("synthesis", *place), f"must be greater than 0, not {value:g}")
+    for key in OWN:
+        if key in _lengths_of(kind) and key not in data and not _is_plain(given.get(key)):
+            scope.report.at(("synthesis", key), "is missing: give it here, or as a number in [dimensions]")
+    chosen: dict[str, str] = {}
+    function: Node | None = None
+    if kind == "function":
+        function = _function(data, numbers, chosen, scope)
+    return Task(numbers, chosen, function)
+
+
+def _lengths_of(kind: str) -> tuple[str, ...]:
+    return ("crank",) if kind == "quick-return-lever" else ("a1",) if kind in ("function", "dead-centres") else ()
+
+
+def unit_in(place: TaskPlace, scope: Scope) -> Unit:
+    """The unit of the number that stands there."""
+    if any(key in ANGLES for key in place) or (place[0] == "poses" and place[-1] == 2):
+        return scope.angle_unit
+    return NUMBER if place[0] in NUMBERS else unit_of(scope.length_unit, scope.length_unit)
+
+
+def _is_plain(entry: Any) -> bool:
+    """Whether a dimension is a number that is given."""
+    return isinstance(entry, float) or (isinstance(entry, dict) and isinstance(entry.get("value"), float))
+
+
+def _numbers(data: dict[str, Any], scope: Scope) -> dict[TaskPlace, float]:
+    found: dict[TaskPlace, float] = {}
+
+    def enter(value: Any, place: TaskPlace) -> None:
+        if isinstance(value, list):
+            for index, item in enumerate(value):
+                enter(item, (*place, index))
+        elif isinstance(value, dict):
+            for key, item in value.items():
+                enter(item, (*place, key))
+        elif isinstance(value, float):
+            found[place] = unit_in(place, scope).to_internal(value)
+
+    for key, value in data.items():
+        if not isinstance(value, bool):
+            enter(value, (key,))
+    return found
+
+
+def _function(
+    data: dict[str, Any], numbers: Mapping[TaskPlace, float], chosen: dict[str, str], scope: Scope
+) -> Node | None:
+    """The pairs of angles, or the function that is to be generated; into `chosen` goes the number of points."""
+    report = scope.report
+    theta, psi = data["theta"], data["psi"]
+    if "f" not in data:
+        for key in ("x", "points"):
+            if key in data:
+                report.at(("synthesis", key), "goes with `f`: the function of x that is to be generated")
+        if theta is BAD or psi is BAD:
+            return None
+        if len(theta) != len(psi):
+            report.at(("synthesis", "psi"), f"has {len(psi)} angles for {len(theta)} of theta")
+        for key, angles in (("theta", theta), ("psi", psi)):
+            if len(angles) < 3:
+                report.at(("synthesis", key), f"has {len(angles)} angles: three precision points are the least")
+        chosen["points"] = str(len(theta))
+        return None
+    for key, angles in (("theta", theta), ("psi", psi)):
+        if angles is not BAD and len(angles) != 2:
+            report.at(
+                ("synthesis", key), f"of a function `f` has two angles, the first and the last; found {len(angles)}"
+            )
+    if "x" not in data:
+        report.at(("synthesis", "x"), "is missing: the range of the function, [first, last]")
+    points = data.get("points", 3)
+    chosen["points"] = str(points)
+    text = data["f"]
+    if text is BAD or (tree := scope.parse(text, ("synthesis", "f"))) is None:
+        return None
+    unknown = [name for name in symbols(tree) if name != "x"]
+    for name in unknown:
+        report.at(("synthesis", "f"), f"in {quoted(text)}: {quoted(name)} is not known; a function of x alone")
+    if not unknown and ("x", 1) in numbers and "x" in data:
+        _check_function(tree, text, numbers["x", 0], numbers["x", 1], scope)
+    return tree
+
+
+SAMPLES = 81
+"""Places at which a function is looked at before it is taken."""
+
+
+def _check_function(tree: Node, text: str, first: float, last: float, scope: Scope) -> None:
+    """Report a function that has no value somewhere, or that turns back: an angle cannot be read off backwards."""
+    if first == last:
+        scope.report.at(("synthesis", "x"), "the range has no length")
+        return
+    values: list[float] = []
+    for index in range(SAMPLES):
+        x = first + (last - first) * index / (SAMPLES - 1)
+        try:
+            values.append(evaluate(tree, {"x": x}))
+        except (ArithmeticError, ValueError) as error:
+            scope.report.at(("synthesis", "f"), f"{quoted(text)} has no value at x = {x:.6g}: {error}")
+            return
+        if len(values) > 2 and (values[-1] - values[-2]) * (values[-2] - values[-3]) < 0:
+            scope.report.at(
+                ("synthesis", "f"), f"{quoted(text)} turns back near x = {x:.6g}: it must rise or fall throughout"
+            )
+            return
+    if abs(values[-1] - values[0]) <= STEEPEST * max(map(abs, values)):
+        scope.report.at(("synthesis", "f"), f"{quoted(text)} does not change between x = {first:.6g} and {last:.6g}")
+
+
+# --- results -------------------------------------------------------------------------------------------------------
+
+
+def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], scope: Scope) -> Found:
+    dimensions, by_symbol = writer.dimensions, {dim.symbol: dim for dim in writer.dimensions}
+    inputs = dict(writer.inputs)
+    rounding = ""
+    if task.has("round"):
+        rounding = inputs["round",] = ROUNDING
+        dimensions = [writer.rounding(ROUNDING), *dimensions]
+    units, trees, good = {}, {}, {}
+    for symbol, name in taken.items():
+        path: Path = ("dimensions", symbol, "synthesis")
+        if name not in writer.results:
+            message = f"a synthesis of kind {quoted(kind)} gives no {quoted(name)}"
+            scope.report.at(path, message, suggestion(name, writer.results, "results"))
+        elif symbol in writer.results and symbol != name:
+            message = (
+                f"{quoted(symbol)} is another result of this synthesis: {quoted(name)} under this name would mislead"
+            )
+            scope.report.at(path, message, "name the dimension otherwise")
+        else:
+            exact = writer.results[name]
+            unit = by_symbol[exact].unit if exact in by_symbol else writer.units.length
+            good[symbol], units[symbol] = name, unit
+            trees[symbol] = rounded(exact, rounding if unit.kind == LENGTH else "")
+    positive = tuple(writer.positive) + ((rounding,) if rounding else ())
+    synthesis = Synthesis(
+        kind, inputs, tuple(writer.steps), dict(writer.results), good, positive, dict(task.chosen), rounding,
+        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names), roots=dict(writer.roots),
+    )  # fmt: skip
+    return Found(synthesis, tuple(dimensions), units, trees)
+
+
+def rounded(exact: str, rounding: str) -> Node:
+    """The result as the mechanism uses it."""
+    if not rounding:
+        return Symbol(exact)
+    steps = Call("ROUND", (al.div(Symbol(exact), Symbol(rounding)), al.ZERO))
+    return al.mul(Symbol(rounding), steps)
+
+
+def defaults(found: Found | None) -> Mapping[str, Unit]:
+    """The units of dimensions that are results, where the description says none."""
+    return {} if found is None else found.units
+
+
+def trees_of(found: Found | None) -> Mapping[str, Node]:
+    """What the dimensions are that are results."""
+    return {} if found is None else found.trees
+
+
+def dimensions_of(found: Found | None) -> tuple[Dimension, ...]:
+    """The task's inputs and the steps."""
+    return () if found is None else found.dimensions
+
+
+_MODE = re.compile(r"mode_[0-9]+")
+
+
+def with_modes(task: Found | None, sketch: Mapping[str, Any], scope: Scope) -> Synthesis | None:
+    """The synthesis with the assembly modes of [assembly] that are its results."""
+    asked = {name: entry for name, entry in sketch.items() if isinstance(entry, dict)}
+    found: dict[str, str] = {}
+    for name, entry in asked.items():
+        path: Path = ("assembly", name)
+        result = entry.get("synthesis", BAD)
+        if not _MODE.fullmatch(name):
+            scope.report.at(
+                path, "only an assembly mode is a result of a synthesis", "mode_1 is that of the first group"
+            )
+        elif task is None:
+            scope.report.at(path, "there is no part [synthesis] whose result it could be")
+        elif result is not BAD and (result != "mode" or result not in task.synthesis.results):
+            message = f"{quoted(result)} is no assembly that a synthesis of kind {quoted(task.synthesis.kind)} gives"
+            allowed = [one for one in task.synthesis.results if one == "mode"]
+            scope.report.at((*path, "synthesis"), message, suggestion(result, allowed, "results"))
+        else:
+            found[name] = "mode"
+    return None if task is None else replace(task.synthesis, mode=found)

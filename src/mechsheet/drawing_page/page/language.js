@@ -1,0 +1,28 @@
+// The words of the page, English and Turkish; `words.js` is the program's own list.
+
+import { WORDS } from "./words.js";
+import { icon } from "./icons.js";
+import { state, on } from "./state.js";
+
+/** A text in the page's language, its {parts} filled in. */
+export function word(key, parts = {}) {
+  const text = WORDS[state.language]?.[key] ?? WORDS.en[key] ?? key;
+  return text.replace(/\{(\w+)\}/g, (whole, name) => (name in parts ? parts[name] : whole));
+}
+
+/** Give every element of the page its words. */
+export function label() {
+  document.documentElement.lang = state.language;
+  for (const element of document.querySelectorAll("[data-word]")) element.textContent = word(element.dataset.word);
+  for (const element of document.querySelectorAll("[data-label]")) element.setAttribute("aria-label", word(element.dataset.label));
+  for (const element of document.querySelectorAll("[data-hint]")) {
+    element.title = word(element.dataset.hint);
+    element.setAttribute("aria-label", word(element.dataset.hint));
+  }
+  document.getElementById("canvas").setAttribute("aria-label", word("drawing"));
+  document.getElementById("position").setAttribute("aria-label", word("position"));
+  document.getElementById("language").textContent = state.language === "en" ? "TR" : "EN";
+}
+
+for (const element of document.querySelectorAll("[data-icon]")) element.append(icon(element.dataset.icon));
+on("language", label);

@@ -1,0 +1,129 @@
+// The page begins: what was kept in this tab, or the file that the command named.
+
+import { ask } from "./asking.js";
+import { label, word } from "./language.js";
+import "./scene.js";
+import "./motion.js";
+import "./textpane.js";
+import "./panels.js";
+import "./tools.js";
+import { changed, keep, kept, on, redoable, remember, state, undoable } from "./state.js";
+import { fit, zoom } from "./view.js";
+import { confirmed, lookAgain, redo, save, setText, undo } from "./work.js";
+
+const get = (id) => document.getElementById(id);
+
+async function begin() {
+  const given = await ask("begin");
+  const mine = kept();
+  if (mine) Object.assign(state, mine);
+  else {
+    Object.assign(state, { text: given.text || given.empty, file: given.file, mark: given.mark });
+    state.saved = given.text;
+    state.language = given.language || (navigator.language.startsWith("tr") ? "tr" : "en");
+    state.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  }
+  for (const [name, title] of Object.entries(given.templates)) get("templates").append(new Option(title, name));
+  changed("theme", "language", "file", "grid", "paths", "picture", "tool");
+  changed("text");
+  if (state.view) changed("view");
+  await lookAgain();
+  document.body.dataset.ready = "yes";
+  stay();
+}
+
+/** As long as this stream is open the program knows that the page is. */
+function stay() {
+  const stream = new EventSource("open");
+  stream.onopen = () => (get("gone").hidden = true);
+  stream.onerror = () => {
+    get("gone").textContent = word("gone");
+    get("gone").hidden = false;
+  };
+}
+
+// --- the bar ----------------------------------------------------------------------------------------------------------
+
+get("undo").addEventListener("click", undo);
+get("redo").addEventListener("click", redo);
+get("save").addEventListener("click", save);
+get("fit").addEventListener("click", fit);
+get("nearer").addEventListener("click", () => zoom(1.25));
+get("farther").addEventListener("click", () => zoom(0.8));
+get("help-button").addEventListener("click", help);
+for (const name of ["grid", "paths"]) {
+  get(name).addEventListener("click", () => {
+    state[name] = !state[name];
+    changed(name);
+    keep();
+  });
+  on(name, () => get(name).setAttribute("aria-pressed", String(state[name])));
+}
+get("language").addEventListener("click", () => {
+  state.language = state.language === "en" ? "tr" : "en";
+  changed("language");
+  lookAgain();
+});
+get("theme").addEventListener("click", () => {
+  state.theme = state.theme === "light" ? "dark" : "light";
+  changed("theme");
+  keep();
+});
+get("templates").addEventListener("change", async (event) => {
+  const name = event.target.value;
+  event.target.value = "";
+  if (!name) return;
+  if (state.text.trim() !== state.saved.trim() && !(await confirmed(word("template.replace"), { yes: word("template.take") }))) return;
+  const { text } = await ask("template", { name });
+  remember();
+  state.view = null;
+  state.curves = null;
+  setText(text, null);
+});
+
+on("theme", () => (document.documentElement.dataset.theme = state.theme));
+on("language", () => {
+  const first = get("templates").options[0];
+  if (first?.value === "") first.textContent = word("template");
+  else get("templates").prepend(new Option(word("template"), ""));
+  get("templates").value = "";
+  label();
+});
+function bar() {
+  const unsaved = state.text !== state.saved;
+  get("undo").disabled = !undoable();
+  get("redo").disabled = !redoable();
+  get("file").title = state.file;
+  get("file").textContent = `${state.file.split("/").pop() || word("file.none")}${unsaved && state.file ? ` · ${word("file.unsaved")}` : ""}`;
+  get("title").textContent = state.look?.title || state.look?.name || word("title");
+  document.title = `${unsaved ? "• " : ""}${state.look?.name || "mechsheet"} – draw`;
+}
+on("text look file language", bar);
+
+function help() {
+  const list = document.createElement("dl");
+  for (const key of ["tools", "arrows", "enter", "delete", "space", "undo", "save", "zoom", "alt"]) {
+    const head = document.createElement("dt");
+    const text = document.createElement("dd");
+    head.textContent = word(`help.${key}.keys`);
+    text.textContent = word(`help.${key}`);
+    list.append(head, text);
+  }
+  get("help-text").replaceChildren(list);
+  get("help").showModal();
+}
+
+document.addEventListener("keydown", (event) => {
+  if (!(event.ctrlKey || event.metaKey)) return;
+  const key = event.key.toLowerCase();
+  const own = event.target.tagName === "INPUT";
+  if (key === "s") save();
+  else if (own) return;
+  else if (key === "z" && !event.shiftKey) undo();
+  else if (key === "y" || (key === "z" && event.shiftKey)) redo();
+  else return;
+  event.preventDefault();
+});
+addEventListener("beforeunload", keep);
+
+begin();

@@ -1,0 +1,330 @@
+// The mechanism on the sheet: SVG elements, built when the mechanism changes, moved when its position does.
+
+import { state, on } from "./state.js";
+import { canvas, size, spacing, toPlane, toScreen } from "./view.js";
+import { at, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
+import { word } from "./language.js";
+
+const NAMESPACE = "http://www.w3.org/2000/svg";
+const TRIANGLE = "M0,0 L-9,15 L9,15 Z";
+const HATCH = "M-13,15 L13,15 M-10,15 l-4,5 M-4,15 l-4,5 M2,15 l-4,5 M8,15 l-4,5";
+
+export function element(name, attributes = {}, parent = null) {
+  const made = document.createElementNS(NAMESPACE, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  parent?.append(made);
+  return made;
+}
+
+const layers = {};
+for (const name of ["grid", "picture", "paths", "guides", "grounds", "links", "drive", "pins", "band"]) {
+  layers[name] = element("g", { class: `layer-${name}` }, canvas);
+}
+layers.grid.setAttribute("aria-hidden", "true");
+layers.band.setAttribute("aria-hidden", "true");
+
+export const band = layers.band;
+
+// --- grid and picture -------------------------------------------------------------------------------------------------
+
+function drawGrid() {
+  layers.grid.replaceChildren();
+  const { width, height } = size();
+  canvas.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  const [left, top] = toPlane(0, 0);
+  const [right, low] = toPlane(width, height);
+  const { step, strong } = spacing();
+  const lines = { "g-minor": "", "g-major": "", "g-axis": "" };
+  const kind = (n) => (n === 0 ? "g-axis" : n % strong === 0 ? "g-major" : "g-minor");
+  const texts = [];
+  for (let n = Math.ceil(left / step); n * step <= right; n++) {
+    const [x] = toScreen(n * step, 0);
+    lines[kind(n)] += `M${x.toFixed(1)},0V${height}`;
+    if (n % strong === 0) texts.push([x + 3, height - 5, n * step]);
+  }
+  for (let n = Math.ceil(low / step); n * step <= top; n++) {
+    const [, y] = toScreen(0, n * step);
+    lines[kind(n)] += `M0,${y.toFixed(1)}H${width}`;
+    if (n % strong === 0 && y < height - 20) texts.push([4, y - 4, n * step]);
+  }
+  if (!state.grid) return;
+  for (const [name, path] of Object.entries(lines)) element("path", { class: name, d: path, fill: "none" }, layers.grid);
+  for (const [x, y, value] of texts) {
+    element("text", { class: "g-text", x, y }, layers.grid).textContent = shown(value);
+  }
+}
+
+function drawPicture() {
+  layers.picture.replaceChildren();
+  if (!state.picture) return;
+  const { url, x, y, width, height, strength } = state.picture;
+  const [left, top] = toScreen(x, y);
+  const { scale } = state.view;
+  element(
+    "image",
+    { href: url, x: left, y: top, width: width * scale, height: height * scale, opacity: strength / 100, preserveAspectRatio: "none" },
+    layers.picture,
+  );
+}
+
+// --- what is built once for a mechanism -------------------------------------------------------------------------------
+
+let built = { links: [], pins: [], guides: [], grounds: [], paths: [] };
+let shape = "";
+
+function build() {
+  const look = state.look;
+  const links = look?.links ?? [];
+  const joints = look?.joints ?? [];
+  const now = JSON.stringify([links, joints, look?.driver?.link, look?.driver?.joint, state.language, Object.keys(look?.frames?.points ?? {})]);
+  if (now === shape) return;
+  shape = now;
+  const focused = document.activeElement?.dataset?.point;
+  for (const name of ["paths", "guides", "grounds", "links", "pins"]) layers[name].replaceChildren();
+  built = { links: [], pins: [], guides: [], grounds: [], paths: [] };
+  for (const [index, link] of links.entries()) if (index) built.links.push(buildLink(link, index));
+  for (const joint of joints) built.guides.push(buildGuide(joint));
+  for (const point of Object.keys(look?.frames?.points ?? {})) {
+    if (links[0]?.points.includes(point)) built.grounds.push(buildGround(point));
+    else built.paths.push({ point, line: element("path", { class: "path" }, layers.paths) });
+    built.pins.push(buildPin(point));
+  }
+  if (focused) layers.pins.querySelector(`[data-point="${CSS.escape(focused)}"]`)?.focus();
+}
+
+function buildLink(link, index) {
+  const group = element("g", { class: `link${index % 2 ? "" : " other"}`, "data-link": link.name }, layers.links);
+  const made = { link, group };
+  if (link.points.length > 1) {
+    const kind = link.points.length > 2 ? "plate" : "bar";
+    made.back = element("path", { class: `${kind}-back` }, group);
+    made.front = element("path", { class: `${kind}-front` }, group);
+  }
+  made.grab = element("path", { class: "grab" }, group);
+  made.number = element("text", {}, group);
+  made.number.textContent = link.number;
+  element("title", {}, group).textContent = `${link.number} ${link.label}`;
+  return made;
+}
+
+function buildGuide(joint) {
+  const group = element("g", { class: "guide-group", "data-joint": joint.name }, layers.guides);
+  const made = { joint, group, line: element("path", { class: "guide" }, group), hatch: element("path", { class: "hatch" }, group) };
+  const block = element("g", { class: "link", "data-joint": joint.name }, layers.links);
+  made.block = element("rect", { class: "block", width: 34, height: 20, x: -17, y: -10, rx: 2 }, block);
+  made.holder = block;
+  return made;
+}
+
+function buildGround(point) {
+  const group = element("g", { class: "ground" }, layers.grounds);
+  element("path", { d: TRIANGLE }, group);
+  element("path", { d: HATCH, class: "hatch" }, group);
+  return { point, group };
+}
+
+function buildPin(point) {
+  const group = element("g", { class: `pin${isPin(point) ? "" : " free"}`, "data-point": point, tabindex: "0", role: "button" }, layers.pins);
+  element("circle", { class: "reach", r: 17 }, group);
+  element("circle", { class: "halo", r: 12 }, group);
+  element("circle", { class: "dot", r: isPin(point) ? 5.5 : 3.5 }, group);
+  const text = element("text", { x: 9, y: -9 }, group);
+  const [head, low] = parts(point);
+  text.textContent = head;
+  if (low) {
+    const lowered = element("tspan", { dy: 4 }, text);
+    lowered.textContent = low;
+  }
+  return { point, group };
+}
+
+// --- what moves -------------------------------------------------------------------------------------------------------
+
+const line = (places) => places.map(([x, y], n) => `${n ? "L" : "M"}${x.toFixed(2)},${y.toFixed(2)}`).join("");
+
+function move() {
+  if (!state.view) return;
+  const there = new Map(built.pins.map(({ point }) => [point, lastPlace(point)]));
+  const screen = (point) => {
+    const found = there.get(point);
+    return found ? toScreen(...found.place) : null;
+  };
+  const faulty = new Set((state.look?.faults ?? []).flatMap((fault) => fault.links));
+  const frames = state.look?.frames;
+  const reason = frames?.reasons?.[frames.why?.[state.frame] ?? 0];
+  for (const name of reason?.links ?? []) faulty.add(name);
+  for (const made of built.links) moveLink(made, there, screen, faulty);
+  for (const made of built.guides) moveGuide(made, screen);
+  for (const { point, group } of built.grounds) {
+    const p = screen(point);
+    group.setAttribute("transform", p ? `translate(${p[0]},${p[1]})` : "translate(-999,-999)");
+  }
+  for (const { point, group } of built.pins) {
+    const p = screen(point);
+    group.setAttribute("transform", p ? `translate(${p[0].toFixed(2)},${p[1].toFixed(2)})` : "translate(-999,-999)");
+    group.classList.toggle("chosen", state.chosen?.kind === "point" && state.chosen.name === point);
+    const found = there.get(point);
+    const joined = linksAt(point).map((link) => link.label).join(", ");
+    group.setAttribute("aria-label", found ? `${word("point")} ${point}: ${shown(found.place[0], 5)}, ${shown(found.place[1], 5)} (${joined})` : point);
+  }
+  moveDriver(screen);
+}
+
+function moveLink(made, there, screen, faulty) {
+  const { link, group } = made;
+  const places = link.points.map(screen).filter(Boolean);
+  const lost = link.points.some((point) => there.get(point)?.lost);
+  group.classList.toggle("lost", lost);
+  group.classList.toggle("wrong", faulty.has(link.name));
+  group.classList.toggle("driven", state.look?.driver?.link === link.name);
+  group.classList.toggle("chosen", state.chosen?.kind === "link" && state.chosen.name === link.name);
+  if (!places.length) return;
+  const path = line(places) + (places.length > 2 ? "Z" : "");
+  made.back?.setAttribute("d", path);
+  made.front?.setAttribute("d", path);
+  made.grab.setAttribute("d", path);
+  const middle = [0, 1].map((axis) => places.reduce((sum, p) => sum + p[axis], 0) / places.length);
+  made.number.setAttribute("x", middle[0]);
+  made.number.setAttribute("y", middle[1]);
+  made.number.style.display = places.length > 1 ? "" : "none";
+}
+
+function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) {
+  const columns = state.look?.frames?.lines?.[joint.name];
+  const point = screen(joint.point);
+  const direction = columns ? at(columns[2]) : null;
+  const hidden = !columns || !point || direction === null || at(columns[0]) === null;
+  group.style.display = holder.style.display = hidden ? "none" : "";
+  if (hidden) return;
+  const start = toScreen(at(columns[0]), at(columns[1]));
+  const along = [Math.cos(direction), -Math.sin(direction)];
+  const s = (point[0] - start[0]) * along[0] + (point[1] - start[1]) * along[1];
+  const onGround = joint.on === ground();
+  const owned = onGround ? [] : (linkNamed(joint.on)?.points ?? []).map(screen).filter(Boolean);
+  const others = owned.map((p) => (p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1]);
+  const far = Math.max(onGround ? 60 : s, ...others, ...reach(joint, start, along));
+  const near = Math.min(onGround ? -20 : s, ...others, ...reach(joint, start, along));
+  const [from, to] = [Math.min(near, s - 30), Math.max(far, s + 30)];
+  const spot = (distance, across = 0) => [start[0] + along[0] * distance - along[1] * across, start[1] + along[1] * distance + along[0] * across];
+  const width = onGround ? 11 : 8;
+  const both = [spot(from, width), spot(to, width), spot(from, -width), spot(to, -width)];
+  guide.setAttribute("d", onGround && joint.kind === "prismatic" ? line(both.slice(0, 2)) : line(both.slice(0, 2)) + line(both.slice(2)));
+  let marks = "";
+  if (onGround) for (let d = from + 4; d < to; d += 9) marks += line([spot(d, width), spot(d - 5, width + 6)]);
+  hatch.setAttribute("d", marks);
+  const degrees = (-direction * 180) / Math.PI;
+  holder.setAttribute("transform", `translate(${point[0].toFixed(2)},${point[1].toFixed(2)}) rotate(${degrees.toFixed(2)})`);
+  const slot = joint.kind === "pin-slot";
+  for (const [key, value] of Object.entries({ width: slot ? 18 : 34, x: slot ? -9 : -17, height: slot ? 16 : 22, y: slot ? -8 : -11 })) {
+    block.setAttribute(key, value);
+  }
+  block.classList.toggle("chosen", state.chosen?.kind === "joint" && state.chosen.name === joint.name);
+}
+
+/** How far along its line a sliding joint comes over all positions, in pixels from where the line is measured. */
+function reach(joint, start, along) {
+  const columns = state.look.frames.lines[joint.name];
+  const point = state.look.frames.points[joint.point];
+  if (!point || columns[0].length > 1) return [at(columns[0]) === null ? 0 : slid(joint, start, along)];
+  let [least, most] = [Infinity, -Infinity];
+  const [xs, ys] = point;
+  for (let n = 0; n < xs.length; n++) {
+    if (xs[n] === null || ys[n] === null || ys[n] === undefined) continue;
+    const p = toScreen(xs[n], ys[n]);
+    const s = (p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1];
+    least = Math.min(least, s - 30);
+    most = Math.max(most, s + 30);
+  }
+  return most >= least ? [least, most] : [0];
+}
+
+function slid(joint, start, along) {
+  const there = lastPlace(joint.point);
+  const p = there ? toScreen(...there.place) : start;
+  return (p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1];
+}
+
+function moveDriver(screen) {
+  layers.drive.replaceChildren();
+  const driver = state.look?.driver;
+  if (!driver) return;
+  const joint = state.look.joints.find((each) => each.name === driver.joint);
+  if (joint) {
+    const p = screen(joint.point);
+    const columns = state.look.frames?.lines?.[joint.name];
+    if (!p || !columns || at(columns[2]) === null) return;
+    const degrees = (-at(columns[2]) * 180) / Math.PI;
+    const holder = element("g", { transform: `translate(${p[0]},${p[1]}) rotate(${degrees}) translate(0,-22)` }, layers.drive);
+    element("path", { class: "drive", d: "M-20,0H20" }, holder);
+    element("path", { class: "drive-head", d: "M27,0L17,-5V5ZM-27,0L-17,-5V5Z" }, holder);
+    return;
+  }
+  const pivot = driver.pivot ? screen(driver.pivot) : null;
+  const link = state.look.links.find((each) => each.name === driver.link);
+  const other = link?.points.find((point) => point !== driver.pivot);
+  const end = other ? screen(other) : null;
+  if (!pivot || !end) return;
+  const angle = (Math.atan2(-(end[1] - pivot[1]), end[0] - pivot[0]) * 180) / Math.PI;
+  const holder = element("g", { transform: `translate(${pivot[0]},${pivot[1]}) rotate(${-angle})` }, layers.drive);
+  const [from, to] = [25, 115].map((degrees) => [26 * Math.cos((degrees * Math.PI) / 180), -26 * Math.sin((degrees * Math.PI) / 180)]);
+  element("path", { class: "drive", d: `M${from[0]},${from[1]}A26,26 0 0 0 ${to[0]},${to[1]}` }, holder);
+  element("path", { class: "drive-head", d: "M0,-10L5,0H-5Z", transform: `translate(${to[0]},${to[1]}) rotate(-112)` }, holder);
+}
+
+// --- paths ------------------------------------------------------------------------------------------------------------
+
+function drawPaths() {
+  for (const { point, line: path } of built.paths) {
+    const [xs, ys] = state.look.frames.points[point] ?? [[], []];
+    const chosen = state.chosen?.kind === "point" && state.chosen.name === point;
+    path.classList.toggle("chosen", chosen);
+    let d = "";
+    if ((state.paths || chosen) && xs.length > 1) {
+      let pen = "M";
+      for (let n = 0; n < xs.length; n++) {
+        if (xs[n] === null || ys[n] === null) {
+          pen = "M";
+          continue;
+        }
+        const [x, y] = toScreen(xs[n], ys[ys.length === 1 ? 0 : n]);
+        d += `${pen}${x.toFixed(1)},${y.toFixed(1)}`;
+        pen = "L";
+      }
+    }
+    path.setAttribute("d", d);
+  }
+}
+
+function all() {
+  if (!state.view) return;
+  drawGrid();
+  drawPicture();
+  build();
+  drawPaths();
+  move();
+}
+
+on("look", () => {
+  if (!state.view) return;
+  build();
+  drawPaths();
+  move();
+});
+on("view grid picture language", all);
+on("frame", move);
+on("chosen paths", () => {
+  drawPaths();
+  move();
+});
+
+// A sheet that becomes larger or smaller shows more or less at its right and below: what is there stays where it is.
+let extent = null;
+new ResizeObserver(() => {
+  const now = size();
+  if (extent && state.view) {
+    state.view.x += (now.width - extent.width) / 2 / state.view.scale;
+    state.view.y -= (now.height - extent.height) / 2 / state.view.scale;
+  }
+  extent = now;
+  all();
+}).observe(canvas);

@@ -1,0 +1,80 @@
+// Between lengths and pixels: the sheet shows a window of the plane, y upwards.
+
+import { state, changed } from "./state.js";
+
+export const canvas = document.getElementById("canvas");
+
+export function size() {
+  return { width: canvas.clientWidth || 800, height: canvas.clientHeight || 600 };
+}
+
+/** A place of the plane in pixels. */
+export function toScreen(x, y) {
+  const { width, height } = size();
+  const { x: mx, y: my, scale } = state.view;
+  return [width / 2 + (x - mx) * scale, height / 2 - (y - my) * scale];
+}
+
+/** Pixels as a place of the plane. */
+export function toPlane(px, py) {
+  const { width, height } = size();
+  const { x: mx, y: my, scale } = state.view;
+  return [mx + (px - width / 2) / scale, my - (py - height / 2) / scale];
+}
+
+/** Where on the sheet a pointer is, in pixels. */
+export function pointer(event) {
+  const box = canvas.getBoundingClientRect();
+  return [event.clientX - box.left, event.clientY - box.top];
+}
+
+/** The lines of the grid: the distance of neighbours, and how many of them make a strong one. */
+export function spacing() {
+  const wanted = 22 / state.view.scale;
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  const part = wanted / power;
+  const [step, strong] = part <= 1 ? [1, 10] : part <= 2 ? [2, 5] : part <= 5 ? [5, 4] : [10, 10];
+  return { step: step * power, strong };
+}
+
+/** The length to which a dragged point is rounded: the grid, or a fine part of it. */
+export function snapped(place, toGrid) {
+  const { step } = spacing();
+  const by = toGrid ? step : 10 ** Math.floor(Math.log10(1.5 / state.view.scale));
+  const digits = Math.max(0, 1 - Math.floor(Math.log10(by)));
+  return place.map((each) => Number((Math.round(each / by) * by).toFixed(Math.min(digits, 12))));
+}
+
+export function zoom(factor, px = size().width / 2, py = size().height / 2) {
+  const [x, y] = toPlane(px, py);
+  state.view.scale = Math.min(1e7, Math.max(1e-7, state.view.scale * factor));
+  const [nx, ny] = toPlane(px, py);
+  state.view.x += x - nx;
+  state.view.y += y - ny;
+  changed("view");
+}
+
+export function shift(dx, dy) {
+  state.view.x -= dx / state.view.scale;
+  state.view.y += dy / state.view.scale;
+  changed("view");
+}
+
+/** Show all that the mechanism reaches. */
+export function fit() {
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (const [xs, ys] of Object.values(state.look?.frames?.points ?? {})) {
+    for (const x of xs) if (x !== null) [left, right] = [Math.min(left, x), Math.max(right, x)];
+    for (const y of ys) if (y !== null) [low, high] = [Math.min(low, y), Math.max(high, y)];
+  }
+  if (!(left <= right)) [left, right, low, high] = [-20, 120, -20, 80];
+  const { width, height } = size();
+  const span = Math.max(right - left, high - low, 1e-6);
+  const room = 1.28;
+  const scale = Math.min(
+    width / (room * Math.max(right - left, span * 0.15)),
+    height / (room * Math.max(high - low, span * 0.15)),
+  );
+  state.view = { x: (left + right) / 2, y: (low + high) / 2, scale };
+  changed("view");
+}

@@ -1,0 +1,158 @@
+"""A description as far as it can be read and solved, with everything that is wrong with it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+from mechsheet.compiled import Compiled
+from mechsheet.description.locate import located
+from mechsheet.description.parts import Parts, parts_of
+from mechsheet.description.reader import loads
+from mechsheet.description.source import Source, parse
+from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
+from mechsheet.formula.nodes import symbols
+from mechsheet.kinematics.graph import graph_of
+from mechsheet.kinematics.mobility import check_mobility, mobility
+from mechsheet.kinematics.solve import dimension_values
+from mechsheet.model import Cartesian, Distances, Driver, Link, Mechanism, Polar, Quantity, Words
+
+KEPT = 12
+"""Texts of which the reading is kept."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What a text is.
+
+    source    None where it is no TOML
+    parts     what can be drawn of it; None where it is no TOML
+    compiled  the mechanism and its equations; None where it cannot be solved
+    faults    what is wrong, each at its line;  mobility  degrees of freedom, where there are links
+    """
+
+    text: str
+    source: Source | None
+    parts: Parts | None
+    compiled: Compiled | None
+    faults: tuple[Fault, ...]
+    mobility: int | None
+
+
+@lru_cache(maxsize=KEPT)
+def read(text: str, file: str) -> Reading:
+    """The reading of a text; `file` is what messages call it. Nothing is raised for what a description can have wrong.
+
+    The last texts are kept: while a point is dragged, each question begins with the text as it was before.
+    """
+    try:
+        source = parse(text, file)
+    except MechsheetError as error:
+        return Reading(text, None, None, None, error.faults, None)
+    parts = parts_of(source)
+    count, loose = _counted(parts)
+    try:
+        mechanism = loads(text, file)
+    except MechsheetError as error:
+        told = [*error.faults, *(fault for fault in located(MechanismError(loose), text, file).faults)]
+        return Reading(text, source, parts, None, tuple(told), count)
+    compiled = Compiled(mechanism)
+    try:
+        _ = compiled.equations
+    except MechanismError as error:
+        return Reading(text, source, parts, None, located(error, text, file).faults, count)
+    parts = replace(parts, numbers={**dimension_values(mechanism), **parts.numbers})  # a synthesis has found some
+    return Reading(text, source, parts, compiled, (), count)
+
+
+def _counted(parts: Parts) -> tuple[int | None, list[Fault]]:
+    """Degrees of freedom, and what `show` would say of them; of parts without a driver."""
+    if len(parts.links) < 2:
+        return None, []
+    mechanism = Mechanism(
+        "", Words("", ""), Words("", ""), parts.length_unit, parts.angle_unit, (), parts.links, parts.joints,
+        parts.driver or Driver("", parts.angle_unit),
+    )  # fmt: skip
+    graph = graph_of(mechanism)
+    count = mobility(graph) - parts.relations
+    if parts.relations:  # which bodies they tie is known of sound descriptions only
+        return count, []
+    try:
+        check_mobility(mechanism, graph)
+    except MechanismError as error:
+        return count, list(error.faults)
+    return count, []
+
+
+# --- where a fault lies ----------------------------------------------------------------------------------------------
+
+_WORD = re.compile(r"[\w.-]+")
+
+
+def fault_entry(fault: Fault, parts: Parts | None) -> dict[str, Any]:
+    """A fault as the page shows it: at its line, and at the links and points that it names."""
+    named, points = _places(fault, parts) if parts is not None else ((), ())
+    return {
+        "line": fault.line,
+        "key": fault.key,
+        "message": fault.message,
+        "hint": fault.hint,
+        "links": list(named),
+        "points": list(points),
+    }
+
+
+def _places(fault: Fault, parts: Parts) -> tuple[Iterable[str], Iterable[str]]:
+    keys = fault.key.split(".")
+    quoted = set(re.findall(r'"([^"]+)"', fault.message))
+    links: dict[str, None] = {}
+    points: dict[str, None] = {}
+    words = set(_WORD.findall(fault.message))
+    for link in parts.links:
+        if (
+            link.name in quoted
+            or keys[:2] == ["links", link.name]
+            or ("cannot be joined" in fault.message and link.name in words)
+        ):
+            links[link.name] = None
+        if keys[0] == "dimensions" and len(keys) > 1 and keys[1] in reads_of(link, parts):
+            links[link.name] = None
+    if keys[0] == "assembly" and len(keys) > 1 and parts.links_at(keys[1]):
+        points[keys[1]] = None
+    if keys[0] == "links" and len(keys) > 3:
+        points[keys[3]] = None
+    return links, points
+
+
+def reads_of(link: Link, parts: Parts) -> set[str]:
+    """The dimensions that the places of a link's points follow from."""
+    found: set[str] = set()
+    for place in link.points.values():
+        found |= {name for quantity in quantities_of(place) for name in symbols_in(quantity)}
+    derived = {dim.symbol: dim.value for dim in parts.dimensions if not isinstance(dim.value, float)}
+    waiting = list(found)
+    while waiting:
+        value = derived.get(waiting.pop())
+        new = set(symbols_in(value)) - found if value is not None else set()
+        found |= new
+        waiting += new
+    return found
+
+
+def quantities_of(place: Cartesian | Polar | Distances) -> tuple[Quantity, ...]:
+    """The numbers and expressions of a place."""
+    match place:
+        case Cartesian(x, y):
+            return (x, y)
+        case Polar(r, angle):
+            return (r, angle)
+        case Distances(_, first, _, second, _):
+            return (first, second)
+
+
+def symbols_in(quantity: Quantity) -> tuple[str, ...]:
+    """The dimensions that an expression names."""
+    return () if isinstance(quantity, float | int) else tuple(symbols(quantity))

@@ -1,0 +1,225 @@
+"""Reactions of a group that Newton's method solves: what its equations hold, by the transposed Jacobian.
+
+Let the unknown x_j of a carrier change alone. What acts on the carrier and on those that are reached over it does the work
+Q_j then, and is held by the links between the carriers alone, each along its own equation, with an intensity L_i:
+
+    J^T L = Q        Q_j = sum of (X-A) x F + sum of T about the carrier's pin A, or sum of F . d along its line
+
+With S and M(P) of a link between two carriers (`acting`), w from its first pin P to its second Q, l = |w|:
+
+    two pins     force on it at Q: L w - M(P) J w / l^2,      at P: -S minus that
+    pin, line    force on it at P: L n - (S.d) d,             from the line: -(S.n) - L along n, couple about P -M(P)
+    a pin of two carriers: (L_x, L_y) on the later one
+
+then each carrier is held where it is reached, the last first. The determinant is that of the rates.
+Source: the principle of virtual work; Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapter 13.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from mechsheet.dynamics.acting import ActingForces, Force
+from mechsheet.dynamics.columns import Columns
+from mechsheet.dynamics.joints import Joints
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.motions import Motions
+from mechsheet.kinematics.newton.carriers import Solution, Span, holder, renamed
+from mechsheet.kinematics.newton.chains import Binary, Carrier
+from mechsheet.kinematics.newton.rates import solved
+from mechsheet.kinematics.poses import Assembly, Poses
+from mechsheet.kinematics.vectors import Vector, cross, dot, minus, negative, over, times, together, turned
+from mechsheet.units import NUMBER
+from mechsheet.words.equations import phrase
+
+
+@dataclass
+class _Hung:
+    """What links between carriers are known to exert on a body, whatever the intensities."""
+
+    forces: list[Force] = field(default_factory=list)
+    couples: list[Node] = field(default_factory=list)
+
+
+class ChainReactions:
+    """Of one group of a mechanism."""
+
+    def __init__(
+        self, solution: Solution, motions: Motions, acting: ActingForces, joints: Joints, columns: Columns
+    ) -> None:
+        self.solution, self.chain, self.system = solution, solution.chain, solution.system
+        self.motions, self.acting, self.joints, self.columns = motions, acting, joints, columns
+        self.poses: Poses = motions.poses
+        self.hung: dict[str, _Hung] = {}
+        self.sums: dict[Assembly, Vector] = {}
+        self.moments: dict[Assembly, Node] = {}
+        self.across: dict[Assembly, Vector] = {}
+
+    def write(self, det: Node) -> None:
+        """All joints of the group; `det` is what its rates are divided by."""
+        for binary in self.chain.binaries:
+            self._known_of(binary)
+        held = iter(self._intensities(det))
+        for binary in self.chain.binaries:
+            self._held(binary, next(held))
+        for point, _, other in self.chain.shut:
+            body = self.motions.with_point(other, point)
+            self.joints.outer(point, body, (next(held), next(held)))
+        for carrier in reversed(self.chain.carriers):
+            self._reached(carrier)
+
+    # --- what is known of the links between the carriers --------------------------------------------------------
+
+    def _at(self, point: str) -> Vector:
+        return self.poses.xy[point]
+
+    def _pin(self, binary: Binary) -> str:
+        first = binary.ends[0].joint
+        if not isinstance(first, str):
+            raise TypeError(f"no pin at the first end: {binary}")
+        return first
+
+    def _known_of(self, binary: Binary) -> None:
+        """S, M(P), and what they make it exert on the two bodies that it joins."""
+        assembly, first, second = binary.assembly, self._pin(binary), binary.ends[1].joint
+        p = self._at(first)
+        total = self.sums[assembly] = together(self.acting.total(body) for body in assembly)
+        moment = self.moments[assembly] = al.total(self.acting.moment(body, p) for body in assembly)
+        if isinstance(second, str):
+            across = self.across[assembly] = self._across(assembly, self.solution.spans[assembly], moment)
+            self._hang(holder(self.poses, self.chain, first, assembly), Force(minus(total, across), p))
+            self._hang(holder(self.poses, self.chain, second, assembly), Force(across, self._at(second)))
+            return
+        d = self.motions.direction(second)
+        n = turned(d)
+        self._hang(holder(self.poses, self.chain, first, assembly), Force(times(dot(total, d), d), p))
+        beside = second.other(second.body if second.body in assembly else second.on)
+        self._hang(beside, Force(times(dot(total, n), n), p), moment)
+
+    def _across(self, assembly: Assembly, span: Span, moment: Node) -> Vector:
+        """The part across the way of what a link exerts at its second pin: M(P) J w / l^2."""
+        turning = over(moment, al.mul(al.square(span.length), self.columns.metre))
+        label = phrase("across_link", link=self.poses.name(assembly))
+        turning = self.columns.grey(f"m_{self.acting.number(assembly[0])}", turning, NUMBER, label)
+        return times(turning, turned(span.way))
+
+    def _hang(self, body: str, force: Force, couple: Node = al.ZERO) -> None:
+        hung = self.hung.setdefault(body, _Hung())
+        if not all(map(al.is_zero, force.vector)):
+            hung.forces.append(force)
+        if not al.is_zero(couple):
+            hung.couples.append(couple)
+
+    # --- the intensities ----------------------------------------------------------------------------------------
+
+    def _intensities(self, det: Node) -> list[Node]:
+        columns = self.columns
+        efforts = [self._along(carrier) for carrier in self.chain.carriers]
+        turning = all(isinstance(carrier.reached.joint, str) for carrier in self.chain.carriers)
+        if turning:
+            det = al.mul(det, columns.metre)
+        else:
+            efforts = [
+                over(effort, columns.metre) if isinstance(carrier.reached.joint, str) else effort
+                for carrier, effort in zip(self.chain.carriers, efforts, strict=True)
+            ]
+        found = solved(self.system, efforts, transposed=True)
+        label = phrase("newton_minor")
+        minors: dict[str, str] = {}
+        for name, node in found.minors:
+            column = columns.grey(name, renamed(node, minors), NUMBER, label)
+            minors[name] = _name(column)
+        intensities = []
+        for number, node in enumerate(found.numerators, 1):
+            words = phrase("held_by", number=str(number))
+            tail = f"_{self._group}" if self._group > 1 else ""
+            intensities.append(columns.grey(f"lambda_{number}{tail}", over(renamed(node, minors), det), NUMBER, words))
+        return intensities
+
+    @property
+    def _group(self) -> int:
+        return self.poses.ledger.group
+
+    def _along(self, carrier: Carrier) -> Node:
+        """Q of a carrier's unknown."""
+        forces, couples = self._felt(carrier)
+        number = self.acting.number(carrier.assembly[0])
+        joint = carrier.reached.joint
+        what = self.poses.name(carrier.assembly)
+        if isinstance(joint, str):
+            about = self._at(joint)
+            arms = al.total(cross(minus(force.at, about), force.vector) for force in forces)
+            return self.acting.torque(f"Q{number}", arms, couples, what)
+        sign = 1 if joint.body in carrier.assembly else -1
+        along = dot(together(force.vector for force in forces), self.motions.direction(joint))
+        label = phrase("sum_along", link=what)
+        return self.columns.grey(f"Q{number}", along if sign > 0 else al.neg(along), self.columns.force, label)
+
+    def _felt(self, carrier: Carrier) -> tuple[list[Force], list[Node]]:
+        """What acts on a carrier, with what those that are reached over it hand on: over a pin no couple, for an angle is
+        counted from the ground and does not change with that of the carrier below; over a slide all, for both turn alike."""
+        forces: list[Force] = []
+        couples: list[Node] = []
+        for body in carrier.assembly:
+            own, hung = self.acting.of(body), self.hung.get(body, _Hung())
+            forces += [*own.forces, *hung.forces]
+            couples += [*own.couples, *hung.couples]
+        for other in self.chain.carriers:
+            joint = other.reached.joint
+            if other == carrier or self._below(other) not in carrier.assembly:
+                continue
+            handed, turning = self._felt(other)
+            if isinstance(joint, str):
+                forces.append(Force(together(force.vector for force in handed), self._at(joint)))
+            else:
+                forces += handed
+                couples += turning
+        return forces, couples
+
+    def _below(self, carrier: Carrier) -> str:
+        """The body from which a carrier is reached."""
+        joint = carrier.reached.joint
+        if isinstance(joint, str):
+            return holder(self.poses, self.chain, joint, carrier.assembly)
+        return joint.other(joint.body if joint.body in carrier.assembly else joint.on)
+
+    # --- the joints ---------------------------------------------------------------------------------------------
+
+    def _held(self, binary: Binary, intensity: Node) -> None:
+        assembly, first, second = binary.assembly, self._pin(binary), binary.ends[1].joint
+        at_first = self.motions.with_point(assembly, first)
+        total = self.sums[assembly]
+        if isinstance(second, str):
+            span = self.solution.spans[assembly]
+            force = minus(times(intensity, span.way), self.across[assembly])
+            force = self.joints.outer(second, self.motions.with_point(assembly, second), force)
+            self.joints.outer(first, at_first, minus(negative(total), force))
+            return
+        d = self.motions.direction(second)
+        n = turned(d)
+        self.joints.outer(first, at_first, minus(times(intensity, n), times(dot(total, d), d)))
+        normal = al.neg(al.add(dot(total, n), intensity))
+        self._on_line(assembly, second, normal, al.neg(self.moments[assembly]), self._at(first))
+
+    def _on_line(self, assembly: Assembly, slide: Slide, normal: Node, couple: Node, at: Vector) -> None:
+        body = slide.body if slide.body in assembly else slide.on
+        self.joints.slide(slide, body, normal, couple, at)
+
+    def _reached(self, carrier: Carrier) -> None:
+        """Where a carrier is reached it is held against all else that acts on it by now."""
+        assembly, joint = carrier.assembly, carrier.reached.joint
+        total = negative(together(self.acting.total(body) for body in assembly))
+        if isinstance(joint, str):
+            self.joints.outer(joint, self.motions.with_point(assembly, joint), total)
+            return
+        at = self._at(joint.joint.point)
+        couple = al.neg(al.total(self.acting.moment(body, at) for body in assembly))
+        self._on_line(assembly, joint, dot(total, turned(self.motions.direction(joint))), couple, at)
+
+
+def _name(column: Node) -> str:
+    if not isinstance(column, Symbol):
+        raise TypeError(f"a minor without a column: {column}")
+    return column.name

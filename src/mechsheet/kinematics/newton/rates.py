@@ -1,0 +1,217 @@
+"""Velocities and accelerations of a group that Newton's method solves: its equations F(x) = 0, differentiated.
+
+    J x' = -F',    J x'' = -F''        F', F'': what is left of the derivatives of F where x', then x'', is 0
+
+J is the Jacobian of the last pass. A link between two carriers gives the same place twice: P + w of the link itself, and Q
+of the body that it meets there. The gap between the two ways is linear in the rates; across the link's own unknown (along
+w, or along the normal n of its line d) it is one of the group's equations, along it it gives the link's own rate:
+
+    distance of two pins     w . (P' - Q') = 0,    w . (P'' - Q'') = theta'^2 l^2,       theta' = w x (Q' - P') / l^2
+    distance from a line     n . (B' - P') = 0,    n . (B'' - P'') = -2 s' delta',       s' = d . (P' - B')
+    a pin of two carriers    P' - Q' = 0,          P'' - Q'' = 0
+
+B is the place at P of the body with the line, delta its angle. Source: the implicit function theorem; Soeylemez,
+Mechanisms, section 3.9 for F and J; Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, section 3.12.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Binary as NodeBinary
+from mechsheet.formula.nodes import Call, Node, Number, Symbol, transform
+from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.equations import Condition, System
+from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.motions import Motions, PointRate
+from mechsheet.kinematics.newton.carriers import Solution, holder, renamed
+from mechsheet.kinematics.newton.chains import Binary
+from mechsheet.kinematics.newton.cramer import Cramer, cramer
+from mechsheet.kinematics.poses import Assembly
+from mechsheet.kinematics.rate_columns import COEFFICIENTS
+from mechsheet.kinematics.vectors import Vector, dot, minus, negative, turned
+
+SIDES = ((al.ONE, al.ZERO), (al.ZERO, al.ONE))
+
+
+@dataclass(frozen=True, slots=True)
+class Own:
+    """The rate of a link between two carriers: it moves the place by `along` for each unit of the symbol.
+
+    square  |along|^2
+    """
+
+    symbol: str
+    along: Vector
+    square: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Closing:
+    """A place that is reached in two ways.
+
+    gap    by how much the rates over the one exceed those over the other
+    free   the same without the link's own rate
+    bend   what the link's own first rate adds to the second derivative along `asked`, where `free` has lost it
+    asked  the directions along which the gap is an equation of the group, in the order of its equations
+    point  of a link that stands on the ground, the point at its other end: `free` is minus its rates; else ""
+    """
+
+    gap: PointRate
+    free: PointRate
+    bend: Node
+    asked: tuple[Vector, ...]
+    own: Own | None
+    point: str = ""
+
+
+def known_pins(motions: Motions, solution: Solution) -> list[str]:
+    """The points of a group that bodies solved before it have."""
+    graph = motions.poses.graph
+    points = dict.fromkeys(point for body in solution.chain.bodies for point in graph.points[body])
+    return [point for point in points if any(body in motions.motion for body in graph.bodies_at(point))]
+
+
+class Closings:
+    """Of one group: its bodies get their motions, over the rates of the unknowns."""
+
+    def __init__(self, motions: Motions, solution: Solution, known: Mapping[str, PointRate]) -> None:
+        """`known`: the rates of `known_pins`."""
+        self.motions, self.poses, self.solution, self.known = motions, motions.poses, solution, known
+        self.chain = solution.chain
+
+    def write(self) -> list[Closing]:
+        """In the order of the group's equations."""
+        motions = self.motions
+        for carrier, symbol in zip(self.chain.carriers, self.solution.system.variables, strict=True):
+            joint = carrier.reached.joint
+            if isinstance(joint, str):
+                motions.pinned(carrier.assembly, joint, self._at(joint, carrier.assembly), motions.rates.of(symbol))
+            else:
+                motions.guided(carrier.assembly, joint)
+        found = [self._over(binary) for binary in self.chain.binaries]
+        return found + [self._at_pin(*shut) for shut in self.chain.shut]
+
+    def _at(self, point: str, but: Assembly = ()) -> PointRate:
+        """The rates of a point as the body has them with which it was found."""
+        if point in self.known:
+            return self.known[point]
+        return self.motions.motion[holder(self.poses, self.chain, point, but)](self.poses.xy[point])
+
+    def _over(self, binary: Binary) -> Closing:
+        first, second = (end.joint for end in binary.ends)
+        if not isinstance(first, str):
+            raise TypeError(f"no pin at the first end: {binary}")
+        if isinstance(second, str):
+            return self._over_pins(binary.assembly, first, second)
+        return self._on_line(binary.assembly, first, second)
+
+    def _over_pins(self, assembly: Assembly, first: str, second: str) -> Closing:
+        span = self.solution.spans[assembly]
+        symbol = self.poses.links[assembly[0]].angle_symbol
+        rate = self.motions.rates.of(symbol)
+        self.motions.pinned(assembly, first, self._at(first, assembly), rate)
+        over = self.motions.motion[self.motions.with_point(assembly, second)](self.poses.xy[second])
+        there = self._at(second, assembly)
+        gap = PointRate(minus(over.first, there.first), minus(over.second, there.second))
+        own = Own(symbol, turned(span.way), al.square(span.length))
+        bend = al.mul(al.square(rate.first), own.square)
+        stands = all(map(al.is_zero, self._at(first, assembly).first)) and len(assembly) == 1
+        return self._closing(assembly, gap, own, (negative(span.way),), bend, second if stands else "")
+
+    def _on_line(self, assembly: Assembly, first: str, slide: Slide) -> Closing:
+        motions = self.motions
+        symbol = motions.guided(assembly, slide)
+        rate = motions.rates.of(symbol)
+        inside = slide.body if slide.body in assembly else slide.on
+        place, there = self.poses.xy[first], self._at(first, assembly)
+        over = motions.motion[motions.with_point(assembly, first)](place)
+        gap = PointRate(minus(over.first, there.first), minus(over.second, there.second))
+        d = motions.direction(slide)
+        along, slid = (d, rate.first) if inside == slide.body else (negative(d), al.neg(rate.first))
+        bend = al.neg(al.mul(al.mul(al.TWO, slid), motions.turning[slide.other(inside)].first))
+        return self._closing(assembly, gap, Own(symbol, along, al.ONE), (negative(turned(d)),), bend, "")
+
+    def _closing(
+        self, assembly: Assembly, gap: PointRate, own: Own, asked: tuple[Vector, ...], bend: Node, point: str
+    ) -> Closing:
+        rates = [f"{own.symbol}{part}" for part in COEFFICIENTS]
+        first = without(gap.first, rates)
+        if len(assembly) == 1:
+            return Closing(gap, PointRate(first, without(gap.second, rates)), bend, asked, own, point)
+        # what is driven in the link itself moves with its angular velocity, too: that stays where it stands
+        return Closing(gap, PointRate(first, without(gap.second, rates[1:])), al.ZERO, asked, own)
+
+    def _at_pin(self, point: str, one: Assembly, other: Assembly) -> Closing:
+        motions = self.motions
+        there = motions.motion[motions.with_point(other, point)](self.poses.xy[point])
+        here = self._at(point, other)
+        if one:
+            here = motions.motion[motions.with_point(one, point)](self.poses.xy[point])
+        gap = PointRate(minus(here.first, there.first), minus(here.second, there.second))
+        return Closing(gap, gap, al.ZERO, SIDES, None)
+
+
+def known_sides(closing: Closing, free: Vector, order: int) -> list[Node]:
+    """The right sides -F' (`order` 1) or -F'' (2) of its equations; `free`: the closing's, the rates looked for left out."""
+    bend = closing.bend if order == 2 else al.ZERO
+    return [al.sub(dot(negative(asked), free), bend) for asked in closing.asked]
+
+
+def own_rate(own: Own, free: Vector) -> Node:
+    """The rate of a link between two carriers, over those of the unknowns."""
+    return al.div(dot(negative(own.along), free), own.square)
+
+
+def solved(system: System, right: Sequence[Node], transposed: bool = False) -> Cramer:
+    """J d = right, or J^T d = right. Minors of J alone that the last pass has are read there; the others are new."""
+    matrix = [list(row) for row in (zip(*system.jacobian, strict=True) if transposed else system.jacobian)]
+    found = cramer(matrix, right)
+    tail = system.determinant.removeprefix("det")
+    there = set() if transposed else {each.symbol for each in system.body}
+    kept = {name: f"{name}{tail}" for name, _ in found.minors if name[0] in "SC" and f"{name}{tail}" in there}
+    return Cramer(
+        tuple((name, renamed(node, kept)) for name, node in found.minors if name not in kept),
+        Symbol(system.determinant),
+        tuple(renamed(node, kept) for node in found.numerators),
+    )
+
+
+def dead(system: System, slides: Sequence[bool], size: Node, split: Callable[[Node], Node]) -> Condition:
+    """|det J| against the product of the sizes of its rows (Hadamard): what a sine is between two directions.
+
+    slides  of each unknown, whether it is a displacement: it counts by the largest length `size`;  split  a column where
+    a row's size is long
+    """
+    sizes: list[Node] = []
+    for row in system.jacobian:
+        parts = [
+            al.mul(size, Call("ABS", (part,))) if slide else Call("ABS", (part,))
+            for part, slide in zip(row, slides, strict=True)
+            if not al.is_zero(part)
+        ]
+        sizes.append(al.total(parts) if len(system.jacobian) < 3 else split(al.total(parts)))
+    margin: Node = Call("ABS", (Symbol(system.determinant),))
+    least = al.number(DEAD)
+    for each in sizes:
+        least = al.mul(least, each)
+    for _ in filter(None, slides):
+        margin = al.mul(margin, size)
+    return Condition(margin, least)
+
+
+def without(vector: Vector, names: Iterable[str]) -> Vector:
+    """The vector where some symbols are 0."""
+    zero = frozenset(names)
+
+    def change(part: Node) -> Node:
+        match part:
+            case Symbol(name):
+                return al.ZERO if name in zero else part
+            case NodeBinary("^", base, Number(_)) if al.is_zero(base):
+                return base
+        return al.tidied(part)
+
+    return transform(vector[0], change), transform(vector[1], change)

@@ -1,0 +1,79 @@
+"""Columns of the sheet of velocities: influence coefficients, and what they are found from."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.kinematics.cell_lengths import CellLengths
+from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.vectors import Vector
+from mechsheet.model import Mechanism, Words
+from mechsheet.units import NUMBER, Unit
+from mechsheet.words.equations import phrase
+
+COEFFICIENTS = (".d", ".dd")
+"""What a symbol's first and second derivative by the driver's variable end in."""
+
+
+def order_words(order: int) -> Words:
+    """Of velocity, of acceleration."""
+    return phrase("velocity_word" if order == 1 else "acceleration_word")
+
+
+class RateColumns:
+    """Writes them into the ledger.
+
+    angles  symbols whose derivatives are of angles, the others are of lengths
+    """
+
+    def __init__(self, mechanism: Mechanism, ledger: Ledger, unknown: Collection[str]) -> None:
+        """`unknown`: coefficients that will stand on the sheet, too."""
+        self.mechanism, self.ledger, self.unknown = mechanism, ledger, unknown
+        self.cells = CellLengths(mechanism, ledger)
+        self.angles = {link.angle_symbol for link in mechanism.links}
+
+    def length(self, node: Node) -> float:
+        """About so many characters a cell's formula has."""
+        self.cells.own.update(self.unknown)
+        return self.cells.of(node)
+
+    def unit(self, lengths: int, order: int = 0) -> Unit:
+        """The unit of lengths to a power, by the driver's unit to the power `order`."""
+        length = self.mechanism.length_unit
+        power = lengths - (order if self.mechanism.driver.joint and length else 0)
+        if power == 0:
+            return NUMBER
+        name = length + {1: "", 2: "²"}.get(abs(power), f"^{abs(power)}")
+        return Unit("number", name if power > 0 else f"1/{name}")
+
+    def within(self, node: Node, base: str, unit: Unit, label: Words) -> Node:
+        """A sum of which no cell holds more than can be read: its first terms stand in a column of their own."""
+        return self.cells.split(node, lambda part: self.define(base, part, unit, label))
+
+    def define(self, base: str, node: Node, unit: Unit, label: Words, *exists: Condition) -> Symbol:
+        """A column of its own."""
+        name = self.ledger.reserve(base)
+        self.cells.own.add(name)
+        return self.ledger.define(name, node, unit, label, "coefficient", exists)
+
+    def coefficient(self, symbol: str, order: int, node: Node, turns: bool | None = None) -> None:
+        """The first or the second derivative of a symbol."""
+        turns = symbol in self.angles if turns is None else turns
+        label = phrase("coefficient", symbol=symbol, order=order_words(order))
+        name = f"{symbol}{COEFFICIENTS[order - 1]}"
+        self.ledger.define(name, node, self.unit(0 if turns else 1, order), label, "coefficient")
+
+    def point(self, point: str, order: int, rate: Vector) -> Vector:
+        """The first or the second coefficients of a point; those that have columns already are read there."""
+        found = []
+        for axis, node in zip("xy", rate, strict=True):
+            name = f"{point}.{axis}{COEFFICIENTS[order - 1]}"
+            if name not in self.ledger.values:
+                label = phrase("coefficient", symbol=f"{axis} {point}", order=order_words(order))
+                part = self.within(node, f"{point}_{axis}", self.unit(1, order), label)
+                self.cells.own.add(name)
+                self.ledger.define(name, part, self.unit(1, order), label, "coefficient")
+            found.append(Symbol(name))
+        return found[0], found[1]

@@ -1,0 +1,1 @@
+"""Studies: millions of designs of one mechanism, tried by the equations that its workbook has."""

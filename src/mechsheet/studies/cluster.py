@@ -1,0 +1,86 @@
+"""Computing the parts of a study on a Dask cluster whose scheduler is running: the same function, the same parts.
+
+A worker that dies takes nothing with it but the part that it was at; the scheduler gives that to another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.studies.packages import distributed
+from mechsheet.studies.parts import Order, VersionsError, compute
+from mechsheet.studies.running import AHEAD, Parts
+
+SECONDS = 10
+"""So long an address may take to answer, and workers to come."""
+
+LEAST_AHEAD = 8
+
+
+def on_cluster(order: Order, parts: Iterable[int], address: str) -> Parts:
+    """Compute parts on the workers of the scheduler at `address`. Raises MechsheetError where nobody answers or works."""
+    dask = distributed()
+    client = _client(dask, address)
+    try:
+        client.wait_for_workers(1, timeout=SECONDS)
+    except (TimeoutError, dask.TimeoutError) as error:
+        client.close()
+        message = f"the scheduler has no workers after {SECONDS} s"
+        raise MechsheetError(Fault(message, key=f"--on {address}", hint=f"dask worker {address}")) from error
+    try:
+        yield from _computed(dask, client, order, parts)
+    except VersionsError as error:
+        raise MechsheetError(
+            Fault(_differing(error), key=f"--on {address}", hint="the same releases, on processors that compute alike")
+        ) from error
+    except (dask.KilledWorker, dask.client.FutureCancelledError, OSError) as error:
+        message = f"the cluster has given a part up: {error}"
+        hint = "what is done is kept: go on with --resume"
+        raise MechsheetError(Fault(message, key=f"--on {address}", hint=hint)) from error
+    finally:
+        client.close(timeout=SECONDS)
+
+
+def _client(dask: Any, address: str) -> Any:
+    try:
+        return dask.Client(address, timeout=SECONDS, set_as_default=False)
+    except (OSError, TimeoutError, ValueError) as error:
+        message = f"nobody answers within {SECONDS} s"
+        hint = "the address that `dask scheduler` prints, for example tcp://10.0.0.5:8786"
+        raise MechsheetError(Fault(message, key=f"--on {address}", hint=hint)) from error
+
+
+def _computed(dask: Any, client: Any, order: Order, parts: Iterable[int]) -> Parts:
+    """Parts are submitted a few ahead of the workers that there are: memory stays bounded, and workers may come and go."""
+    rest = iter(parts)
+    waiting = dask.as_completed(loop=client.loop)
+    held = 0
+
+    def submit() -> int:
+        count = 0
+        while held + count < max(LEAST_AHEAD, AHEAD * sum(client.nthreads().values())):
+            part = next(rest, None)
+            if part is None:
+                break
+            waiting.add(client.submit(compute, order, part, pure=False))
+            count += 1
+        return count
+
+    held += submit()
+    while held:
+        future = next(waiting)
+        held -= 1
+        done = future.result()
+        future.release()
+        held += submit()
+        yield done
+
+
+def _differing(error: VersionsError) -> str:
+    here, there = (dict(part) for part in error.args)
+    others = ", ".join(
+        f"{name} {there.get(name, '?')} (here {here[name]})" for name in here if here[name] != there.get(name)
+    )
+    return f"a worker would not compute the same bytes: {others}"

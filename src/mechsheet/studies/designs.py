@@ -1,0 +1,284 @@
+"""A mechanism's designs by the thousand: from numbers of designs to those that meet all conditions, with their summaries.
+
+Conditions that dimensions decide come first, for all designs of a chunk; then the motion of those that are left (`motion`);
+then the conditions that read it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.compiled import Compiled
+from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.formula.nodes import symbols
+from mechsheet.kinematics.driving import given_at, given_values
+from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
+from mechsheet.model import Condition, Mechanism, Study
+from mechsheet.studies.lowering import Lowered, Lowering
+from mechsheet.studies.motion import Motion
+from mechsheet.studies.program import Running
+from mechsheet.studies.questions import Questions, holds, number_of, questions_of, turns_fully
+from mechsheet.studies.sampling import sampling_of
+
+Mask = NDArray[np.bool_]
+Numbers = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """The designs of a chunk that meet all conditions: their numbers from 0 and columns, and how many failed each condition.
+
+    failed  by the first condition that a design was found to fail, in the order of `Questions.conditions`
+    """
+
+    numbers: Numbers
+    columns: dict[str, Array]
+    failed: Numbers
+
+
+class Designs:
+    """All designs of a mechanism's study. Raises MechanismError for what a study cannot answer.
+
+    varied     symbols of the dimensions that vary;  dependent: they, and those that follow from them
+    given      of every row the driver's value and what is given beside it;  rows: how many
+    row_given  the same as arrays of one design
+    constants  the program for what rows do not change
+    ruling     the one for what conditions ask of the rows;  in_rows: for all quantities there
+    at_places  by quantity the one for it at other places;  closing: there, for how far groups are from coming apart
+    """
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        if mechanism.study is None:
+            raise MechanismError(Fault("the description has no part [study]", key="study", hint="[study] vary = { … }"))
+        self.mechanism = mechanism
+        self.study: Study = mechanism.study
+        self.varied = tuple(one.symbol for one in self.study.vary)
+        compiled = Compiled(mechanism)
+        self.equations = compiled.equations
+        self.modes = compiled.modes
+        self._following = _following(mechanism, self.varied)
+        self._refuse()
+        self.sampling = sampling_of(self.study)
+        self.questions: Questions = questions_of(mechanism, self.study, self.equations)
+        self.dimensions = dimension_values(mechanism)
+        self.units = {dim.symbol: dim.unit for dim in mechanism.dimensions}
+        self.size = largest_length(mechanism, self.dimensions) or 1.0
+        self.given = given_values(mechanism, self.dimensions)
+        self.rows = len(self.given[mechanism.driver.symbol])
+        self._write()
+
+    # --- before -----------------------------------------------------------------------------------------------------------
+
+    def _refuse(self) -> None:
+        for group in self.equations.groups:
+            if group.system is not None:
+                message = f"a study does not solve links that must be found all at once: {group.label.en}"
+                hint = "`mechsheet build --set` builds one design at a time"
+                raise MechanismError(Fault(message, key="study", hint=hint))
+        synthesis = self.mechanism.synthesis
+        if synthesis is not None and any(self._following.get(symbol) for symbol in synthesis.steps):
+            message = "the dimensions that a synthesis finds vary here, and its assembly with them"
+            raise MechanismError(Fault(message, key="study.vary", hint="vary what the synthesis does not read"))
+        driver = self.mechanism.driver
+        parts = [driver.start, driver.stop, driver.step, *driver.values]
+        parts += [value for values in self.mechanism.listed.values() for value in values]
+        names = {name for part in parts if not isinstance(part, float) for name in symbols(part)}
+        if driver.law is not None:
+            names |= {driver.law.start, driver.law.stop, driver.law.duration}
+        moved = sorted({symbol for name in names for symbol in self._following.get(name, ())})
+        if moved:
+            message = (
+                f"the driver's values follow {', '.join(moved)}, which vary here: each design would have its own rows"
+            )
+            raise MechanismError(Fault(message, key="study.vary", hint="give [driver] start, stop and step as numbers"))
+
+    def _write(self) -> None:
+        """Print the programs."""
+        mechanism, questions = self.mechanism, self.questions
+        driver = mechanism.driver.symbol
+        self.dependent = [symbol for symbol, moved in self._following.items() if moved]
+        nodes = {dim.symbol: dim.value for dim in mechanism.dimensions}
+        derived = [(symbol, node) for symbol in self.dependent if not isinstance(node := nodes[symbol], float)]
+        fixed = {symbol: number for symbol, number in self.dimensions.items() if symbol not in self.dependent}
+        fixed |= {mode: float(number) for mode, number in self.modes.items()}
+        given = dict.fromkeys((driver, *self.given))
+        lowering = Lowering(self.equations, fixed, self.varied, derived, given)
+        wanted = dict.fromkeys(quantity.of for quantity in questions.quantities)
+        self.cranks = {each.name: self._angle_of(each.name) for each in questions.others if each.kind == "crank"}
+        turning = [symbol for symbol in self.cranks.values() if symbol != driver]
+        self.lengths = {
+            name: [f"{name} {side}" for side in range(len(nodes))] for name, nodes in questions.loops.items()
+        }
+        sides = {
+            key: node
+            for name, keys in self.lengths.items()
+            for key, node in zip(keys, questions.loops[name], strict=True)
+        }
+        tolerance = self.equations.tolerance
+        self.constants = Running(lowering.constants([*self.dependent, tolerance], sides))
+        self.row_given = {symbol: column[None, :] for symbol, column in self.given.items()}
+        decided = {name for each in questions.others for side in each.sides for name in symbols(side)}
+        ruling = [quantity.of for quantity in questions.quantities if quantity.name in decided]
+        ruling = list(dict.fromkeys([*ruling, *turning, *self.equations.tied, tolerance]))
+        self.ruling = Called(lowering.columns(ruling, rows=True, closing=bool(self.cranks)), self.row_given)
+        self.in_rows = Called(lowering.columns([*wanted, *self.equations.tied], rows=True), self.row_given)
+        self.closing = Called(lowering.columns([], rows=False, closing=True))
+        self.at_places = {of: Called(lowering.columns([of], rows=False)) for of in wanted}
+        self.limits = bool(lowering.margins) and not mechanism.driver.values and self.rows > 1
+        self.rows_only = bool(mechanism.driver.values) or self.rows < 4 or mechanism.layout == "page"
+
+    def _angle_of(self, link: str) -> str:
+        mechanism = self.mechanism
+        if mechanism.driver.link == link and mechanism.driver.relative_to == mechanism.ground.name:
+            return mechanism.driver.symbol
+        return next(each.angle_symbol for each in mechanism.links if each.name == link)
+
+    # --- the driver -------------------------------------------------------------------------------------------------------
+
+    def driven(self, places: Array) -> dict[str, Array]:
+        """The driver's values, and what is given beside them, at places counted in rows from 1."""
+        if self.mechanism.driver.law is not None:
+            return given_at(self.mechanism, self.dimensions, places)
+        driver = self.given[self.mechanism.driver.symbol]
+        step = (driver[-1] - driver[0]) / max(1, self.rows - 1)
+        return {self.mechanism.driver.symbol: driver[0] + (places - 1.0) * step}
+
+    def whole(self, columns: Mapping[str, Array], designs: int) -> Array:
+        """What the rows cover, for each design: 1 for whole turns whose last row is the first again, 2 where that row is
+        left out, else 0."""
+        driver = self.mechanism.driver
+        if not driver.link or driver.values or self.rows < 4:
+            return np.zeros(designs)
+        values = self.given[driver.symbol]
+        covered = abs(float(values[-1] - values[0])) / math.tau
+        more = covered * self.rows / (self.rows - 1)
+        left_out = driver.law is None and not self.equations.tied and _is_whole(more)
+        fine = np.ones(designs, bool)
+        for symbol in self.equations.tied:  # what gears turn is not back with every turn of the driver
+            way = columns[symbol][:, -1] - columns[symbol][:, 0]
+            turns = way / math.tau
+            back = np.abs(np.rint(turns) - turns) < 1e-9 if self.is_angle(symbol) else np.abs(way) < 1e-9 * self.size
+            fine &= back
+        return np.where(fine, 1.0 if _is_whole(covered) else 2.0 if left_out else 0.0, 0.0)
+
+    def is_angle(self, symbol: str) -> bool:
+        """Whether a quantity is an angle, which may go on by whole turns."""
+        unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
+        return unit.kind == "angle" and not unit.per
+
+    # --- a chunk ----------------------------------------------------------------------------------------------------------
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The columns of the result, in order: dimensions varied, summaries and extremes, objectives."""
+        own = [*self.varied, *(quantity.name for quantity in self.questions.quantities)]
+        return tuple(dict.fromkeys([*own, *(each.text for each in self.study.objectives)]))
+
+    def kept(self, first: int, count: int) -> Kept:
+        """The designs from number `first` on, so many, that meet all conditions."""
+        questions = self.questions
+        chunk = _Chunk(self, np.arange(first, first + count, dtype=np.int64))
+        failed = np.zeros(len(questions.conditions), np.int64)
+        for number, condition in enumerate(questions.cheap):
+            failed[number] = chunk.keep(chunk.cheap(condition))
+        others = failed[len(questions.cheap) :]
+        others += chunk.move()
+        for number, condition in enumerate(questions.others):
+            if condition.kind == "compare":
+                others[number] += chunk.keep(holds(condition, chunk.known, len(chunk.numbers)))
+        return Kept(chunk.numbers, chunk.columns(), failed)
+
+
+class Called:
+    """A program that was lowered and is called.
+
+    of_rows  what rows alone decide, where it is one for rows
+    """
+
+    def __init__(self, lowered: Lowered, row_given: Mapping[str, Array] | None = None) -> None:
+        self.anchors, self.margins = lowered.anchors, lowered.margins
+        self.run = Running(lowered.printed)
+        with np.errstate(all="ignore"):
+            self.of_rows = {} if row_given is None else self.run.places(row_given)
+
+
+def _is_whole(turns: float) -> bool:
+    return round(turns) > 0 and abs(round(turns) - turns) < 1e-9
+
+
+def _following(mechanism: Mechanism, varied: tuple[str, ...]) -> dict[str, set[str]]:
+    """By dimension, in the order of derivation, which of those that vary it follows."""
+    found: dict[str, set[str]] = {}
+    values = {dim.symbol: dim.value for dim in mechanism.dimensions}
+    for symbol in dimension_order(mechanism):
+        value = values[symbol]
+        own = {symbol} & set(varied)
+        found[symbol] = own if isinstance(value, float) else own.union(*(found[name] for name in symbols(value)))
+    return found
+
+
+class _Chunk:
+    """Some designs on their way through the conditions: all arrays have one entry for each that is left.
+
+    shown   the dimensions that vary, in their own units;  inside: in the program's, as columns
+    out     what rows do not change;  found: summaries and extremes, in the units shown
+    """
+
+    def __init__(self, designs: Designs, numbers: Numbers) -> None:
+        self.designs = designs
+        self.numbers = numbers
+        shown = designs.sampling.values(numbers)
+        self.shown = {symbol: np.ascontiguousarray(shown[:, at]) for at, symbol in enumerate(designs.varied)}
+        units = designs.units
+        self.inside = {symbol: units[symbol].to_internal(column)[:, None] for symbol, column in self.shown.items()}
+        self.found: dict[str, Array] = {}
+        with np.errstate(all="ignore"):
+            out = designs.constants.both(designs.constants.designs(self.inside), given=self.inside)
+        self.out = {key: np.broadcast_to(column, (len(numbers), 1))[:, 0] for key, column in out.items()}
+
+    def keep(self, fine: Mask) -> int:
+        """Go on with the designs that are fine; how many are left behind."""
+        left = int(len(fine) - np.count_nonzero(fine))
+        if left:
+            self.numbers = self.numbers[fine]
+            for part in (self.shown, self.inside, self.found, self.out):
+                for name, column in part.items():
+                    part[name] = column[fine]
+        return left
+
+    @property
+    def known(self) -> dict[str, Array]:
+        """What conditions and objectives read: dimensions and summaries in the units shown."""
+        designs = self.designs
+        known = {dim: np.asarray(designs.units[dim].to_shown(number)) for dim, number in designs.dimensions.items()}
+        known |= {dim: designs.units[dim].to_shown(self.out[dim]) for dim in designs.dependent}
+        return known | self.shown | self.found
+
+    def cheap(self, condition: Condition) -> Mask:
+        """Whether designs meet a condition that dimensions decide."""
+        if condition.kind == "compare":
+            return holds(condition, self.known, len(self.numbers))
+        lengths = [self.out[name] for name in self.designs.lengths[condition.name]]
+        fine = turns_fully(lengths, self.out[self.designs.equations.tolerance])
+        return np.asarray(fine != condition.other, bool)
+
+    def move(self) -> Numbers:
+        """Find the summaries of the designs that are left; how many each further condition leaves behind by the rows."""
+        motion = Motion(self.designs, self.inside, self.known)
+        self.keep(motion.alive)
+        self.found = motion.quantities
+        return motion.failed
+
+    def columns(self) -> dict[str, Array]:
+        """The columns of the result."""
+        known, count = self.known, len(self.numbers)
+        known |= {each.text: number_of(each.value, known, count) for each in self.designs.study.objectives}
+        return {
+            name: np.ascontiguousarray(np.broadcast_to(known[name], (count,)), float) for name in self.designs.names
+        }

@@ -1,0 +1,265 @@
+"""The smallest and the largest value of quantities over a motion, of many designs at once: as the workbook finds them.
+
+As the sheet of extremes does (`sheet/checks/extremes.py`): the best row, a probe at the vertex of the parabola through it
+and its neighbours, one a tenth of a row beside it or at the limit, then two at the vertices of parabolas through what is
+known. What is given has been attained: the best of the row, the probes and both ends of the stretch. Of several stretches
+the rows are all. Places count rows from 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+BESIDE = 0.1
+"""How far beside the first probe the second is made, in rows."""
+
+STRETCHES = 3
+"""Stretches of rows that are looked at."""
+
+INWARDS = 1e-10
+"""How far inside the limit its value is given, in rows: there the mechanism still closes."""
+
+HALVINGS = 45
+
+Way = Literal["min", "max"]
+
+
+@dataclass(frozen=True, slots=True)
+class Stretches:
+    """Where designs close: of each the rows, how many, how many stretches of rows that follow one another, and the first and
+    last row (from 1) of the first of them; `last_row`: of all; `shown`: the rows of which extremes are taken."""
+
+    there: Mask
+    shown: Mask
+    count: NDArray[np.int64]
+    number: NDArray[np.int64]
+    first: NDArray[np.int64]
+    last: NDArray[np.int64]
+    last_row: NDArray[np.int64]
+
+    @classmethod
+    def joined(cls, parts: list[Stretches]) -> Stretches:
+        """Those of several blocks of designs."""
+        return (
+            parts[0]
+            if len(parts) == 1
+            else cls(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(cls)))
+        )
+
+
+def stretches_of(there: Mask, closes: Mask) -> Stretches:
+    """The stretches of designs; `there`: a row for each design, a column for each row of its table; `closes`: in all."""
+    designs, rows = there.shape
+    ones = np.ones(designs, np.int64)
+    if closes.all():
+        return Stretches(there, there, ones * rows, ones, ones, ones * rows, ones * rows)
+    begins = np.diff(there, axis=1, prepend=False) & there
+    begun = np.cumsum(begins, axis=1)
+    shown = there & (begun <= STRETCHES)
+    in_first = there & (begun == 1)
+    first = np.argmax(in_first, axis=1) + 1
+    last = first + in_first.sum(axis=1) - 1
+    last_row = rows - np.argmax(shown[:, ::-1], axis=1)
+    return Stretches(there, shown, there.sum(axis=1), np.asarray(begun[:, -1], np.int64), first, last, last_row)
+
+
+def best_rows(way: Way, column: Array, stretches: Stretches | None) -> tuple[NDArray[np.intp], Array]:
+    """The best row of each design, from 0, and the value there; no finite one where no row is shown.
+
+    stretches  None where all designs that somebody asks of close in all rows
+    """
+    if stretches is not None and not stretches.shown.all():
+        column = np.where(stretches.shown, column, np.inf if way == "min" else -np.inf)
+    place = np.argmin(column, axis=1) if way == "min" else np.argmax(column, axis=1)
+    return place, column[np.arange(len(column)), place]
+
+
+@dataclass(slots=True)
+class Anchors:
+    """What is known of one extreme from the rows, for each design: columns (n,).
+
+    here, best           the best row (from 1) and its value
+    middle               the row whose neighbours the first parabola goes through; before, value, after: values there
+    wraps                1, 2 where the ends of the motion are neighbours (their row twice, or not), else 0
+    turns                values, in the best row, of the angles without jumps that probes need
+    """
+
+    here: Array
+    best: Array
+    middle: Array
+    before: Array
+    value: Array
+    after: Array
+    wraps: Array
+    turns: Array
+
+    @classmethod
+    def joined(cls, parts: list[Anchors]) -> Anchors:
+        """Those of several blocks of designs."""
+        return (
+            parts[0]
+            if len(parts) == 1
+            else cls(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(cls)))
+        )
+
+
+def anchors_of(
+    column: Array,
+    best: tuple[NDArray[np.intp], Array],
+    stretches: Stretches,
+    whole: Array,
+    half_turn: float,
+    ends: bool,
+    angles: list[Array],
+) -> Anchors:
+    """What the rows say of an extreme.
+
+    column     the quantity, designs by rows;  best: its best rows and values
+    whole      1, 2 or 0 for each design: whether rows cover whole turns
+    half_turn  pi where the quantity is an angle whose whole turns count, else infinite
+    ends       whether the ends of a whole turn are neighbours for probes: never by a motion law
+    angles     angles without jumps, designs by rows
+    """
+    designs, rows = column.shape
+    each = np.arange(designs)
+    place, value = best
+    first, last = stretches.first, stretches.last
+    around = (whole > 0) & (first == 1) & (last == rows) & (np.abs(column[:, 0] - column[:, -1]) < half_turn)
+    wraps = np.where(around, whole, 0.0)
+    beyond = wraps if ends else np.zeros(designs)
+    middle = np.where(beyond > 0, place, np.maximum(first, np.minimum(last - 2, place)))
+    turned = np.where(beyond > 0, np.where(beyond == 1, rows - 1, rows), 2 * rows).astype(np.int64)
+    before, here, after = (
+        column[each, np.minimum(index, rows - 1)] for index in ((middle - 1) % turned, middle, (middle + 1) % turned)
+    )
+    turns = np.empty((designs, len(angles)))
+    for at, angle in enumerate(angles):
+        turns[:, at] = angle[each, place]
+    at_row, at_middle = (np.asarray(index + 1.0, float) for index in (place, middle))
+    return Anchors(at_row, value, at_middle, before, here, after, wraps, turns)
+
+
+Probe = Callable[[Array], Array]
+"""The quantity at places (n, k)."""
+
+
+def refined(
+    way: Way,
+    anchors: Anchors,
+    stretches: Stretches,
+    edges: tuple[Array, Array],
+    ends: bool,
+    probe: Probe,
+) -> Array:
+    """The extremes of designs of one stretch.
+
+    edges  where their stretches begin and end, between rows;  ends: as in `anchors_of`
+    """
+    first, last = stretches.first, stretches.last
+    low, high = edges
+    here, best = anchors.here, anchors.best
+    beyond = anchors.wraps > 0 if ends else np.zeros(len(here), bool)
+    before, value, after = anchors.before, anchors.value, anchors.after
+    with np.errstate(all="ignore"):
+        step = (before - after) / (2.0 * (before - 2.0 * value + after))
+        vertex = anchors.middle + np.where(np.isfinite(step), step, 0.0)
+        near = np.minimum(here + 1.0, vertex)
+        one = np.where(beyond, np.maximum(here - 1.0, near),
+                       np.maximum(np.maximum(low, here - 1.0), np.minimum(high, near)))  # fmt: skip
+        beside = one + np.where(one - here > 1e-6, -BESIDE, BESIDE)
+        two = np.where(beyond, beside, np.maximum(low, np.minimum(high, beside)))
+        two = np.where((here == last) & (high > last), high, two)
+        two = np.where((here == first) & (low < first), low, two)
+
+        def found(*places: Array) -> list[Array]:
+            values = probe(np.stack(places, axis=1))
+            return [np.where(np.isfinite(column), column, best) for column in values.T]
+
+        y_one, y_two = found(one, two)
+        three = _further(one, beyond, low, high, (here, best), (one, y_one), (two, y_two))
+        (y_three,) = found(three)
+        four = _further(one, beyond, low, high, (one, y_one), (two, y_two), (three, y_three))
+        (y_four,) = found(four)
+        candidates = [best, y_one, y_two, y_three, y_four]
+        partial = (low < first) | (high > last)
+        if partial.any():
+            at_ends = found(np.where(partial, low, here), np.where(partial, high, here))
+            candidates += [np.where(partial, column, best) for column in at_ends]
+        stacked = np.array(candidates)
+        extreme = stacked.min(axis=0) if way == "min" else stacked.max(axis=0)
+    return np.where((stretches.number > 1) | ~np.isfinite(best), best, extreme)
+
+
+Point = tuple[Array, Array]
+
+
+def vertex_of(one: Point, two: Point, three: Point) -> Array:
+    """Where the parabolas through three points (u, y) have their vertices."""
+    (u_one, y_one), (u_two, y_two), (u_three, y_three) = one, two, three
+    a, b = u_two - u_one, u_two - u_three
+    return np.asarray(
+        u_two
+        - (a**2 * (y_two - y_three) - b**2 * (y_two - y_one)) / (2 * (a * (y_two - y_three) - b * (y_two - y_one)))
+    )
+
+
+def _further(middle: Array, beyond: Mask, low: Array, high: Array, one: Point, two: Point, three: Point) -> Array:
+    vertex = vertex_of(one, two, three)
+    near = np.maximum(middle - 1.0, np.minimum(middle + 1.0, vertex))
+    place = np.where(beyond, near, np.maximum(low, np.minimum(high, near)))
+    return np.where(np.isfinite(place), place, middle)
+
+
+def edges_of(first: Array, last: Array, rows: int, inside: Callable[[Array], Mask]) -> tuple[Array, Array]:
+    """Where the first stretches of designs begin and end between rows: where the last margin becomes 0, by halving.
+
+    inside  whether the margins of all groups are above 0, at places (n, 2)
+    """
+    closed = np.stack((first, last), axis=1)
+    open_ = np.stack((np.maximum(first - 1.0, 1.0), np.minimum(last + 1.0, rows)), axis=1)
+    there, beyond = closed.copy(), open_.copy()
+    for _ in range(HALVINGS):
+        middle = (there + beyond) / 2.0
+        meets = inside(middle)
+        there, beyond = np.where(meets, middle, there), np.where(meets, beyond, middle)
+    way = np.sign(closed - open_)
+    edges = np.where(
+        way == 0, closed, np.where(way > 0, np.minimum(there + INWARDS, closed), np.maximum(there - INWARDS, closed))
+    )
+    return edges[:, 0], edges[:, 1]
+
+
+def least_between(margins: Array, margin: Callable[[Array], Array]) -> Array:
+    """The least margin of designs that close in every row, also between rows: beside the two lowest rows.
+
+    margins  designs by rows;  margin  at places (n, k)
+    """
+    designs, rows = margins.shape
+    least = margins.min(axis=1)
+    if rows < 3:
+        return np.asarray(least)
+    padded = np.pad(margins, ((0, 0), (1, 1)), constant_values=np.inf)
+    lowest = np.where((margins <= padded[:, :-2]) & (margins <= padded[:, 2:]), margins, np.inf)
+    order = np.argsort(lowest, axis=1, kind="stable")[:, :2]
+    each = np.arange(designs)[:, None]
+    middle = np.minimum(np.maximum(order, 1), rows - 2)
+    before, value, after = (margins[each, middle + step] for step in (-1, 0, 1))
+    with np.errstate(all="ignore"):
+        step = np.clip((before - after) / (2.0 * (before - 2.0 * value + after)), -1.0, 1.0)
+        one = middle + 1.0 + np.where(np.isfinite(step), step, 0.0)
+        y_one = margin(one)
+        outer = np.where(one > middle + 1.0, middle + 2.0, middle)
+        y_outer = np.where(one > middle + 1.0, after, before)
+        two = vertex_of((middle + 1.0, value), (one, y_one), (outer, y_outer))
+        two = np.clip(np.where(np.isfinite(two), two, one), middle, middle + 2.0)
+        places = [y_one, margin(two)]
+    between = np.concatenate(places, axis=1)
+    return np.asarray(np.minimum(least, np.nanmin(np.where(np.isnan(between), np.inf, between), axis=1)))

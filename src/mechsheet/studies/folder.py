@@ -1,0 +1,164 @@
+"""The folder of a study: its manifest, its parts, and whether it is the folder of this study.
+
+study.json       description, sampling, columns, conditions, releases of packages: written first
+parts/           part-000000.parquet and so on, each whole or not there
+result.json      how many designs were tried and kept, how many failed each condition: written last
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
+from mechsheet.formats.archive import make_folder, replace_file
+from mechsheet.studies.designs import Designs
+from mechsheet.studies.parts import Counted, Done, Order, counted, schema_of
+
+MANIFEST, RESULT, PARTS = "study.json", "result.json", "parts"
+FORMAT = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What a study has found: designs tried and kept, and how many failed each condition, in the order of the asking."""
+
+    designs: int
+    kept: int
+    failed: tuple[tuple[str, int], ...]
+
+
+class Folder:
+    """A study's folder on disk."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    @property
+    def shown(self) -> str:
+        """Its name in messages."""
+        return readable_name(self.path)
+
+    def part(self, number: int) -> Path:
+        """The file of a part."""
+        return self.path / PARTS / f"part-{number:06d}.parquet"
+
+    def parts(self, order: Order) -> list[Path]:
+        """The files of all parts, in order."""
+        return [self.part(number) for number in range(order.parts)]
+
+    # --- beginning --------------------------------------------------------------------------------------------------------
+
+    def begin(self, designs: Designs, order: Order, resume: bool) -> None:
+        """Make the folder this study's, or find that it is. Raises OutputError where it is another's, or begun and not to
+        be resumed."""
+        manifest = manifest_of(designs, order)
+        path = self.path / MANIFEST
+        if self.path.exists() and not self.path.is_dir():
+            raise OutputError(Fault("is a file: a study is written into a folder", self.shown, key="-o"))
+        if path.exists():
+            self._compare(manifest)
+            if not resume and any(self.path.glob(f"{PARTS}/*.parquet")):
+                message = "this study has been begun here"
+                hint = "go on with --resume, or name another folder with -o"
+                raise OutputError(Fault(message, self.shown, hint=hint))
+            return
+        if resume and not self.path.exists():
+            raise OutputError(Fault("there is no study to resume", self.shown, hint="leave --resume out to begin it"))
+        if self.path.exists() and any(self.path.iterdir()):
+            message = "holds other files, and no study"
+            raise OutputError(Fault(message, self.shown, hint="name a new or an empty folder with -o"))
+        make_folder(self.path)
+        make_folder(self.path / PARTS)
+        replace_file(path, _json(manifest))
+
+    def _compare(self, manifest: dict[str, Any]) -> None:
+        """Raise OutputError with what differs where the folder is another study's."""
+        there = read_manifest(self.path)
+        differing = [key for key in manifest if there.get(key) != manifest[key]]
+        if not differing:
+            return
+        if differing == ["versions"]:
+            begun, here = there.get("versions", {}), manifest["versions"]
+            others = ", ".join(
+                f"{name} {begun.get(name, '?')} (here {here[name]})" for name in here if begun.get(name) != here[name]
+            )
+            message = f"the study was begun with {others}: its end might differ from its beginning"
+            raise OutputError(
+                Fault(
+                    message,
+                    self.shown,
+                    hint="go on with these releases, on a processor that computes alike, or begin anew in another folder",
+                )
+            )
+        message = f"is the folder of another study: it differs in {', '.join(differing)}"
+        raise OutputError(Fault(message, self.shown, hint="name another folder with -o"))
+
+    # --- going on ---------------------------------------------------------------------------------------------------------
+
+    def done(self, order: Order, conditions: int) -> dict[int, Counted]:
+        """The parts that are there and whole, by number."""
+        found = {}
+        for number, path in enumerate(self.parts(order)):
+            part = counted(path) if path.exists() else None
+            if part is not None and part.designs == len(order.span(number)) and len(part.failed) == conditions:
+                found[number] = part
+        return found
+
+    def keep(self, done: Done) -> None:
+        """Write a part. Raises OutputError."""
+        make_folder(self.path / PARTS)
+        replace_file(self.part(done.part), done.data)
+
+    def finish(self, designs: Designs, parts: Iterable[Counted]) -> Result:
+        """Write the counts of all parts."""
+        texts = [condition.text for condition in designs.questions.conditions]
+        failed = [0] * len(texts)
+        tried = kept = 0
+        for part in parts:
+            tried, kept = tried + part.designs, kept + part.kept
+            failed = [count + more for count, more in zip(failed, part.failed, strict=True)]
+        result = Result(tried, kept, tuple(zip(texts, failed, strict=True)))
+        told = [{"condition": text, "designs": count} for text, count in result.failed]
+        replace_file(self.path / RESULT, _json({"designs": tried, "kept": kept, "failed": told}))
+        return result
+
+
+def manifest_of(designs: Designs, order: Order) -> dict[str, Any]:
+    """The manifest of a study: nothing in it depends on when, where or by how many processes it is computed."""
+    return {
+        "format": FORMAT,
+        "versions": dict(order.versions),
+        "sample": designs.study.sample,
+        "seed": designs.study.seed,
+        "designs": order.designs,
+        "designs in a part": order.size,
+        "rows": designs.rows,
+        "columns": {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in schema_of(designs)},
+        "conditions": [condition.text for condition in designs.questions.conditions],
+        "modes": designs.modes,
+        "description": order.text,
+    }
+
+
+def read_manifest(folder: Path) -> dict[str, Any]:
+    """The manifest of a study's folder. Raises MechsheetError where there is none that can be read."""
+    path = folder / MANIFEST
+    shown = readable_name(path)
+    try:
+        found = json.loads(path.read_bytes())
+    except OSError as error:
+        hint = "the folder that mechsheet study wrote"
+        raise MechsheetError(Fault(f"cannot be read: {error.strerror}", shown, hint=hint)) from error
+    except ValueError as error:
+        raise MechsheetError(Fault("is no manifest of a study", shown)) from error
+    if not isinstance(found, dict) or found.get("format") != FORMAT or not isinstance(found.get("description"), str):
+        raise MechsheetError(Fault("is no manifest of a study that this program knows", shown))
+    return found
+
+
+def _json(data: dict[str, Any]) -> bytes:
+    return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()

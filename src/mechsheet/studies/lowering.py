@@ -1,0 +1,222 @@
+"""The equations of a mechanism as a program over (designs x places): the one lowering of this edge.
+
+exists, beside an equation   a mask; of each group the mask says where it closes
+Direction(y, x)              arctan2, and where somebody reads its whole turns, without jumps along the rows; at other
+                             places than rows within half a turn of a row's
+TriangleAngle(a, b, c)       arctan2 of four areas and b^2 + c^2 - a^2; angles of one triangle share the area
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from mechsheet.formula.nodes import Binary, Call, Direction, Node, Symbol, TriangleAngle, Unary, children, symbols
+from mechsheet.kinematics.equations import Condition, Equation, Equations
+from mechsheet.studies.program import DESIGN, ONE, PLACE, WHOLE, Printed, Program, Value, Width
+
+ANCHOR = "{symbol} of a row"
+"""What is given, at other places than rows, for an angle without jumps: its value in a row near by."""
+
+THERE, MARGIN, INSIDE = "there", "margin {group}", "inside"
+
+
+@dataclass(frozen=True, slots=True)
+class Lowered:
+    """A program that was written for some symbols.
+
+    there    the key of the mask: every group closes;  margins: keys of what each group that can come apart has left
+    inside   the key of the mask: no margin is below 0
+    anchors  symbols of the angles without jumps whose turns are read
+    """
+
+    printed: Printed
+    anchors: tuple[str, ...]
+    margins: tuple[str, ...]
+
+
+class Lowering:
+    """What is known of a mechanism's equations before a program is printed.
+
+    fixed    values of the dimensions that do not vary, and of the assembly modes
+    varied   symbols of those that vary;  derived  those that follow from them, in order, with their expressions
+    given    what is given row by row, the driver first
+    """
+
+    def __init__(
+        self,
+        equations: Equations,
+        fixed: Mapping[str, float],
+        varied: Iterable[str],
+        derived: Sequence[tuple[str, Node]],
+        given: Iterable[str],
+    ) -> None:
+        self.equations = equations
+        self.fixed = fixed
+        self.varied = tuple(varied)
+        self.derived = tuple(derived)
+        self.given = tuple(given)
+        self.modes = frozenset(group.mode for group in equations.groups)
+        self.margins = {
+            equation.group: condition
+            for equation in reversed(equations.columns)
+            for condition in equation.exists
+            if condition.reach
+        }
+
+    def constants(self, symbols_: Iterable[str], nodes: Mapping[str, Node]) -> Printed:
+        """A program for what rows do not change: values of symbols, and of expressions by names of their own."""
+        writer = _Writer(self, True, frozenset())
+        found = {symbol: writer.known[symbol] for symbol in symbols_}
+        return writer.program.printed(found | {name: writer.value(node) for name, node in nodes.items()})
+
+    def columns(self, wanted: Sequence[str], rows: bool, closing: bool = False) -> Lowered:
+        """A program for columns: in the rows, which all designs share, or at places of each design's own.
+
+        closing  also margins, and where none is below 0
+        """
+        writer = _Writer(self, rows, self._turning(wanted))
+        found = {symbol: writer.known[symbol] for symbol in wanted}
+        found[THERE] = writer.there()
+        margins = {}
+        if closing:
+            inside = [found[THERE]]
+            for group, condition in sorted(self.margins.items()):
+                margins[MARGIN.format(group=group)] = margin = writer.value(condition.margin)
+                inside.append(writer.program.step("np.greater_equal", margin, Value(ONE, number=0.0)))
+            found[INSIDE] = writer.program.fold("np.logical_and", inside)
+        found |= margins
+        anchors = writer.anchored
+        found |= {ANCHOR.format(symbol=symbol): writer.known[symbol] for symbol in anchors if rows}
+        return Lowered(writer.program.printed(found), tuple(anchors), tuple(margins))
+
+    def _turning(self, wanted: Iterable[str]) -> frozenset[str]:
+        """Symbols whose whole turns matter: those wanted, and what these are sums of; not what only sines read."""
+        by_symbol = {equation.symbol: equation for equation in self.equations.columns}
+        sums: dict[str, set[str]] = {}
+        stack = list(wanted)
+        for equation in self.equations.columns:
+            sums[equation.symbol] = set()
+            self._read(equation.expression, "sum", sums[equation.symbol], stack)
+            for condition in equation.exists:
+                stack += [*symbols(condition.margin), *symbols(condition.least)]
+        found: set[str] = set()
+        while stack:
+            symbol = stack.pop()
+            if symbol in by_symbol and symbol not in found:
+                found.add(symbol)
+                stack += sums[symbol]
+        return frozenset(found)
+
+    def _read(self, node: Node, state: str, summed: set[str], plain: list[str]) -> None:
+        match node:
+            case Symbol(name):
+                if state == "sum":
+                    summed.add(name)
+                elif state == "plain":
+                    plain.append(name)
+                return
+            case Binary("+" | "-") | Unary("-" | "+"):
+                below = state
+            case Binary("*", Symbol(name), _) if name in self.modes:
+                below = state
+            case Call("SIN" | "COS" | "TAN"):
+                below = "sine"
+            case _:
+                below = "plain"
+        for child in children(node):
+            self._read(child, below, summed, plain)
+
+
+class _Writer:
+    """One program while it is written."""
+
+    def __init__(self, lowering: Lowering, rows: bool, turning: frozenset[str]) -> None:
+        self.program = Program()
+        self.rows = rows
+        self.turning = turning
+        self.anchored: list[str] = []
+        self._masks: dict[tuple[Condition, ...], Value] = {}
+        self._areas: dict[frozenset[Value], Value] = {}
+        self._equations = lowering.equations
+        wide: Width = PLACE if rows else WHOLE
+        self.known = {symbol: Value(ONE, number=number) for symbol, number in lowering.fixed.items()}
+        self.known |= {symbol: self.program.given(symbol, DESIGN) for symbol in lowering.varied}
+        for symbol, node in lowering.derived:
+            self.known[symbol] = self.value(node)
+        self.known |= {symbol: self.program.given(symbol, wide) for symbol in lowering.given}
+        for equation in lowering.equations.all:
+            self.known[equation.symbol] = self._equation(equation)
+
+    def value(self, node: Node, rooted: bool = False) -> Value:
+        """The value of an expression over symbols before it."""
+        return self.program.value(node, self.known, rooted)
+
+    def _equation(self, equation: Equation) -> Value:
+        if equation.symbol == self._equations.tolerance:
+            return self._tolerance(equation)
+        match equation.expression:
+            case Direction(y, x):
+                value = self._direction(equation.symbol, self.value(y), self.value(x))
+            case TriangleAngle(opposite, beside, other):
+                value = self._angle(*(self.value(side) for side in (opposite, beside, other)))
+            case expression:
+                value = self.value(expression, rooted=bool(equation.exists))
+        if not equation.exists:
+            return value
+        mask = self._mask(equation.exists)
+        return value if mask.width == ONE and mask.number else self.program.step("_kept", value, mask)
+
+    def _tolerance(self, equation: Equation) -> Value:
+        """No number where a length between joints is none: then no row claims a position."""
+        lengths = [self.known[name] for name in self._equations.positive if name in self.known]
+        value = self.value(equation.expression)
+        if not lengths:
+            return value
+        least = self.program.fold("np.minimum", lengths)
+        fine = self.program.step("np.greater", least, Value(ONE, number=0.0))
+        return value if fine.width == ONE and fine.number else self.program.step("_kept", value, fine)
+
+    def _direction(self, symbol: str, y: Value, x: Value) -> Value:
+        raw = self.program.step("np.arctan2", y, x)
+        if not raw.width & PLACE or symbol not in self.turning:
+            return raw
+        self.anchored.append(symbol)
+        if self.rows:
+            return self.program.step("_unwrapped", raw)
+        return self.program.step("_near", raw, self.program.given(ANCHOR.format(symbol=symbol), WHOLE))
+
+    def _angle(self, opposite: Value, beside: Value, other: Value) -> Value:
+        """The angle of a triangle: Heron's area as Kahan writes it, once for all angles of the triangle."""
+        step = self.program.step
+        key = frozenset((opposite, beside, other))
+        if key not in self._areas:
+            both, less = step("np.add", beside, other), step("np.subtract", beside, other)
+            product = step("np.multiply", step("np.add", both, opposite), step("np.subtract", both, opposite))
+            product = step("np.multiply", product, step("np.add", opposite, less))
+            product = step("np.multiply", product, step("np.subtract", opposite, less))
+            self._areas[key] = self.program.root(product)
+        squares = [step("np.multiply", side, side) for side in (beside, other, opposite)]
+        cosine = step("np.subtract", step("np.add", squares[0], squares[1]), squares[2])
+        return step("np.arctan2", self._areas[key], cosine)
+
+    def _mask(self, exists: tuple[Condition, ...]) -> Value:
+        """Where all conditions hold; never where something they read is no number."""
+        if exists not in self._masks:
+            tests = [
+                self.program.step("np.greater_equal", self.value(each.margin), self.value(each.least))
+                for each in exists
+            ]
+            self._masks[exists] = self.program.fold("np.logical_and", tests)
+        return self._masks[exists]
+
+    def there(self) -> Value:
+        """Where every group closes."""
+        found = []
+        for group in self._equations.groups:
+            equation = self._equations.of(group.closes)
+            if equation.exists:
+                found.append(self._mask(equation.exists))
+            else:
+                found.append(self.program.step("np.isfinite", self.known[equation.symbol]))
+        return self.program.fold("np.logical_and", found or [Value(ONE, number=1.0)])

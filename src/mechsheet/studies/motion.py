@@ -1,0 +1,303 @@
+"""The motion of many designs: block by block over the rows, then, of those that the rows have not ruled out, between them.
+
+What a row shows bounds an extreme: a smallest transmission angle of 30 degrees in some row cannot be above 40. So most
+designs are ruled out before anybody looks between the rows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.formula.nodes import Node, Symbol, symbols
+from mechsheet.kinematics.numeric import Array, value
+from mechsheet.model import Condition
+from mechsheet.studies.extremes import (
+    Anchors,
+    Stretches,
+    Way,
+    anchors_of,
+    best_rows,
+    edges_of,
+    least_between,
+    refined,
+    stretches_of,
+)
+from mechsheet.studies.lowering import ANCHOR, INSIDE, THERE
+
+if TYPE_CHECKING:
+    from mechsheet.studies.designs import Called, Designs
+    from mechsheet.studies.questions import Quantity
+
+BLOCK = 16_384
+"""Numbers in an array of a block of designs: a dozen of them fit the second cache."""
+
+Mask = NDArray[np.bool_]
+Extreme = tuple[str, Way]
+Found = tuple[NDArray[np.intp], Array]
+
+_TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+_COMPARED = {"<": np.less, "<=": np.less_equal, ">": np.greater, ">=": np.greater_equal}
+
+
+class Motion:
+    """The motion of some designs.
+
+    alive       which of them the rows have not ruled out;  failed: how many each of `Questions.others` has
+    quantities  of those alive: summaries and extremes, in the units shown, NaN where there is none
+    """
+
+    def __init__(self, designs: Designs, inside: Mapping[str, Array], known: Mapping[str, Array]) -> None:
+        self.designs = designs
+        quantities = designs.questions.quantities
+        self.extremes: tuple[Extreme, ...] = tuple(
+            dict.fromkeys((quantity.of, way) for quantity in quantities for way in quantity.ways)
+        )
+        self.failed = np.zeros(len(designs.questions.others), np.int64)
+        self.alive: Mask = np.ones(len(next(iter(inside.values()))), bool)
+        with np.errstate(all="ignore"):
+            if designs.questions.others:
+                self._rule_out(inside, _bounds(designs, known))
+            left = {symbol: column[self.alive] for symbol, column in inside.items()}
+            self.quantities = (
+                self._quantities(left) if self.alive.any() else {each.name: np.zeros(0) for each in quantities}
+            )
+
+    def _rule_out(self, inside: Mapping[str, Array], bounds: Mapping[int, list[_Bound]]) -> None:
+        """What rows alone decide, from the columns that this needs."""
+        for part, rows in _blocks(self.designs, self.designs.ruling, inside, len(self.alive)):
+            alive: Mask = np.ones(rows.count, bool)
+            best: dict[Extreme, Found] = {}
+            for number, condition in enumerate(self.designs.questions.others):
+                before = np.count_nonzero(alive)
+                if condition.kind == "closes":
+                    alive &= rows.closes != condition.other
+                elif condition.kind == "crank":
+                    alive &= rows.turns(condition, alive) != condition.other
+                for bound in bounds.get(number, ()):
+                    alive &= bound.met(rows, best, part, alive)
+                self.failed[number] += before - np.count_nonzero(alive)
+            self.alive[part] = alive
+
+    # --- between the rows -------------------------------------------------------------------------------------------------
+
+    def _quantities(self, inside: Mapping[str, Array]) -> dict[str, Array]:
+        designs = self.designs
+        count = len(next(iter(inside.values())))
+        parts: list[Stretches] = []
+        found_anchors: dict[Extreme, list[Anchors]] = {key: [] for key in self.extremes}
+        means: dict[str, list[Array]] = {}
+        for _, rows in _blocks(designs, designs.in_rows, inside, count):
+            parts.append(rows.stretches)
+            for key in self.extremes:
+                found_anchors[key].append(rows.anchors(key))
+            for quantity in designs.questions.quantities:
+                if not quantity.ways:
+                    means.setdefault(quantity.name, []).append(
+                        taken(quantity.take, rows.column(quantity.of), rows.stretches)
+                    )
+        stretches = Stretches.joined(parts)
+        anchors = {key: Anchors.joined(each) for key, each in found_anchors.items()}
+        found = {key: each.best for key, each in anchors.items()}
+        if not designs.rows_only:
+            found |= self._refined(anchors, stretches, inside)
+        result = {}
+        for quantity in designs.questions.quantities:
+            if quantity.take == "range":
+                number = found[quantity.of, "max"] - found[quantity.of, "min"]
+            elif quantity.ways:
+                number = found[quantity.of, "min" if quantity.take == "min" else "max"]
+            else:
+                number = np.concatenate(means[quantity.name])
+            fine = (stretches.count > 0) & np.isfinite(number)
+            result[quantity.name] = np.where(fine, number * quantity.factor, np.nan)
+        return result
+
+    def _refined(
+        self, anchors: Mapping[Extreme, Anchors], stretches: Stretches, inside: Mapping[str, Array]
+    ) -> dict[Extreme, Array]:
+        """The extremes of all but what is given row by row."""
+        designs = self.designs
+        first, last = stretches.first.astype(float), stretches.last.astype(float)
+        low, high = first.copy(), last.copy()
+        part = (stretches.number == 1) & ((first > 1) | (last < designs.rows))
+        if designs.limits and part.any():
+            own = {symbol: column[part] for symbol, column in inside.items()}
+            low[part], high[part] = self._edges(first[part], last[part], own)
+        moves = designs.mechanism.driver.law is None
+        found = {}
+        for (symbol, way), own_anchors in anchors.items():
+            if symbol in designs.given:
+                continue
+            program = designs.at_places[symbol]
+            of_designs = program.run.designs(inside)
+            names = [ANCHOR.format(symbol=angle) for angle in program.anchors]
+            columns = [designs.in_rows.anchors.index(angle) for angle in program.anchors]
+            near = {name: own_anchors.turns[:, at][:, None] for name, at in zip(names, columns, strict=True)}
+            given = {**inside, **near}
+
+            def probe(places: Array, symbol: str = symbol, of: Mapping[str, Array] = of_designs,
+                      given: Mapping[str, Array] = given) -> Array:  # fmt: skip
+                out = designs.at_places[symbol].run.both(of, given={**given, **designs.driven(places)})
+                return np.broadcast_to(out[symbol], places.shape)
+
+            found[symbol, way] = refined(way, own_anchors, stretches, (low, high), moves, probe)
+        return found
+
+    def _edges(self, first: Array, last: Array, inside: Mapping[str, Array]) -> tuple[Array, Array]:
+        run = self.designs.closing.run
+        of_designs = run.designs(inside)
+
+        def meets(places: Array) -> Mask:
+            out = run.both(of_designs, given={**inside, **self.designs.driven(places)})
+            return np.broadcast_to(np.asarray(out[INSIDE], bool), places.shape)
+
+        return edges_of(first, last, self.designs.rows, meets)
+
+
+def _blocks(
+    designs: Designs, program: Called, inside: Mapping[str, Array], count: int
+) -> Iterator[tuple[slice, _Rows]]:
+    """Designs over all rows, so many at a time that the cache holds their arrays."""
+    of_designs = program.run.designs(inside)
+    size = max(1, BLOCK // designs.rows)
+    for first in range(0, count, size):
+        part = slice(first, min(first + size, count))
+        given = {symbol: column[part] for symbol, column in inside.items()}
+        yield part, _Rows(designs, program, given, {name: column[part] for name, column in of_designs.items()})
+
+
+class _Rows:
+    """Some designs over all rows.
+
+    there  where they close;  closes: whether in all rows
+    """
+
+    def __init__(
+        self, designs: Designs, program: Called, given: Mapping[str, Array], of_designs: Mapping[str, Array]
+    ) -> None:
+        self.designs, self.program, self._given = designs, program, given
+        self.count = len(next(iter(given.values())))
+        self._out = program.run.both(program.of_rows, of_designs, given={**given, **designs.row_given})
+        self.there: Mask = np.broadcast_to(np.asarray(self._out[THERE], bool), (self.count, designs.rows))
+        self.closes: Mask = np.asarray(self.there.all(axis=1), bool)
+
+    @cached_property
+    def stretches(self) -> Stretches:
+        """The stretches of rows in which they close."""
+        return stretches_of(self.there, self.closes)
+
+    @cached_property
+    def _covered(self) -> Array:
+        columns = {symbol: self.column(symbol) for symbol in self.designs.equations.tied}
+        return self.designs.whole(columns, self.count)
+
+    def _whole(self, column: Array) -> Array:
+        return np.broadcast_to(column, (self.count, self.designs.rows))
+
+    def column(self, symbol: str) -> Array:
+        """A quantity, designs by rows."""
+        given = self.designs.row_given
+        return self._whole(given[symbol] if symbol in given else self._out[symbol])
+
+    def best(self, extreme: Extreme, among: Mask | None = None) -> Found:
+        """The best rows of an extreme, and the values there; `among`: of what designs anybody wants to know."""
+        symbol, way = extreme
+        everywhere = among is not None and bool((self.closes | ~among).all())
+        return best_rows(way, self.column(symbol), None if everywhere else self.stretches)
+
+    def anchors(self, extreme: Extreme) -> Anchors:
+        """What the rows say of an extreme."""
+        designs = self.designs
+        names = [ANCHOR.format(symbol=symbol) for symbol in self.program.anchors]
+        return anchors_of(
+            self.column(extreme[0]),
+            self.best(extreme),
+            self.stretches,
+            self._covered,
+            math.pi if designs.is_angle(extreme[0]) else math.inf,
+            designs.mechanism.driver.law is None,
+            [self._whole(self._out[name]) for name in names],
+        )
+
+    def turns(self, condition: Condition, among: Mask) -> Mask:
+        """Whether a link goes on turning while the driver does whole turns; asked of some designs only."""
+        designs = self.designs
+        fine = among & self.closes & (self._covered > 0)
+        symbol = designs.cranks[condition.name]
+        if symbol != designs.mechanism.driver.symbol:
+            column = self.column(symbol)
+            fine &= np.abs(column[:, -1] - column[:, 0]) > math.pi
+        if not fine.any():
+            return fine
+        tolerance = np.broadcast_to(self._out[designs.equations.tolerance], (self.count, 1))[fine, 0]
+        own = {name: column[fine] for name, column in self._given.items()}
+        run = designs.closing.run
+        of_designs = run.designs(own)
+        closed = np.ones(np.count_nonzero(fine), bool)
+        for key in self.program.margins:
+
+            def margin(places: Array, key: str = key) -> Array:
+                return np.broadcast_to(run.both(of_designs, given={**own, **designs.driven(places)})[key], places.shape)
+
+            closed &= least_between(self._whole(self._out[key])[fine], margin) >= -tolerance
+        fine[fine] = closed
+        return fine
+
+
+# --- bounds --------------------------------------------------------------------------------------------------------------
+
+
+class _Bound:
+    """What a condition asks of one extreme that its rows can only fall short of."""
+
+    def __init__(self, quantity: Quantity, operator: str, limit: Array) -> None:
+        self.quantity, self.operator, self.limit = quantity, operator, limit
+
+    def met(self, rows: _Rows, best: dict[Extreme, Found], part: slice, alive: Mask) -> Mask:
+        """Whether the rows of those alive still allow it; `best` keeps what was found."""
+        quantity = self.quantity
+        values = []
+        for way in quantity.ways:
+            if (quantity.of, way) not in best:
+                best[quantity.of, way] = rows.best((quantity.of, way), alive)
+            values.append(best[quantity.of, way][1])
+        number = (values[1] - values[0] if len(values) == 2 else values[0]) * quantity.factor
+        return np.asarray(np.isfinite(number) & _COMPARED[self.operator](number, self.limit[part]))
+
+
+def _bounds(designs: Designs, known: Mapping[str, Array]) -> dict[int, list[_Bound]]:
+    """Bounds by the number of their condition."""
+    quantities = {quantity.name: quantity for quantity in designs.questions.quantities}
+    count = len(next(iter(known[symbol] for symbol in designs.varied)))
+    found: dict[int, list[_Bound]] = {}
+
+    def add(number: int, side: Node, operator: str, other: Node) -> None:
+        match side:
+            case Symbol(name) if name in quantities and not set(symbols(other)) & quantities.keys():
+                falls = quantities[name].take == "min"
+                if quantities[name].ways and operator.startswith(">" if falls else "<"):
+                    limit = np.broadcast_to(np.asarray(value(other, known), float), (count,))
+                    found.setdefault(number, []).append(_Bound(quantities[name], operator, limit))
+
+    for number, condition in enumerate(designs.questions.others):
+        if condition.kind == "compare" and not condition.other:
+            for left, operator, right in zip(condition.sides, condition.operators, condition.sides[1:], strict=False):
+                add(number, left, operator, right)
+                add(number, right, _TURNED[operator], left)
+    return found
+
+
+def taken(take: str, column: Array, stretches: Stretches) -> Array:
+    """The mean of the rows that exist, or the value of the first or the last of them."""
+    designs = np.arange(len(column))
+    if take == "first":
+        return np.asarray(column[designs, stretches.first - 1])
+    if take == "last":
+        return np.asarray(column[designs, stretches.last_row - 1])
+    return np.asarray(np.where(stretches.there, column, 0.0).sum(axis=1) / np.maximum(stretches.count, 1))

@@ -1,0 +1,117 @@
+"""A study from its description to its folder: begin or go on, compute what is missing, count, rank."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.formats import write
+from mechsheet.formats.archive import replace_file
+from mechsheet.model import Mechanism
+from mechsheet.studies.book import book_of
+from mechsheet.studies.designs import Designs
+from mechsheet.studies.folder import Folder, Result
+from mechsheet.studies.packages import arrow
+from mechsheet.studies.parts import Counted, Order, counted, order_of
+from mechsheet.studies.picture import picture_of
+from mechsheet.studies.ranking import Ranked, ranked, rows_of
+from mechsheet.studies.running import here, workers_within
+
+BOOK = "study"
+"""What the summary workbook and the picture are called."""
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far a study is: designs done of all, of these kept; `earlier`: done before this run began."""
+
+    done: int
+    kept: int
+    all: int
+    earlier: int
+
+
+@dataclass(frozen=True, slots=True)
+class Studied:
+    """A study that has come to its end.
+
+    best, front  tables of designs, every column of the parts;  ranked  their numbers
+    """
+
+    designs: Designs
+    order: Order
+    folder: Folder
+    result: Result
+    ranked: Ranked
+    best: Any
+    front: Any
+
+
+def studied(
+    mechanism: Mechanism,
+    folder: Path,
+    *,
+    workers: int | None = None,
+    on: str | None = None,
+    resume: bool = False,
+    limit_memory: int | None = None,
+    formats: Sequence[str] = ("xlsx",),
+    say: Callable[[Progress], None] = lambda _: None,
+) -> Studied:
+    """Run a study, or go on with one, and rank what it keeps. Raises MechsheetError; what is done stays done.
+
+    workers       processes on this machine, by default one for each core;  on: the address of a Dask scheduler instead
+    limit_memory  bytes that all processes together may have: there are as many as fit
+    formats       of the summary workbook: "xlsx", "ods"
+    """
+    arrow()
+    if workers is not None and workers < 1:
+        raise MechsheetError(Fault(f"at least 1 process, not {workers}", key="workers"))
+    designs = Designs(mechanism)
+    order = order_of(mechanism.text, designs.sampling.total)
+    place = Folder(folder)
+    processes = 0 if on is not None else workers_within(workers, limit_memory)
+    place.begin(designs, order, resume)
+    counts = place.done(order, len(designs.questions.conditions)) if resume else {}
+    _compute(place, order, counts, processes, on, say)
+    paths = place.parts(order)
+    result = place.finish(designs, (counts[number] for number in range(order.parts)))
+    found = ranked(paths, designs.study.objectives, designs.study.best)
+    best, front = (rows_of(paths, order, numbers) for numbers in (found.best, found.front))
+    end = Studied(designs, order, place, result, found, best, front)
+    for form in formats:
+        write(book_of(end), folder / f"{BOOK}.{form}", form)
+    replace_file(folder / f"{BOOK}.svg", picture_of(end))
+    return end
+
+
+def _compute(
+    place: Folder,
+    order: Order,
+    counts: dict[int, Counted],
+    processes: int,
+    on: str | None,
+    say: Callable[[Progress], None],
+) -> None:
+    """Compute the parts that are missing; `counts` gets what they say."""
+    missing = [number for number in range(order.parts) if number not in counts]
+    done, kept = (sum(getattr(part, name) for part in counts.values()) for name in ("designs", "kept"))
+    earlier = done
+    say(Progress(done, kept, order.designs, earlier))
+    if on is not None:
+        from mechsheet.studies.cluster import on_cluster
+
+        parts = on_cluster(order, missing, on) if missing else iter(())
+    else:
+        parts = here(order, missing, min(processes, max(1, len(missing))))
+    for part in parts:
+        place.keep(part)
+        told = counted(place.part(part.part))
+        if told is None:
+            raise MechsheetError(Fault("cannot be read again", str(place.part(part.part)), hint="is the disk full?"))
+        counts[part.part] = told
+        done, kept = done + part.tried, kept + part.kept
+        say(Progress(done, kept, order.designs, earlier))

@@ -1,0 +1,177 @@
+"""What the kinds of synthesis share: a writer of steps, `symbol = expression`, in the one expression tree.
+
+A kind writes its steps as a textbook does, in the description's own notation, over names of its own. A name that is
+taken by a dimension of the mechanism becomes `a2_given` where the task gives it and `a2_exact` where it is a result: the
+dimension `a2` itself is the result as the mechanism uses it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
+
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, transform
+from mechsheet.formula.parser import parse_description
+from mechsheet.model import Dimension, TaskPlace, Words
+from mechsheet.units import Unit
+from mechsheet.words.synthesis import STEPS, step_words
+
+PLACE = ("synthesis",)
+"""What the places of all dimensions of a synthesis begin with."""
+
+DETERMINED = "1e-12"
+"""A determinant of sines and cosines below it is nothing but rounding: the equations do not decide."""
+
+
+@dataclass(frozen=True, slots=True)
+class Units:
+    """The units in which the task's lengths, angles and plain numbers are read."""
+
+    length: Unit
+    angle: Unit
+    number: Unit
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """What a description says below [synthesis], checked.
+
+    given     where it stands -> the number in internal units
+    chosen    see `Synthesis.chosen`
+    function  the function to be generated, over `x`
+    """
+
+    given: Mapping[TaskPlace, float]
+    chosen: Mapping[str, str] = field(default_factory=dict)
+    function: Node | None = None
+
+    def has(self, *place: str | int) -> bool:
+        """Whether the task says something there."""
+        return place in self.given
+
+    @property
+    def points(self) -> int:
+        """How many precision points there are."""
+        return int(self.chosen["points"])
+
+
+class Writer:
+    """Collects the dimensions of a synthesis, in order.
+
+    own    names of the mechanism's own dimensions, outputs and summaries
+    plain  those of its dimensions that are numbers: they give what the task leaves out
+    """
+
+    def __init__(self, task: Task, units: Units, own: Collection[str], plain: Collection[str]) -> None:
+        self.task, self.units = task, units
+        self.own, self.plain = frozenset(own), frozenset(plain)
+        self.dimensions: list[Dimension] = []
+        self.inputs: dict[TaskPlace, str] = {}
+        self.steps: list[str] = []
+        self.results: dict[str, str] = {}
+        self.positive: list[str] = []
+        self.reasons: list[tuple[str, Words]] = []
+        self.names: dict[str, str] = {}
+        self.roots: dict[str, tuple[str, str, str]] = {}
+
+    # ---- what is given
+
+    def length(self, name: str, *place: str | int, positive: bool = False, words: str = "", **parts: object) -> None:
+        """An input that is a length; it stands at `place`, or under its own name; `words` is the key of what it is."""
+        self._input(name, place or (name,), self.units.length, positive, words, parts)
+
+    def angle(self, name: str, *place: str | int, words: str = "", **parts: object) -> None:
+        """An input that is an angle."""
+        self._input(name, place or (name,), self.units.angle, False, words, parts)
+
+    def number(self, name: str, *place: str | int, positive: bool = False, words: str = "", **parts: object) -> None:
+        """An input that is a plain number."""
+        self._input(name, place or (name,), self.units.number, positive, words, parts)
+
+    def _input(
+        self, name: str, place: TaskPlace, unit: Unit, positive: bool, words: str, parts: Mapping[str, object]
+    ) -> None:
+        if place not in self.task.given and name in self.plain:
+            self.names[name] = name  # a dimension of the mechanism gives it
+            return
+        symbol = self._named(name, "given")
+        value = self.task.given[place]
+        label = step_words(words or str(place[0]), **parts)
+        shown = unit.written(value)
+        self.dimensions.append(Dimension(symbol, value, unit, label, shown=shown, place=(*PLACE, *place)))
+        self.inputs[place] = symbol
+        if positive:
+            self.positive.append(symbol)
+
+    # ---- what follows
+
+    def step(self, name: str, text: str, unit: Unit, words: str, needs: str = "", **parts: object) -> None:
+        """`name = text`; `words` is the key of what it is.
+
+        needs  what must be greater than 0 for it to exist: else it is #N/A
+        """
+        self._derived(self._named(name, "step"), self.parsed(text), unit, words, needs, parts)
+        self.names[name] = self.dimensions[-1].symbol
+
+    def result(self, name: str, text: str, unit: Unit, words: str, needs: str = "", **parts: object) -> None:
+        """A step that the mechanism may take as a dimension."""
+        symbol = self._named(name, "exact")
+        self._derived(symbol, self.parsed(text), unit, words, needs, parts)
+        self.results[name] = self.names[name] = symbol
+
+    def given_result(self, name: str) -> None:
+        """An input that is a result as it is."""
+        self.results[name] = self.names[name]
+
+    def node(self, name: str, node: Node, unit: Unit, words: str, **parts: object) -> None:
+        """A step whose expression is given as a tree."""
+        self._derived(self._named(name, "step"), node, unit, words, "", parts)
+
+    def also(self, name: str) -> None:
+        """A step of that name is a result, too."""
+        self.results[name] = self.names[name]
+
+    def rounding(self, symbol: str) -> Dimension:
+        """What lengths are rounded to."""
+        value = self.task.given["round",]
+        return Dimension(symbol, value, self.units.length, step_words("round"), shown=value, place=(*PLACE, "round"))
+
+    def _derived(
+        self, symbol: str, node: Node, unit: Unit, words: str, needs: str, parts: Mapping[str, object]
+    ) -> None:
+        if needs:
+            node = where(self.parsed(needs), node)
+        if f"none.{words}" in STEPS:
+            self.reasons.append((symbol, step_words(f"none.{words}")))
+        self.dimensions.append(Dimension(symbol, node, unit, step_words(words, **parts), place=PLACE))
+        self.steps.append(symbol)
+
+    def _named(self, name: str, kind: str) -> str:
+        symbol = f"{name}_{kind}" if name in self.own else name
+        self.names[name] = symbol
+        return symbol
+
+    def parsed(self, text: str) -> Node:
+        """The tree of an expression over the kind's own names."""
+
+        def renamed(part: Node) -> Node:
+            return Symbol(self.names.get(part.name, part.name)) if isinstance(part, Symbol) else part
+
+        return transform(parse_description(text), renamed)
+
+
+def where(margin: Node, node: Node) -> Node:
+    """The expression where `margin` is greater than 0, else #N/A."""
+    return Call("IF", (Binary(">", margin, Number(0.0)), node, Call("NA")))
+
+
+def says(value: Node) -> Node:
+    """An expression without the question whether it exists: as a textbook writes it."""
+    match value:
+        case Call("IF", (_, node, Call("NA"))):
+            return node
+    return value
+
+
+Kind = Callable[[Writer], None]
+"""Writes the inputs, steps and results of a task."""

@@ -1,0 +1,56 @@
+"""`mechsheet doctor` on machines that have everything, or nothing."""
+
+import importlib.util
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from mechsheet.checking import programs
+from mechsheet.cli import main
+from mechsheet.library import installed
+
+
+def test_names_what_is_there_with_its_version():
+    result = CliRunner().invoke(main, ["doctor"])
+    assert result.exit_code == 0
+    assert "agrees with its numpy reference" in result.stdout
+    there = result.stdout.partition("\nMissing")[0]
+    assert "matplotlib 3." in there
+
+
+def test_says_how_to_get_what_is_missing(monkeypatch):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(installed.shutil, "which", lambda name: None)
+    monkeypatch.setattr(programs, "LIBREOFFICE_PLACES", ())
+    monkeypatch.setattr(installed.sys, "platform", "win32")
+    parts = {part.name: part for part in installed.installed()}
+    assert not any(part.found for part in parts.values())
+    assert parts["mechsheet[plot]"].get == "pip install 'mechsheet[plot]'"
+    assert parts["LibreOffice"].get.startswith("winget install")
+    assert "gnumeric" not in parts  # nobody offers it for Windows
+    assert not installed.on_path()
+
+
+def test_finds_libreoffice_where_the_installer_puts_it(monkeypatch, tmp_path):
+    place = tmp_path / "soffice.exe"
+    place.write_text("")
+    monkeypatch.setattr(programs.shutil, "which", lambda name: None)
+    monkeypatch.setattr(programs, "LIBREOFFICE_PLACES", (str(tmp_path / "elsewhere"), str(place)))
+    assert programs.libreoffice_command() == str(place)
+
+
+def test_json():
+    found = json.loads(CliRunner().invoke(main, ["doctor", "--json"]).stdout)
+    assert found["works"] is True
+    assert {"mechsheet", "python", "system", "command", "parts"} <= set(found)
+
+
+@pytest.mark.parametrize("extra", sorted(installed.EXTRAS))
+def test_extras_are_those_of_the_package(extra):
+    import tomllib
+    from pathlib import Path
+
+    project = tomllib.loads((Path(__file__).parent.parent.parent / "pyproject.toml").read_text())["project"]
+    wanted = {entry.partition(">")[0] for entry in project["optional-dependencies"][extra]}
+    assert wanted == set(installed.EXTRAS[extra][0])
