@@ -19,7 +19,11 @@ from mechsheet.sheet.table.bands import ROOT, WORST
 from mechsheet.sheet.table.tolerance import lines_of
 
 TEMPLATES = Path(__file__).parents[3] / "templates"
-NAMES = but([path.stem for path in sorted(TEMPLATES.glob("*.toml"))], *ITERATED)
+NAMES = [
+    name
+    for name in but([path.stem for path in sorted(TEMPLATES.glob("*.toml"))], *ITERATED)
+    if "[synthesis" not in (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8")  # which finds all their dimensions
+]
 
 SLIDER = (TEMPLATES / "slider-crank.toml").read_text(encoding="utf-8")
 A1, A2, A3 = 20.0, 50.0, 250.0
