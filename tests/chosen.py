@@ -23,11 +23,8 @@ EVERY = 7
 ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephenson-iii-output")
 """Templates with groups that Newton's method solves: there are no pages and functions of these."""
 
-LOADED = ("engine", "four-bar-forces", "planar-3rpr", "six-link-dwell", "toggle-press")
+LOADED = ("engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms", "six-link-dwell", "toggle-press")
 """Templates with masses or loads."""
-
-WITHIN = ("scissor-lift-between-arms", "stephenson-ii-motor")
-"""Templates driven between moving links inside a moving loop: there are no forces of these."""
 
 LISTED = ("five-bar-robot",)
 """Templates whose two drivers are listed row by row: there is nothing between the rows."""

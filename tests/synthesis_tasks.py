@@ -6,12 +6,17 @@ Rounded to what a person would type. Most have a solution, none is chosen for ha
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 Task = dict[str, Any]
+
+FOR_NOTHING = 0.08
+"""So many tasks have no solution on purpose."""
 
 
 def function(random: np.random.Generator) -> Task:
@@ -21,6 +26,8 @@ def function(random: np.random.Generator) -> Task:
     psi = random.uniform(0, 180) + random.choice([1, -1]) * (
         np.sort(random.uniform(0, 100, count)) + 5 * np.arange(count)
     )
+    if random.random() < FOR_NOTHING:  # the same pair twice, a turn apart
+        theta[1], psi[1] = theta[0] + 360, psi[0]
     return {"kind": "function", "theta": rounded(theta), "psi": rounded(psi), "a1": length(random)}
 
 
@@ -46,9 +53,11 @@ def dead_centres(random: np.random.Generator) -> Task:
 def guidance(random: np.random.Generator) -> Task:
     """Three poses, and for each pivot one of its three ways."""
     first = random.uniform(-50, 50, 2)
-    steps = np.cumsum(random.uniform(-60, 60, (2, 2)), axis=0)
+    first, steps = np.round(first), np.round(np.cumsum(random.uniform(-60, 60, (2, 2)), axis=0), 1)
     turns = np.cumsum(random.uniform(5, 60, 2)) * random.choice([1, -1])
     angle = random.uniform(-90, 90)
+    if random.random() < FOR_NOTHING:  # the body only slides along a line
+        steps[1], turns = 2 * steps[0], np.zeros(2)
     poses = [[*rounded(first), rounded([angle])[0]]]
     for step, turn in zip(steps, turns, strict=True):
         poses.append([*rounded(first + step), rounded([angle + turn])[0]])
@@ -83,7 +92,8 @@ def quick_return_slider(random: np.random.Generator) -> Task:
 def quick_return_lever(random: np.random.Generator) -> Task:
     stroke = length(random)
     crank = round(stroke * float(random.uniform(0.1, 0.9)), 2)
-    return {"kind": "quick-return-lever", "stroke": stroke, "time_ratio": ratio(random), "crank": crank}
+    time_ratio = 0.9 if random.random() < FOR_NOTHING else ratio(random)
+    return {"kind": "quick-return-lever", "stroke": stroke, "time_ratio": time_ratio, "crank": crank}
 
 
 KINDS: dict[str, Callable[[np.random.Generator], Task]] = {
@@ -98,6 +108,34 @@ KINDS: dict[str, Callable[[np.random.Generator], Task]] = {
 def task(kind: str, seed: int) -> Task:
     """The task of a kind that belongs to a seed."""
     return KINDS[kind](np.random.default_rng([seed, *map(ord, kind)]))
+
+
+TEMPLATES = {
+    "function": "function-generator",
+    "dead-centres": "crank-rocker-swing",
+    "guidance": "rigid-body-guidance",
+    "quick-return-slider": "quick-return-slider",
+    "quick-return-lever": "quick-return-lever",
+}
+"""A packaged description for each kind."""
+
+_TABLE = re.compile(r"^\[synthesis\]\n.*?(?=^\[)", re.MULTILINE | re.DOTALL)
+
+
+def description(asked: Task) -> str:
+    """The packaged description of a kind with another task."""
+    text = (Path(__file__).parents[1] / "templates" / f"{TEMPLATES[asked['kind']]}.toml").read_text(encoding="utf-8")
+    table = "".join(f"{key} = {toml(value)}\n" for key, value in asked.items())
+    return _TABLE.sub(f"[synthesis]\n{table}\n", text, count=1)
+
+
+def toml(value: Any) -> str:
+    """A value as TOML writes it."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {toml(item)}" for key, item in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return f'"{value}"' if isinstance(value, str) else str(value).lower()
 
 
 def length(random: np.random.Generator) -> float:

@@ -1,11 +1,13 @@
 """Make the pictures of README and docs from the workbooks as they are built now: `make pictures`.
 
 Needs LibreOffice, pdftoppm, Xvfb and xdotool (apt-get install libreoffice-calc poppler-utils xvfb xdotool); the gallery's
-drawings need matplotlib only. Names of pictures make only those: `python tools/pictures.py workbook-page opened`.
+drawings need matplotlib only, the page of `mechsheet draw` Chromium. Names of pictures make only those:
+`python tools/pictures.py workbook-page opened`.
 """
 
 from __future__ import annotations
 
+import io
 import subprocess
 import sys
 import tempfile
@@ -45,6 +47,35 @@ def drawing(name: str) -> Image.Image:
     with tempfile.TemporaryDirectory() as folder:
         found = plot(mechanism, Path(folder) / "drawing.png", at=float(values[len(values) // 6]))
         return Image.open(found).convert("RGB").resize((DRAWN, DRAWN), Image.Resampling.LANCZOS)
+
+
+def drawn_page(theme: str) -> Image.Image:
+    """The page of `mechsheet draw` with the four-bar, its crank at 60 degrees, in a window of a small notebook."""
+    from playwright.sync_api import sync_playwright
+
+    from mechsheet.drawing_page.answers import Studio
+    from mechsheet.drawing_page.server import DrawingServer
+
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as started:
+        path = Path(folder) / "four-bar.toml"
+        text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+        path.write_text(text[text.index("format = 1") :], encoding="utf-8")  # the mechanism, without its long comment
+        server = DrawingServer(Studio(path, language="en"))
+        server.start()
+        flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"]
+        browser = started.chromium.launch(executable_path="/usr/bin/chromium", args=flags)
+        window = browser.new_page(
+            viewport={"width": 1366, "height": 768}, color_scheme="dark" if theme == "dark" else "light"
+        )
+        window.goto(server.address)
+        window.wait_for_selector("body[data-ready=yes]")
+        window.locator("#position").fill("32")
+        window.locator("#position").evaluate("each => each.blur()")
+        window.wait_for_timeout(500)
+        content = window.screenshot()
+        browser.close()
+        server.stop()
+    return Image.open(io.BytesIO(content)).convert("RGB")
 
 
 def page(pdf: Path, number: int, dpi: int, part: Corner | None = None) -> Image.Image:
@@ -108,6 +139,8 @@ def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
     yield "workbook-checks", lambda: prints.sheet("Checks", 110)
     yield "workbook-notes", lambda: prints.sheet("Notes", 110)
     yield "workbook-table", lambda: prints.sheet("Table s15", 100, name="adjustable-pump")
+    for theme in ("light", "dark"):
+        yield f"draw-{theme}", lambda theme=theme: drawn_page(theme)  # type: ignore[misc]
     yield "workbook-page", lambda: page(prints.pdf("four-bar", "page"), 1, 120)
 
 

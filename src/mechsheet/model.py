@@ -543,6 +543,8 @@ class Synthesis:
     mode      symbol of the assembly mode cell that follows from the task -> the result that says it
     function  the function that is to be generated, over `x`; None where the task has none
     reasons   steps that may not exist, in order -> why there is no solution then
+    roots     symbol of a root of x^3 + b x^2 + c x + d = 0 -> symbols of b, c and d
+    names     what inputs, steps and results are called in the kind's own equations -> their symbols
     """
 
     kind: str
@@ -556,11 +558,19 @@ class Synthesis:
     mode: Mapping[str, str] = field(default_factory=dict)
     function: Node | None = None
     reasons: tuple[tuple[str, Words], ...] = ()
+    names: Mapping[str, str] = field(default_factory=dict)
+    roots: Mapping[str, tuple[str, str, str]] = field(default_factory=dict)
 
     @property
     def inputs(self) -> tuple[str, ...]:
         """Symbols of the task's input dimensions, in its order."""
         return tuple(self.task.values())
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """Symbols that all have a value where the task has a solution: those of the mechanism's dimensions."""
+        names = tuple(self.taken.values()) or tuple(self.results)
+        return tuple(dict.fromkeys(self.results[name] for name in names))
 
 
 @dataclass(frozen=True, slots=True)

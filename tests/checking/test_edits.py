@@ -11,10 +11,13 @@ from mechsheet.checking import check
 from mechsheet.checking.formula_diff import alike
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.compiled.evaluation import computed
+from mechsheet.description import load
+from mechsheet.description.schema import TAKES
 from mechsheet.diagnostics import MechsheetError, WorkbookError
 from mechsheet.formats import write
 from mechsheet.formula.nodes import Unary
 from mechsheet.formula.parser import parse_formula
+from mechsheet.library.building import build
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.workbook import Cell
 
@@ -36,6 +39,18 @@ def told(report):
 def test_nothing_was_edited(yoke, tmp_path, suffix):
     report = found_in(yoke[0], tmp_path, suffix)
     assert (report.agrees, report.edits, report.remarks) == (True, (), ())
+
+
+@pytest.mark.parametrize(("suffix", "references"), [("xlsx", "anchors"), ("ods", "names")])
+def test_nothing_was_edited_in_summaries_of_every_kind(tmp_path, suffix, references):
+    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+    head, _, rest = text.partition("[summary]")
+    lines = [f'{take}_of_it = {{ of = "mu", take = "{take}" }}' for take in TAKES]
+    charts = rest[rest.index("[[charts]]") :].replace('references = "anchors"', f'references = "{references}"')
+    source = tmp_path / "all.toml"
+    source.write_text("\n".join([head + "[summary]", *lines, "", charts]), encoding="utf-8")
+    report = check(build(load(source), tmp_path, [suffix])[0])
+    assert (report.agrees, report.edits) == (True, ())
 
 
 def column(plan, symbol):

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from mechsheet.checking.report_lines import focused
 from mechsheet.cli import main
-from mechsheet.cli.printing import focused
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 

@@ -1,10 +1,14 @@
 """The page in a browser: what a person does with the mouse, the keyboard and the text, and what comes of it."""
 
 import re
+import threading
+from pathlib import Path
 
 import pytest
 
 import mechsheet
+
+ROOT = Path(__file__).parents[2]
 
 pytestmark = pytest.mark.chromium
 
@@ -55,3 +59,266 @@ def test_a_number_that_is_typed_moves_the_drawing(opening, four_bar):
     field.press("Enter")
     opened.until("document.querySelector('[data-name=a2]').classList.contains('bad')")
     assert "value = 50" in opened.text()
+
+
+def test_a_four_bar_is_drawn_with_the_mouse_and_becomes_a_workbook(opening, tmp_path):
+    """From an empty sheet: ground pins, links, a coupler point, the driver; `check` accepts the workbook."""
+    opened = opening(None, tmp_path)
+    page = opened.page
+
+    def tool(name, *places):
+        page.click(f"#tool-{name}")
+        for place in places:
+            before = opened.text()
+            opened.click(place)
+        opened.until("before => document.querySelector('#text').value !== before", before)
+
+    tool("ground", (0, 0))
+    tool("ground", (70, 0))
+    tool("link", (0, 0), (0, 40))
+    tool("link", (0, 40), (70, 60))
+    tool("link", (70, 60), (70, 0))
+    opened.said("degrees of freedom: 1")
+    opened.said("Nothing is driven yet")
+    tool("plate", (35, 50), (30, 80))
+    tool("driver", (0, 20))
+    opened.said("It can be joined in every position.")
+    for name, place in {"A": (0, 40), "B": (70, 60), "C": (30, 80)}.items():
+        assert page.evaluate("async p => (await import('./geometry.js')).place(p)", name) == pytest.approx(
+            place, abs=0.02
+        )
+    page.click("#tab-workbook")
+    page.click("#check")
+    opened.said("mechanism.xlsx: all agree")
+    with page.expect_download() as download:
+        page.click("#get-xlsx")
+    workbook = tmp_path / download.value.suggested_filename
+    download.value.save_as(workbook)
+    assert workbook.suffix == ".xlsx"
+    assert mechsheet.check(workbook).agrees
+    page.keyboard.press("Control+s")
+    page.fill("#ask-input", "drawn")
+    page.click("#ask-yes")
+    opened.said("Saved:")
+    assert (tmp_path / "drawn.toml").read_text(encoding="utf-8") == opened.text()
+    assert set(mechsheet.load(tmp_path / "drawn.toml").solve()) >= {"theta12", "theta13", "theta14", "C.x", "C.y"}
+
+
+def test_a_drag_beyond_what_can_be_joined_says_why(opening, four_bar):
+    """A longer crank: some positions are lost, the page says which, and which links do not meet there."""
+    opened = opening(four_bar)
+    opened.drag("A", (150, 0))
+    opened.said(re.compile(r"It can be joined only from .* \(does not close: .*coupler.*rocker"))
+    assert opened.page.locator("#gaps i").count() > 0
+    slider = opened.page.locator("#position")
+    slider.fill(str(int(slider.get_attribute("max")) // 2))
+    opened.said(re.compile("Not here: does not close: .*coupler"))
+    assert "wrong" in opened.page.locator('[data-link="coupler"]').get_attribute("class")
+
+
+def test_the_text_is_edited_and_the_drawing_follows(opening, four_bar):
+    opened = opening(four_bar)
+    x, _ = opened.place("B0")
+    text = opened.text()
+    opened.page.fill("#text", text.replace("a1 = { value = 70,", "a1 = { value = 80,"))
+    opened.until("document.querySelector('[data-name=a1]').value === '80'")
+    assert opened.place("B0")[0] > x + 10
+    broken = text.replace("a1 = { value = 70,", "a1 = { value = seventy,")
+    opened.page.fill("#text", broken)
+    line = next(n for n, row in enumerate(broken.splitlines(), 1) if "seventy" in row)
+    opened.said(f"line {line}:")
+    assert opened.page.locator("#lines b").text_content() == str(line)
+    assert opened.place("B0")[0] > x + 10  # as it was drawn before
+    opened.page.fill("#text", text.replace('["a3", 0]', '["a9", 0]'))
+    opened.said(re.compile("a9"))
+    opened.until("document.querySelector('[data-link=coupler]').classList.contains('wrong')")
+
+
+def test_undo_and_redo_take_drawing_and_text_along(opening, four_bar):
+    opened = opening(four_bar)
+    text, place = opened.text(), opened.place("C")
+    opened.drag("C", (-60, 10))
+    opened.until("before => document.querySelector('#text').value !== before", text)
+    changed = opened.text()
+    opened.page.click("#undo")
+    opened.until("before => document.querySelector('#text').value === before", text)
+    opened.until("document.querySelector('#undo').disabled")
+    assert opened.place("C") == pytest.approx(place, abs=0.6)
+    opened.page.keyboard.press("Control+y")
+    opened.until("before => document.querySelector('#text').value === before", changed)
+
+
+def test_the_keyboard_draws_too(opening, tmp_path):
+    """A ground pin and a link, by arrows and Enter; then the link's end is moved."""
+    opened = opening(None, tmp_path)
+    page = opened.page
+    page.focus("#canvas")
+    page.keyboard.press("g")
+    for key in ("ArrowRight", "Enter"):
+        page.keyboard.press(key)
+    opened.until("document.querySelector('[data-point=A0]') !== null")
+    page.keyboard.press("l")
+    page.locator('[data-point="A0"]').focus()
+    page.keyboard.press("Enter")
+    for key in ("Shift+ArrowUp", "Enter"):
+        page.keyboard.press(key)
+    opened.until("document.querySelector('[data-point=A]') !== null")
+    page.keyboard.press("v")
+    opened.said("degrees of freedom: 1")
+    before = opened.text()
+    page.locator('[data-point="A"]').focus()
+    page.keyboard.press("ArrowRight")
+    opened.until("before => document.querySelector('#text').value !== before", before)
+    page.keyboard.press("Delete")
+    opened.until("document.querySelector('[data-point=A]') === null")
+
+
+def test_a_finger_drags(opening, four_bar):
+    opened = opening(four_bar, has_touch=True)
+    x, y = opened.place("B")
+    session = opened.page.context.new_cdp_session(opened.page)
+    for kind, points in (
+        ("touchStart", [{"x": x + 8, "y": y + 8}]),
+        ("touchMove", [{"x": x + 30, "y": y}]),
+        ("touchMove", [{"x": x + 50, "y": y - 20}]),
+        ("touchEnd", []),
+    ):
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    opened.until("document.querySelector('[data-name=a4]').value !== '56'")
+
+
+def test_a_picture_lies_behind_and_is_scaled_by_two_clicks(opening, four_bar):
+    opened = opening(four_bar)
+    page = opened.page
+    page.click("#picture")
+    page.set_input_files("#picture-file", ROOT / "docs" / "pictures" / "four-bar.png")
+    opened.until("document.querySelector('.layer-picture image') !== null")
+    width = "async () => (await import('./state.js')).state.picture.width"
+    before = page.evaluate(width)
+    page.click("#picture-scale")
+    opened.click((0, 0))
+    opened.click((20, 0))
+    page.fill("#ask-input", "50")
+    page.keyboard.press("Enter")
+    opened.until("async before => (await import('./state.js')).state.picture.width !== before", before)
+    assert page.evaluate(width) == pytest.approx(2.5 * before, rel=0.02)
+    page.reload()
+    opened.look()
+    opened.until("document.querySelector('.layer-picture image') !== null")
+
+
+def test_a_reload_keeps_the_work(opening, four_bar):
+    opened = opening(four_bar)
+    opened.page.locator("[data-name=a4]").fill("58")
+    opened.page.keyboard.press("Enter")
+    opened.until("document.querySelector('#text').value.includes('a4 = { value = 58,')")
+    opened.page.reload()
+    opened.look()
+    opened.until("document.querySelector('[data-name=a4]')?.value === '58'")
+    assert "a4 = { value = 58," in opened.text()
+    assert "a4 = { value = 56," in four_bar.read_text(encoding="utf-8")
+
+
+def test_two_pages_at_once_ask_before_one_replaces_what_the_other_saved(opening, four_bar):
+    first = opening(four_bar)
+    second = opening(server=first.server)
+    for opened, value in ((first, "57"), (second, "58")):
+        opened.page.locator("[data-name=a4]").fill(value)
+        opened.page.keyboard.press("Enter")
+        opened.until("value => document.querySelector('#text').value.includes(`a4 = { value = ${value},`)", value)
+    first.page.click("#save")
+    first.said("Saved:")
+    assert "a4 = { value = 57," in four_bar.read_text(encoding="utf-8")
+    second.page.click("#save")
+    second.said("somebody has changed it")
+    second.page.click("#ask-no")
+    assert "a4 = { value = 57," in four_bar.read_text(encoding="utf-8")
+    second.page.click("#save")
+    second.page.click("#ask-yes")
+    second.said("Saved:")
+    assert "a4 = { value = 58," in four_bar.read_text(encoding="utf-8")
+
+
+def test_a_page_of_another_origin_gets_nothing(opening, four_bar, tmp_path):
+    """Another site in the same browser, even one that knows the whole address: no answer that it could read, no page in a
+    frame, no script taken over, nothing saved."""
+    opened = opening(four_bar)
+    other = opening(None, tmp_path)  # another origin: another port
+    before = four_bar.read_bytes()
+    address = opened.server.address
+    tried = other.page.evaluate(
+        """async address => {
+          const results = [];
+          const body = '{"text":"x","replace":true}';
+          const json = { "Content-Type": "application/json" };
+          for (const options of [{}, { mode: "no-cors" }, { method: "POST", body, headers: json },
+                                 { method: "POST", body, mode: "no-cors" }]) {
+            try {
+              results.push((await (await fetch(`${address}ask/save`, options)).text()).length);
+            } catch {
+              results.push("refused");
+            }
+          }
+          return results;
+        }""",
+        address,
+    )
+    assert tried == ["refused"] * 4
+    other.complaints.clear()  # the browser tells each refusal
+    page = other.page.context.new_page()
+    foreign = tmp_path / "foreign.html"
+    foreign.write_text(
+        f'<iframe id="f" src="{address}"></iframe><form method="post" action="{address}ask/save"></form>',
+        encoding="utf-8",
+    )
+    answers = []
+    page.on("response", lambda response: answers.append(response.status) if address in response.url else None)
+    page.goto(foreign.as_uri())
+    page.wait_for_timeout(300)
+    assert set(answers) <= {403}
+    page.evaluate("document.forms[0].submit()")
+    page.wait_for_timeout(300)
+    assert set(answers) <= {403}
+    assert four_bar.read_bytes() == before
+
+
+def test_words_are_turkish_and_every_control_has_a_name(opening, four_bar):
+    opened = opening(four_bar)
+    opened.page.click("#language")
+    opened.said("serbestlik derecesi: 1")
+    assert opened.page.locator("#title").text_content() == "Dört-çubuk mekanizması"
+    assert opened.page.evaluate("document.documentElement.lang") == "tr"
+    for tab in ("dimensions", "curves", "workbook"):
+        opened.page.click(f"#tab-{tab}")
+        nameless = opened.page.evaluate(
+            """() => [...document.querySelectorAll('button, input, select, textarea, [role=button], [role=application]')]
+              .filter((each) => each.checkVisibility())
+              .filter((each) => !(each.ariaLabel || each.textContent.trim() || each.labels?.length))
+              .map((each) => each.outerHTML)"""
+        )
+        assert nameless == []
+
+
+def test_curves_follow_the_position(opening, four_bar):
+    opened = opening(four_bar)
+    opened.page.click("#tab-curves")
+    heading = opened.page.locator("#curves .part").first
+    before = heading.text_content()
+    assert "θ" in before
+    opened.page.locator("#position").fill("60")
+    assert heading.text_content() != before
+    opened.page.click("#play")
+    opened.until("async () => (await import('./state.js')).state.frame !== 60")
+    opened.page.click("#play")
+
+
+def test_closing_the_page_ends_the_program(opening, four_bar):
+    opened = opening(four_bar)
+    opened.server.patience = 0.3
+    ended = threading.Thread(target=opened.server.wait)
+    ended.start()
+    opened.page.wait_for_timeout(1500)
+    assert ended.is_alive()
+    opened.page.close()
+    ended.join(20)
+    assert not ended.is_alive()

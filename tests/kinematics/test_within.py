@@ -14,66 +14,16 @@ from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.solve import dimension_values, solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.library import linkage
+from within_cases import LOADER, loader
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
-
-LOADER = """
-format = 1
-[mechanism]
-name = "loader"
-[dimensions]
-a1 = {a1}
-a2 = {a2}
-a3 = {a3}
-a4 = {a4}
-closed = {closed}
-[links.ground]
-points = {{ A0 = [0, 0], B0 = ["a1", 0] }}
-[links.crank]
-points = {{ A0 = [0, 0], A = ["a2", 0], P = [{p}, -8] }}
-[links.coupler]
-points = {{ A = [0, 0], B = ["a3", 0], Q = [{q}, 5] }}
-[links.rocker]
-points = {{ B0 = [0, 0], B = ["a4", 0] }}
-[links.barrel]
-points = {{ P = [0, 0] }}
-[links.rod]
-points = {{ Q = [0, 0] }}
-[[joints]]
-type = "prismatic"
-name = "cylinder"
-link = "rod"
-on = "barrel"
-point = "Q"
-through = ["closed", {aside}]
-symbol = "s"
-[driver]
-joint = "cylinder"
-start = 0
-stop = 30
-step = 5
-speed = 1
-[assembly]
-A = [10, 30]
-P = [14, 8]
-Q = [45, 48]
-B = [60, 50]
-"""
-
-
-def loader(rng):
-    """A random one: the sketch says how crank and coupler stand, the lengths need not fit it."""
-    sizes = {"a1": 70, "a2": 35, "a3": 60, "a4": 56, "closed": 32, "p": 16, "q": 38, "aside": 0}
-    text = {name: round(value * rng.uniform(0.85, 1.15), 3) for name, value in sizes.items()}
-    text["aside"] = rng.choice([0, 0, 3])
-    return loads(LOADER.format(**text))
 
 
 def test_random_cylinders_between_links_that_move():
     rng = np.random.default_rng(18)
     closed = 0
     for _ in range(4):
-        mechanism = loader(rng)
+        mechanism = loads(loader(rng))
         try:
             equations = solve(mechanism)
         except MechsheetError as error:
@@ -126,12 +76,3 @@ def test_either_side_of_the_cylinder_as_the_sketch_has_it():
     modes = [solve(loads(text.replace("A = [10, 30]", f"A = {place}"))).groups[0].mode_value for place in
              ("[10, 30]", "[50, 10]")]  # fmt: skip
     assert modes == [1, -1]
-
-
-def test_forces_are_refused_in_words():
-    text = (TEMPLATES / "scissor-lift-between-arms.toml").read_text(encoding="utf-8")
-    text = text.replace("[links.platform]\n", "[links.platform]\nmass = 100\ncenter = [300, 0]\n")
-    with pytest.raises(MechsheetError, match="forces are not found where a joint between moving links is driven"):
-        from mechsheet.dynamics.solve import solve as solve_forces
-
-        solve_forces(loads(text))

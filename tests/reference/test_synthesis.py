@@ -10,9 +10,10 @@ from reference_cases import TESTS
 from synthesised import FULL, apart, four_bar, guided, rests, slider_crank, slotted_lever
 
 from chosen import first
-from mechsheet.reference import solve
+from mechsheet.description import loads
+from mechsheet.reference import dimension_values, solve, variables
 from mechsheet.reference.synthesis import crank_rocker, functions, guidance, quick_return
-from synthesis_tasks import task
+from synthesis_tasks import description, task
 
 SEEDS = first(range(200), 10)
 CASES = {
@@ -295,3 +296,76 @@ def test_chebyshev_spacing():
     """The zeros of the polynomial of degree three, 0 and cos 30° to either side, in the range."""
     assert functions.chebyshev(0, 1, 3) == pytest.approx([0.0669873, 0.5, 0.9330127], abs=1e-7)
     assert functions.chebyshev(1, 4, 3) == pytest.approx([1.200962, 2.5, 3.799038], abs=1e-6)
+
+
+def described(kind, seed):
+    """The mechanism that a random task gives, as its description has it, and whether it has a solution."""
+    whole = loads(description(task(kind, seed)))
+    values = dimension_values(whole)
+    return whole, values, all(math.isfinite(values[symbol]) for symbol in whole.synthesis.taken)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_described_function_generator_meets_its_points(seed):
+    whole, values, solved = described("function", seed)
+    asked = task("function", seed)
+    if not solved or len(asked["theta"]) > 3:
+        return
+    theta, psi = np.radians(asked["theta"]), np.radians(asked["psi"])
+    sides = functions.sides(functions.function(theta, psi, asked["a1"]), theta, psi)
+    found = solve(whole, values=theta + values["theta_offset"])
+    angles = variables(found)["psi"]
+    for place in range(3):
+        if sides[place] == values["mode"]:
+            assert apart(angles[place], psi[place]) < 1e-10
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_described_crank_rocker_has_its_swing(seed):
+    whole, values, solved = described("dead-centres", seed)
+    if not solved or not math.isfinite(values["mu_min"]):
+        return
+    (first_at, low), (second_at, high) = rests(whole, "theta14")
+    assert abs(high - low) == pytest.approx(values["psi"], abs=1e-10)
+    turn = abs(second_at - first_at)
+    assert min(abs(turn - values["phi"]), abs(FULL - turn - values["phi"])) < 1e-10
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_described_body_passes_its_poses(seed):
+    whole, values, solved = described("guidance", seed)
+    if not solved:
+        return
+    asked = task("guidance", seed)
+    poses = [pose(row) for row in asked["poses"]]
+    cranks = [crank_of(poses, asked[name]) for name in ("A", "B")]
+    places = list(zip(*(guidance.carried(poses, crank.moving) for crank in cranks), strict=True))
+    size = max(values[name] for name in ("a1_exact", "a2", "a3", "a4") if name in values)
+    for at, (a, b) in enumerate(places):
+        side = ((cranks[1].fixed - a).conjugate() * (b - a)).imag
+        if math.copysign(1, side) == values["mode"]:
+            found = solve(whole, values=[values["theta_1"] + (0.0, *cranks[0].turns)[at]])
+            assert abs(complex(*found.points["P"][0]) - poses[at].place) < 1e-10 * size
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_described_slider_crank_has_its_stroke(seed):
+    whole, values, solved = described("quick-return-slider", seed)
+    if not solved or not math.isfinite(values["mu_min"]):
+        return
+    (first_at, one), (second_at, other) = rests(whole, "s")
+    assert abs(one - other) == pytest.approx(values["stroke"], rel=1e-10)
+    turn = abs(second_at - first_at)
+    assert max(turn, FULL - turn) / min(turn, FULL - turn) == pytest.approx(values["time_ratio"], rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_described_slotted_lever_has_its_stroke(seed):
+    whole, values, solved = described("quick-return-lever", seed)
+    if not solved:
+        return
+    (first_at, one), (second_at, other) = rests(whole, "theta13")
+    chord = abs(cmath.exp(1j * one) - cmath.exp(1j * other)) * values["lever"]
+    assert chord == pytest.approx(task("quick-return-lever", seed)["stroke"], rel=1e-10)
+    turn = abs(second_at - first_at)
+    assert max(turn, FULL - turn) / min(turn, FULL - turn) == pytest.approx(values["time_ratio"], rel=1e-9)

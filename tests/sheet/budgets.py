@@ -38,6 +38,9 @@ A_PASS = 10
 MOVED, LOADED = 2, 1.5
 """And so many times those of Rates and of Forces: velocities have their own checks, forces a column for both efforts."""
 
+SYNTHESIS = 850
+"""And so many of a synthesis: its steps, their changes with each input, the figure, the curve."""
+
 LARGE_BESIDE_FEW_ROWS = {
     "fivelink": 760,
     "adjustable-pump": 650,

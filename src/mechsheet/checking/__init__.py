@@ -16,10 +16,10 @@ from mechsheet.checking.inputs import description_in
 from mechsheet.checking.inserted_rows import MovedValues
 from mechsheet.checking.mutate import Mutation, mutate
 from mechsheet.checking.perturb import Perturbation, perturb
+from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
 from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
 from mechsheet.checking.rules import Rules
-from mechsheet.checking.searched import compare_program
 from mechsheet.checking.stored import Stored, judge_stored
 from mechsheet.checking.twins import with_twins
 from mechsheet.checking.verdicts import against_search

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from .remarks import cell_text, grouped, remark_line
+from mechsheet.checking.remark_lines import cell_text, grouped, remark_line
 
 if TYPE_CHECKING:
     from mechsheet.checking import Report, Stored

@@ -7,23 +7,14 @@ from typing import Any
 import click
 
 from mechsheet.checking.mutate import by_kind, by_sheet
-
-from .remarks import grouped, remark_lines, stored_lines
+from mechsheet.checking.remark_lines import grouped
+from mechsheet.checking.report_lines import focused, report_lines
 
 WIDTH = 80
 """Signs of a line on a terminal."""
 
-LONG = 100
-"""Longer formulas are shown around the place in which they differ; with --json in full."""
-
-AROUND = 30
-"""So many signs of them before and behind it."""
-
 SURVIVORS = 20
 """So many damages that the sheet does not catch are listed; with --json all."""
-
-EDITS = 40
-"""So many edits are listed; with --json all."""
 
 
 def print_line(report: Any) -> None:
@@ -40,72 +31,8 @@ def print_line(report: Any) -> None:
 
 def print_report(report: Any) -> None:
     """A check: a line for each judge, the edits, the remarks."""
-    click.echo(f"{report.file}: {'all agree' if report.agrees else _verdict(report)}")
-    for item in report.comparisons:
-        verdict = "agrees " if item.agrees else "DIFFERS"
-        click.echo(f"  {item.judge:<14} {verdict} {item.worst:6.0e} in {item.cells:>6} values  {item.where}")
-        if not item.agrees:
-            click.echo(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
-        if report.stored is not None and item is report.comparisons[0]:
-            for line in stored_lines(report.stored)[1:]:
-                click.echo(f"  {line}")
-    for edit in report.edits[:EDITS]:
-        was, now = focused(edit.was, edit.now)
-        click.echo(f"  edited: {edit.where} {_WORDS.get(edit.kind, edit.kind)}{edit.note}")
-        if edit.kind == "inserted":
-            continue
-        click.echo(f"          was {was or 'empty'}")
-        click.echo(f"          is  {now or 'empty'}")
-    if len(report.edits) > EDITS:
-        click.echo(f"  edited: {len(report.edits) - EDITS} more places (all with --json)")
-    for remark in [*report.remarks, *(remark_lines(report.stored.remarks) if report.stored is not None else ())]:
-        click.echo(f"  note: {remark}")
-    for fault in report.missing:
-        click.echo(f"  note: {fault.message}: skipped")
-
-
-_WORDS = {
-    "changed": "has another formula",
-    "out of its run": "has a formula of its own",
-    "overwritten": "was overwritten",
-    "emptied": "was emptied",
-    "formula": "holds a formula in place of a number",
-    "value": "holds another number",
-    "name": "is a name that was changed",
-    "sheet": "is a sheet that is not as it was",
-    "deleted": "was deleted",
-    "inserted": "was inserted",
-}
-
-
-def _verdict(report: Any) -> str:
-    if all(item.agrees for item in report.comparisons):
-        return "EDITED, all values agree"
-    return "EDITED, AND SOMETHING DIFFERS" if report.edits else "SOMETHING DIFFERS"
-
-
-def focused(was: str, now: str) -> tuple[str, str]:
-    """Two formulas, long ones cut down to where they differ."""
-    if max(len(was), len(now)) <= LONG:
-        return was, now
-    start = max(0, _common(was, now) - AROUND)
-    behind = _common(was[start:][::-1], now[start:][::-1])
-    cut = max(0, behind - AROUND)
-    return _cut(was, start, cut), _cut(now, start, cut)
-
-
-def _common(one: str, other: str) -> int:
-    """How many signs two texts have in common at their beginning."""
-    pairs = enumerate(zip(one, other, strict=False))
-    return next((place for place, (left, right) in pairs if left != right), min(len(one), len(other)))
-
-
-def _cut(text: str, start: int, cut: int) -> str:
-    end = len(text) - cut
-    middle = text[start:end]
-    if len(middle) > 2 * LONG:
-        middle = middle[: 2 * LONG] + "…"
-    return ("…" if start else "") + middle + ("…" if cut else "")
+    for line in report_lines(report):
+        click.echo(line)
 
 
 def print_perturbation(found: Any) -> None:

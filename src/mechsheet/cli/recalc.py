@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mechsheet.arguments.outputs import folder_ready, names_folder
+from mechsheet.checking.remark_lines import cell_text, remark_lines, stored_lines
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
 from .common import JSON, output_file, output_option, progress, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
 from .helping import Explained
-from .remarks import cell_text, remark_lines, stored_lines
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules

@@ -29,6 +29,7 @@ WIDTH = 24
 @click.option("--on", metavar="ADDRESS", help="A Dask scheduler that computes instead: tcp://HOST:8786.")
 @click.option("--resume", is_flag=True, help="Go on with a study that was begun in the folder.")
 @click.option("--limit-memory", metavar="SIZE", help="What all processes may have together: 2GiB.")
+@click.option("--format", "formats", help="Of the summary workbook: xlsx, ods, or both with a comma.  [default: xlsx]")
 @change_options
 def study(
     description: Path,
@@ -37,6 +38,7 @@ def study(
     on: str | None,
     resume: bool,
     limit_memory: str | None,
+    formats: str | None,
     **changes: Any,
 ) -> None:
     """Try the designs that [study] of the description asks for: grids or samples of any size.
@@ -46,17 +48,21 @@ def study(
     mechsheet study wiper.toml -o wiper --resume               goes on after an end of any kind
     mechsheet study wiper.toml -o wiper --on tcp://10.0.0.5:8786
 
-    Written are FOLDER/parts/*.parquet (a row for each design that meets all conditions), study.json and result.json;
-    printed are the best designs, * for those on the front. The same study gives the same bytes, however it was
-    computed. `mechsheet build wiper.toml --design wiper:17` writes the workbook of design 17.
+    Written are FOLDER/parts/*.parquet (a row for each design that meets all conditions), study.json, result.json, the
+    summary workbook study.xlsx and the picture study.svg; printed are the best designs, * for those on the front. The
+    same study gives the same bytes, however it was computed. `mechsheet build wiper.toml --design wiper:17` writes the
+    workbook of design 17.
     """
-    from mechsheet.library.studying import bytes_of
+    from mechsheet.library.studying import bytes_of, known_formats
     from mechsheet.studies.run import studied
 
     mechanism = described(description, Changes(**changes))
     memory = bytes_of(limit_memory)
+    forms = known_formats(formats)
     with at_lines_of(mechanism, description), _bar() as say:
-        found = studied(mechanism, output, workers=workers, on=on, resume=resume, limit_memory=memory, say=say)
+        found = studied(
+            mechanism, output, workers=workers, on=on, resume=resume, limit_memory=memory, formats=forms, say=say
+        )
     _tell(found)
     click.echo(_table(found))
 

@@ -14,6 +14,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.description.rewrite import with_value
 from mechsheet.description.source import Source
+from mechsheet.description.task_values import task_names, task_place, with_task_value
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
 
@@ -49,16 +50,28 @@ def with_values(source: Source, values: Overrides) -> tuple[Source, list[Fault]]
     return source, faults
 
 
+def _derived(entry: Mapping[str, object]) -> bool:
+    return "formula" in entry or "synthesis" in entry
+
+
 def _with_value(source: Source, name: str, value: str, option: str) -> tuple[Source, list[Fault]]:
     entries = source.data.get("dimensions")
     entries = entries if isinstance(entries, dict) else {}
-    inputs = [name for name, entry in entries.items() if not (isinstance(entry, dict) and "formula" in entry)]
+    inputs = [name for name, entry in entries.items() if not (isinstance(entry, dict) and _derived(entry))]
+    place_of_task = task_place(source, name)
+    if place_of_task is not None and name not in inputs:
+        return with_task_value(source, place_of_task, value, option)
     if name not in entries:
+        if "synthesis" in source.data:
+            inputs += task_names(source)
         hint = suggestion(name, inputs, "inputs")
         return source, [Fault(f"no dimension is called {quoted(name)}", source.file, key=option, hint=hint)]
     if name not in inputs:
         message = f"the dimension {quoted(name)} is derived from others"
         hint = "change the dimensions in its formula instead; " + suggestion(name, inputs, "inputs")
+        if "synthesis" in entries[name]:
+            message = f"the dimension {quoted(name)} is found by the synthesis"
+            hint = "change its task instead: " + ", ".join(task_names(source))
         return source, [Fault(message, source.file, key=option, hint=hint)]
     scope = scope_for(source, option)
     text = typed_value(value, scope.units[name], "the dimension's", scope)

@@ -558,6 +558,44 @@ SYNTHESIS = Kinds(
                 "round": _ROUND,
             }
         ),
+        "dead-centres": Table(
+            {
+                "kind": _KIND,
+                "a1": _A1,
+                "psi": Key(Number(), "swing of the rocker", True),
+                "phi": Key(Number(), "turn of the crank on the slow way"),
+                "time_ratio": _RATIO,
+                "lam": Key(Number(), "coupler over crank, a3/a2"),
+                "a2": Key(Number(), "or the crank"),
+                "best": _BEST,
+                "round": _ROUND,
+            },
+            ways=((("phi",), ("time_ratio",)), (("lam",), ("a2",), ("best",))),
+        ),
+        "guidance": Table(
+            {
+                "kind": _KIND,
+                "poses": Key(
+                    Items(Items(Number(), 3, 3, "[x, y, angle]"), 3, 3), "three poses of the body: [x, y, angle]", True
+                ),
+                "A": Key(_PIVOT, "what is given of the first crank", True),
+                "B": Key(_PIVOT, "and of the second", True),
+                "round": _ROUND,
+            }
+        ),
+        "quick-return-slider": Table(
+            {
+                "kind": _KIND,
+                "stroke": Key(Number(), "of the slider", True),
+                "time_ratio": replace(_RATIO, required=True),
+                "lam": Key(Number(), "rod over crank, a3/a2"),
+                "c": Key(Number(), "or the eccentricity"),
+                "a2": Key(Number(), "or the crank"),
+                "best": _BEST,
+                "round": _ROUND,
+            },
+            ways=((("lam",), ("c",), ("a2",), ("best",)),),
+        ),
         "quick-return-lever": Table(
             {
                 "kind": _KIND,

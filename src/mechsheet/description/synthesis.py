@@ -125,6 +125,13 @@ def _lengths_of(kind: str) -> tuple[str, ...]:
     return ("crank",) if kind == "quick-return-lever" else ("a1",) if kind in ("function", "dead-centres") else ()
 
 
+def unit_in(place: TaskPlace, scope: Scope) -> Unit:
+    """The unit of the number that stands there."""
+    if any(key in ANGLES for key in place) or (place[0] == "poses" and place[-1] == 2):
+        return scope.angle_unit
+    return NUMBER if place[0] in NUMBERS else unit_of(scope.length_unit, scope.length_unit)
+
+
 def _is_plain(entry: Any) -> bool:
     """Whether a dimension is a number that is given."""
     return isinstance(entry, float) or (isinstance(entry, dict) and isinstance(entry.get("value"), float))
@@ -141,8 +148,7 @@ def _numbers(data: dict[str, Any], scope: Scope) -> dict[TaskPlace, float]:
             for key, item in value.items():
                 enter(item, (*place, key))
         elif isinstance(value, float):
-            turns = any(key in ANGLES for key in place) or (place[0] == "poses" and place[-1] == 2)
-            found[place] = scope.angle_unit.to_internal(value) if turns else value
+            found[place] = unit_in(place, scope).to_internal(value)
 
     for key, value in data.items():
         if not isinstance(value, bool):
@@ -244,7 +250,7 @@ def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], scop
     positive = tuple(writer.positive) + ((rounding,) if rounding else ())
     synthesis = Synthesis(
         kind, inputs, tuple(writer.steps), dict(writer.results), good, positive, dict(task.chosen), rounding,
-        function=task.function, reasons=tuple(writer.reasons),
+        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names), roots=dict(writer.roots),
     )  # fmt: skip
     return Found(synthesis, tuple(dimensions), units, trees)
 

@@ -16,8 +16,7 @@ from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.questions import Refusal, number_in, places_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.formats.archive import replace_file
-
-__all__ = ["Refusal", "Studio"]
+from mechsheet.words.workbook import Language
 
 UNTITLED = "mechanism.toml"
 EMPTY = """format = 1
@@ -48,6 +47,8 @@ class Studio:
             "look": self._look,
             "edit": self._edit,
             "save": self._save,
+            "file": self._give,
+            "check": self._check,
             "template": self._template,
         }
         self._saving = threading.Lock()
@@ -110,13 +111,13 @@ class Studio:
     # --- what it is ----------------------------------------------------------------------------------------------------
 
     def _read(self, question: dict[str, Any]) -> Reading:
-        return read(text_in(question, "text"), self._name(), question.get("language"))
+        return read(text_in(question, "text"), self._name())
 
     def _name(self) -> str:
         return self.path.name if self.path is not None else UNTITLED
 
     def _look(self, question: dict[str, Any]) -> dict[str, Any]:
-        return look(self._read(question), number_in(question, "at"), places_in(question, "places"))
+        return look(self._read(question), number_in(question, "at"), places_in(question, "places"), _language(question))
 
     def _edit(self, question: dict[str, Any]) -> dict[str, Any]:
         """The text after one order of the page (`editing.orders`), and what it shows then."""
@@ -125,8 +126,29 @@ class Studio:
         if not isinstance(order, dict):
             raise Refusal('"order" must be a table')
         text, at = edited(reading, order, number_in(question, "at"), places_in(question, "places"))
-        new = read(text, self._name(), question.get("language")) if text != reading.text else reading
-        return {"text": text, "look": look(new, at, places_in(question, "places"))}
+        new = read(text, self._name())
+        return {"text": text, "look": look(new, at, places_in(question, "places"), _language(question))}
+
+    # --- what comes of it ----------------------------------------------------------------------------------------------
+
+    def _give(self, question: dict[str, Any]) -> bytes:
+        from mechsheet.drawing_page.files import file_of
+
+        kind, at = text_in(question, "kind"), number_in(question, "at")
+        return file_of(text_in(question, "text"), self._name(), kind, at, *self._wanted(question))
+
+    def _check(self, question: dict[str, Any]) -> dict[str, Any]:
+        from mechsheet.drawing_page.files import checked
+
+        return {"lines": checked(text_in(question, "text"), self._name(), *self._wanted(question))}
+
+    def _wanted(self, question: dict[str, Any]) -> tuple[str, str]:
+        """Layout and language of a workbook."""
+        return text_in(question, "layout", ""), text_in(question, "language", "")
+
+
+def _language(question: dict[str, Any]) -> Language:
+    return "tr" if question.get("language") == "tr" else "en"
 
 
 def _stem(path: Path | None) -> str:

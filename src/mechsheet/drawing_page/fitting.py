@@ -39,6 +39,9 @@ STIFF = 30.0
 FREE = 1e-3
 """What the place of a link costs: next to nothing."""
 
+WAY, MOST_WAYS = 0.08, 16
+"""A point is led to where it was dragged in ways of about this part of the size, at most so many."""
+
 PROBE = 1e-6
 """The step of numerical differentiation, as a part of the size."""
 
@@ -64,10 +67,10 @@ def fitted(parts: Parts, places: Mapping[str, Point], moved: str, before: Mappin
     places  of all points, in the ground's frame;  before: where the links lay;  size: of the mechanism, a length
     """
     task = _Task(parts, places, moved, before, size)
-    first = task.solved(task.inputs)
+    first = task.led(task.inputs)
     if first.missed <= NEARLY or not task.plain:
         return first
-    second = task.solved((*task.inputs, *task.plain))
+    second = task.led((*task.inputs, *task.plain))
     return second if second.missed < first.missed else first
 
 
@@ -83,6 +86,7 @@ class _Task:
         self.paths: dict[str, Path] = {}
         self.angular: set[str] = {dim.symbol for dim in parts.dimensions if dim.unit.kind == "angle"}
         self.before = before
+        self.start = self._first_place()
         self.links = [self._opened(link) for link in parts.links if moved in link.points]
         names = {link.name for link in self.links}
         beside = {
@@ -110,7 +114,7 @@ class _Task:
         self.inputs = tuple(
             dim.symbol
             for dim in parts.dimensions
-            if dim.symbol in used and not dim.derived and dim.symbol in self.numbers
+            if dim.symbol in used and isinstance(dim.value, float) and math.isfinite(dim.value)
         )
         self.plain = tuple(self.paths)
         bare = Mechanism(
@@ -119,6 +123,14 @@ class _Task:
         )  # fmt: skip
         formulas = {dim.symbol: dim.value for dim in parts.dimensions if dim.derived}
         self.derived = [(name, formulas[name]) for name in dimension_order(bare) if name in formulas]
+
+    def _first_place(self) -> Point:
+        """Where the point was: as the first link that has it lies."""
+        for link in self.parts.links_at(self.moved):
+            own = local_places(link, self.parts.numbers)[self.moved]
+            if all(map(math.isfinite, own)):
+                return self.before[link.name].of(own)
+        return self.places[self.moved]
 
     def _below(self, symbol: str) -> set[str]:
         """The dimensions that a derived one follows from."""
@@ -215,13 +227,36 @@ class _Task:
             found.append(math.sin((own - direction - number(joint.orientation, values)) / 2) * 2 * self.size)
         return found
 
-    def solved(self, names: tuple[str, ...]) -> Fit:
-        """The numbers of these names that fit best."""
+    def led(self, names: tuple[str, ...]) -> Fit:
+        """The numbers of these names that fit best, the point led to its place in short ways: no link turns over.
+
+        It ends where a length would become 0: beyond, the same drawing would need a negative one.
+        """
         start = [self.numbers[name] / (1.0 if name in self.angular else self.size) for name in names]
         for link in self.moving:
             pose = self.before[link.name]
             start += [pose.turn, pose.x / self.size, pose.y / self.size]
         x = np.array(start, float)
+        lengths = [
+            n for n, name in enumerate(names) if name not in self.angular and not name.startswith("#") and x[n] > 0
+        ]
+        target = self.places[self.moved]
+        ways = min(MOST_WAYS, max(1, math.ceil(math.dist(target, self.start) / (WAY * self.size))))
+        found: Fit | None = None
+        for way in range(1, ways + 1):
+            part = way / ways
+            there = tuple(a + part * (b - a) for a, b in zip(self.start, target, strict=True))
+            self.places = {**self.places, self.moved: (there[0], there[1])}
+            fit, x = self._solved(names, x)
+            if found is not None and np.any(x[lengths] <= 0):
+                break
+            found = fit
+        self.places = {**self.places, self.moved: target}
+        if found is None:
+            raise ValueError("no way leads anywhere")
+        return found
+
+    def _solved(self, names: tuple[str, ...], x: NDArray[np.float64]) -> tuple[Fit, NDArray[np.float64]]:
         cost = np.array(
             [STIFF if name.startswith("#") else 1.0 for name in names] + [FREE] * (3 * len(self.moving)), dtype=float
         )
@@ -239,12 +274,13 @@ class _Task:
             if not worked:
                 break
         values = self._values(names, x)
-        return Fit(
+        fit = Fit(
             {name: values[name] for name in names if not name.startswith("#")},
             {self.paths[name]: values[name] for name in names if name.startswith("#")},
             self._poses(len(names), x),
             float(np.max(np.abs(missed), initial=0.0)) if np.all(np.isfinite(missed)) else math.inf,
         )
+        return fit, x
 
     def _shortened(
         self, names: tuple[str, ...], x: NDArray[np.float64], step: NDArray[np.float64], missed: NDArray[np.float64]

@@ -10,11 +10,12 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.motion import SHOWN_ROLES
 from mechsheet.description.parts import Parts
-from mechsheet.drawing_page.positions import Point, drawn_pose, drawn_positions, line_of, local_places
+from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_places
 from mechsheet.drawing_page.reading import Reading, fault_entry
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.numeric import Array, value
@@ -24,7 +25,7 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Mechanism
 from mechsheet.sheet.drawing.outlines import corners, direction_of, through_of
 from mechsheet.words.equations import link_words
-from mechsheet.words.workbook import words
+from mechsheet.words.workbook import Language, words
 
 FRAMES = 180
 """Positions of an animation, about: between the rows of a sweep that steps there are further ones."""
@@ -32,11 +33,14 @@ FRAMES = 180
 DIGITS = 7
 """Of the largest length: places are shown on a screen."""
 
+HALVINGS = 24
+"""Of the stretch between two positions, to find a limit."""
+
 ALIKE = 1e-9
 """Driver values nearer than this part of the sweep are one position."""
 
 
-def look(reading: Reading, at: float | None, held: Mapping[str, Point]) -> dict[str, Any]:
+def look(reading: Reading, at: float | None, held: Mapping[str, Point], language: Language = "en") -> dict[str, Any]:
     """The answer to a text.
 
     at    the driver value that the page shows, in the driver's unit;  held: where it shows the points now
@@ -50,20 +54,19 @@ def look(reading: Reading, at: float | None, held: Mapping[str, Point]) -> dict[
     }
     if parts is None:
         return answer
-    answer |= _described(parts, reading)
-    answer |= _moving(reading.compiled, at) if reading.compiled is not None else _standing(parts, held)
+    answer |= _described(parts, reading, language)
+    answer |= _moving(reading.compiled, at, language) if reading.compiled is not None else _standing(parts, held)
     return answer
 
 
 # --- what is there ---------------------------------------------------------------------------------------------------
 
 
-def _described(parts: Parts, reading: Reading) -> dict[str, Any]:
+def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, Any]:
     mechanism = reading.compiled.mechanism if reading.compiled is not None else None
     head = reading.source.data.get("mechanism") if reading.source is not None else None
     head = head if isinstance(head, dict) else {}
     name = head.get("name")
-    language = mechanism.language if mechanism is not None else "en"
     return {
         "name": name if isinstance(name, str) else "",
         "title": mechanism.title.of(language) if mechanism is not None else "",
@@ -132,7 +135,7 @@ def _dimensions(parts: Parts, language: str) -> list[dict[str, Any]]:
                 "value": dim.shown if dim.shown is not None else dim.unit.to_shown(parts.numbers[dim.symbol]),
                 "unit": dim.unit.text,
                 "label": dim.label.of(language) if dim.label is not None else "",
-                "formula": dim.written,
+                "formula": dim.written or ("" if isinstance(dim.value, float) and math.isfinite(dim.value) else "="),
             }
         )
     return found
@@ -162,7 +165,8 @@ def _undrawn(reading: Reading, parts: Parts) -> list[str]:
 def _standing(parts: Parts, held: Mapping[str, Point]) -> dict[str, Any]:
     """One position, as drawn."""
     places = drawn_positions(parts, held)
-    lines = {joint.name: _standing_line(joint, parts, places) for joint in parts.joints}
+    poses = drawn_poses(parts, places)
+    lines = {joint.name: _standing_line(joint, poses, parts, places) for joint in parts.joints}
     return {
         "frames": {
             "driver": [0.0],
@@ -177,13 +181,12 @@ def _standing(parts: Parts, held: Mapping[str, Point]) -> dict[str, Any]:
     }
 
 
-def _standing_line(joint: Joint, parts: Parts, places: Mapping[str, Point]) -> list[list[float]] | None:
+def _standing_line(
+    joint: Joint, poses: Mapping[str, Pose], parts: Parts, places: Mapping[str, Point]
+) -> list[list[float]] | None:
     """The guide of a sliding joint: a point of it, and its direction [rad]."""
-    on = parts.link(joint.on)
-    if on is None:
-        return None
     try:
-        place, direction = line_of(joint, drawn_pose(on, parts, places), parts.numbers)
+        place, direction = line_of(joint, poses[joint.on], parts.numbers)
         x, y = places[str(joint.through)] if place is None else place
     except (KeyError, ArithmeticError, ValueError):
         return None
@@ -239,7 +242,7 @@ def values_at(compiled: Compiled, driver: Array) -> dict[str, Array]:
     return sweep(compiled.mechanism, compiled.equations, driver)
 
 
-def _moving(compiled: Compiled, at: float | None) -> dict[str, Any]:
+def _moving(compiled: Compiled, at: float | None, language: Language) -> dict[str, Any]:
     """All positions of the sweep."""
     mechanism, equations = compiled.mechanism, compiled.equations
     driver, rows, shown = driver_places(compiled, at)
@@ -254,7 +257,7 @@ def _moving(compiled: Compiled, at: float | None) -> dict[str, Any]:
         else [_column(values[f"{name}.{axis}"], digits) for axis in "xy"]
         for name in names
     }
-    why, reasons = _why(compiled, values, len(driver))
+    why, reasons = _why(compiled, values, len(driver), language)
     unit = mechanism.driver.unit
     return {
         "frames": {
@@ -266,8 +269,24 @@ def _moving(compiled: Compiled, at: float | None) -> dict[str, Any]:
             "rows": rows,
         },
         "at": shown,
-        "curves": _curves(mechanism, equations.columns, values, len(driver)),
+        "limits": [round(unit.to_shown(each), 6) for each in _limits(compiled, driver, np.array(why) == 0)],
+        "curves": _curves(mechanism, equations.columns, values, language),
     }
+
+
+def _limits(compiled: Compiled, driver: Array, closes: NDArray[np.bool_]) -> list[float]:
+    """Driver values at which it begins or stops closing, by halving between two positions; of a sweep that steps."""
+    changes = np.flatnonzero(closes[1:] != closes[:-1])
+    groups = compiled.equations.groups
+    if not len(changes) or not compiled.mechanism.driver.stepped or any(group.system for group in groups):
+        return []
+    low, high, state = driver[changes], driver[changes + 1], closes[changes]
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        values = sweep(compiled.mechanism, compiled.equations, middle)
+        there = np.logical_and.reduce([np.isfinite(values[group.closes]) for group in groups])
+        low, high = np.where(there == state, middle, low), np.where(there == state, high, middle)
+    return [float(each) for each in np.where(state, low, high)]
 
 
 def _rounded(number: float, digits: int) -> float:
@@ -290,9 +309,10 @@ def _line(mechanism: Mechanism, joint: Joint, values: Mapping[str, Array], digit
     return [column(x, digits), column(y, digits), column(direction_of(mechanism, joint), DIGITS)]
 
 
-def _why(compiled: Compiled, values: Mapping[str, Array], count: int) -> tuple[list[int], list[dict[str, Any]]]:
+def _why(
+    compiled: Compiled, values: Mapping[str, Array], count: int, language: Language
+) -> tuple[list[int], list[dict[str, Any]]]:
     """Of every position the reason (an index) why there is none, 0 where there is one; and the reasons in words."""
-    language = compiled.mechanism.language
     found = np.zeros(count, int)
     reasons: list[dict[str, Any]] = [{"text": "", "links": []}]
     for group in compiled.equations.groups:
@@ -311,9 +331,12 @@ def _why(compiled: Compiled, values: Mapping[str, Array], count: int) -> tuple[l
     return found.tolist(), reasons
 
 
-def _curves(mechanism: Mechanism, columns: Any, values: Mapping[str, Array], count: int) -> list[dict[str, Any]]:
+def _curves(
+    mechanism: Mechanism, columns: Any, values: Mapping[str, Array], language: Language
+) -> list[dict[str, Any]]:
     """Variables and outputs over the driver, and rates where there are any, with their units."""
     found = []
+    count = len(values[mechanism.driver.symbol])
     for equation in columns:
         if equation.role not in SHOWN_ROLES or equation.role == "point" or equation.symbol == mechanism.driver.symbol:
             continue
@@ -326,7 +349,7 @@ def _curves(mechanism: Mechanism, columns: Any, values: Mapping[str, Array], cou
             {
                 "symbol": equation.symbol,
                 "unit": unit.text,
-                "label": equation.label.of(mechanism.language),
+                "label": equation.label.of(language),
                 "role": equation.role,
                 "values": [float(f"{each:.7g}") if math.isfinite(each) else None for each in shown.tolist()],
             }

@@ -117,6 +117,31 @@ def drawn_pose(link: Link, parts: Parts, places: Mapping[str, Point]) -> Pose:
     return placed([own[point] for point in names], [places[point] for point in names])
 
 
+def drawn_poses(parts: Parts, places: Mapping[str, Point]) -> dict[str, Pose]:
+    """Where all links lie that are drawn by their points; those with one point alone as their sliding joints turn them."""
+    poses = {link.name: drawn_pose(link, parts, places) for link in parts.links}
+    single = {link.name for link in parts.links[1:] if len(link.points) < 2}
+    for joint in parts.joints:
+        if joint.on in single and isinstance(joint.through, str) and {joint.through, joint.point} <= places.keys():
+            (x, y), (u, v) = places[joint.through], places[joint.point]
+            turn = math.atan2(v - y, u - x) - _number(joint.angle, parts)
+            poses[joint.on] = _turned(poses[joint.on], turn, parts, joint.on, places)
+    for joint in parts.joints:
+        if joint.kind == "prismatic" and joint.link in single:
+            turn = poses[joint.on].turn + _number(joint.angle, parts) + _number(joint.orientation, parts)
+            poses[joint.link] = _turned(poses[joint.link], turn, parts, joint.link, places)
+    return poses
+
+
+def _turned(pose: Pose, turn: float, parts: Parts, name: str, places: Mapping[str, Point]) -> Pose:
+    """The pose of a link of one point with another turn."""
+    link = parts.link(name)
+    if link is None or not math.isfinite(turn):
+        return pose
+    own = {point: place for point, place in local_places(link, parts.numbers).items() if point in places}
+    return next((turned(turn, place, places[point]) for point, place in own.items()), Pose(turn, pose.x, pose.y))
+
+
 def line_of(joint: Joint, on: Pose, numbers: Mapping[str, float]) -> tuple[Point | None, float]:
     """A place of a sliding joint's line (None: a point with a name) and its direction [rad], in the ground's frame.
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from mechsheet.drawing_page.positions import Point
+from mechsheet.words.drawing_page import DRAWING_PAGE
 
 LARGEST = 1e9
 """Places farther out than this are no drawing."""
@@ -18,6 +19,19 @@ class Refusal(Exception):  # noqa: N818
     def __init__(self, message: str, status: int = 400) -> None:
         super().__init__(message)
         self.status = status
+
+
+class Impossible(Exception):  # noqa: N818
+    """What cannot be drawn so, in words for the user: a key of the page's words and its parts."""
+
+    def __init__(self, key: str, **parts: str) -> None:
+        super().__init__(key)
+        self.key = f"impossible.{key}"
+        self.parts = parts
+
+    def text(self, language: str) -> str:
+        """The sentence in "en" or "tr"."""
+        return DRAWING_PAGE[self.key][1 if language == "tr" else 0].format(**self.parts)
 
 
 def text_in(question: Mapping[str, Any], key: str, default: str | None = None) -> str:

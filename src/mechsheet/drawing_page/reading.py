@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
 from mechsheet.compiled import Compiled
@@ -16,7 +17,11 @@ from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Cartesian, Distances, Driver, Link, Mechanism, Polar, Quantity, Words
+
+KEPT = 12
+"""Texts of which the reading is kept."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +42,12 @@ class Reading:
     mobility: int | None
 
 
-def read(text: str, file: str, language: str | None = None) -> Reading:
-    """The reading of a text; `file` is what messages call it. Nothing is raised for what a description can have wrong."""
+@lru_cache(maxsize=KEPT)
+def read(text: str, file: str) -> Reading:
+    """The reading of a text; `file` is what messages call it. Nothing is raised for what a description can have wrong.
+
+    The last texts are kept: while a point is dragged, each question begins with the text as it was before.
+    """
     try:
         source = parse(text, file)
     except MechsheetError as error:
@@ -50,13 +59,12 @@ def read(text: str, file: str, language: str | None = None) -> Reading:
     except MechsheetError as error:
         told = [*error.faults, *(fault for fault in located(MechanismError(loose), text, file).faults)]
         return Reading(text, source, parts, None, tuple(told), count)
-    if language is not None:
-        mechanism = replace(mechanism, language="tr" if language == "tr" else "en")
     compiled = Compiled(mechanism)
     try:
         _ = compiled.equations
     except MechanismError as error:
         return Reading(text, source, parts, None, located(error, text, file).faults, count)
+    parts = replace(parts, numbers={**dimension_values(mechanism), **parts.numbers})  # a synthesis has found some
     return Reading(text, source, parts, compiled, (), count)
 
 

@@ -3,7 +3,7 @@
 It listens on 127.0.0.1 alone, and every address begins with a token that nobody can guess. Another page in the same browser
 could still send requests to this port, by its number or by a name of its own that leads to 127.0.0.1 (DNS rebinding): so a
 request is answered only where `Host` is this server's own address and `Origin` and `Sec-Fetch-Site`, where a browser sends
-them, say that it comes from this page. Nothing is remembered of a mechanism between two requests.
+them, say that it comes from this page. No answer depends on the one before.
 
 Bottle finds the answer to an address; the standard library's server, a thread for each request, does the rest.
 """
@@ -23,7 +23,9 @@ from wsgiref.simple_server import WSGIRequestHandler, WSGIServer, make_server
 import bottle
 
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.drawing_page.answers import Refusal, Studio
+from mechsheet.drawing_page.answers import Studio
+from mechsheet.drawing_page.questions import Impossible, Refusal
+from mechsheet.words.drawing_page import DRAWING_PAGE
 
 ADDRESS = "127.0.0.1"
 LARGEST_QUESTION = 4_000_000
@@ -167,8 +169,6 @@ class DrawingServer:
             bottle.response.set_header(header, text)
 
     def _words(self) -> str:
-        from mechsheet.words.drawing_page import DRAWING_PAGE
-
         self._headers(KINDS["js"])
         found = {
             language: {key: pair[n] for key, pair in DRAWING_PAGE.items()} for n, language in enumerate(("en", "tr"))
@@ -199,6 +199,8 @@ class DrawingServer:
             answer = self.studio.answer(name, question)
         except MechsheetError as error:  # a user's mistake is an answer like any other
             answer = {"errors": [str(fault) for fault in error.faults]}
+        except Impossible as error:
+            answer = {"errors": [error.text(str(question.get("language")))]}
         except Refusal as refusal:
             bottle.response.status = refusal.status
             answer = {"errors": [str(refusal)]}

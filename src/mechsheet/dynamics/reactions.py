@@ -71,19 +71,28 @@ class Reactions:
                 self.teeth.write(step)
             else:
                 det = self.found.rates.determinants[ledger.group]
-                if isinstance(step, Dyad):
+                if isinstance(step, Dyad) and step.frame:
+                    self._triangle(step, det)
+                elif isinstance(step, Dyad):
                     self._dyad(step, det)
                 else:
                     solution = self.found.chains[ledger.group]
                     ChainReactions(solution, self.motions, self.acting, self.joints, self.columns).write(det)
-                for assembly in step.assemblies:
-                    if len(assembly) > 1:
-                        drive = self.found.order.pair(assembly)
-                        self._refuse_shared_pin(step, drive)
-                        efforts[drive.symbol] = self._effort(drive, on_known=False)
+                self._driven_inside(step, efforts)
                 ledger.group -= 1
         ledger.group = 0
         return efforts
+
+    def _driven_inside(self, group: Dyad | Chain, efforts: dict[str, str]) -> None:
+        """The driven joints of pairs whose other joints are known by now: those of the group's links, or of its frame."""
+        frame = group.frame if isinstance(group, Dyad) else ()
+        for assembly in (*group.assemblies, frame):
+            if len(assembly) < 2:
+                continue
+            drive = self.found.order.pair(assembly)
+            self._refuse_shared_pin(group, drive)
+            if len(assembly) == 2:
+                efforts[drive.symbol] = self._effort(drive, on_known=False)
 
     # --- sums over an assembly --------------------------------------------------------------------------------
 
@@ -136,6 +145,41 @@ class Reactions:
         force = self._inner(dyad, inner, force)
         self._outer(dyad.first, p, minus(negative(self._sum(dyad.first)), force))
         self._outer(dyad.second, q, minus(force, self._sum(dyad.second)))
+
+    def _triangle(self, dyad: Dyad, det: Node) -> None:
+        """A dyad RRR on a driven pair: it moves with the pair, so that what holds all of them is known before."""
+        outer, r = dyad.pins[:2], self._at(Pin(dyad.pins[2]))
+        self._refuse_crowded(dyad)
+        arms, moments, totals = [], [], []
+        for (body,), point in zip(dyad.assemblies, outer, strict=True):
+            held = self.joints.contacts.get(body, [])[:]
+            p = self.poses.xy[point]
+            total = self.acting.total(body)
+            forces = al.total(cross(minus(force.at, p), force.vector) for force in held)
+            couples = [self.acting.moment(body, p), *self.joints.couples.get(body, [])]
+            moments.append(
+                self.acting.torque(f"M{self.acting.number(body)}", forces, couples, self.poses.name((body,)))
+            )
+            totals.append(together((total, *(force.vector for force in held))))
+            arms.append(minus(r, p))
+        both = plus(times(moments[0], arms[1]), times(moments[1], arms[0]))
+        force = self._inner(dyad, Pin(dyad.pins[2]), self._over(negative(both), al.mul(det, self.columns.metre)))
+        for (body,), point, total, on_it in zip(dyad.assemblies, outer, totals, (force, negative(force)), strict=True):
+            self._on_pair(point, body, self.motions.with_point(dyad.frame, point), minus(negative(total), on_it))
+
+    def _on_pair(self, point: str, body: str, other: str, force: Vector) -> None:
+        """The force on a link where it is pinned to one with which it moves."""
+        if self.joints.bearers[point] == body:
+            self.joints.inner(point, body, other, force)
+        else:
+            self.joints.inner(point, other, body, negative(force))
+
+    def _refuse_crowded(self, dyad: Dyad) -> None:
+        for point in dyad.pins:
+            if self.joints.bearers[point] not in dyad.whole:
+                message = f"at {point} a driven pair, a link that moves with it and a third are joined: no forces yet"
+                hint = "take masses and loads away, or let the links be joined at two points"
+                raise MechanismError(Fault(message, key="dynamics", hint=hint))
 
     def _rrp(self, dyad: Dyad, pin: Pin, inner: Pin, slide: Slide, det: Node) -> None:
         p, r = self._at(pin), self._at(inner)

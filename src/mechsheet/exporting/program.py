@@ -147,7 +147,12 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     modes = tuple(
         Line(group.mode, Number(float(group.mode_value)), "", _assemblies(group, language))
         for group in equations.groups
-        if group.mode
+        if group.mode and group.follows is None
+    )
+    found = tuple(
+        Line(group.mode, group.follows, "", _assemblies(group, language))
+        for group in equations.groups
+        if group.follows is not None
     )
     driver = mechanism.driver
     sweep = (
@@ -163,13 +168,13 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     listed |= {
         each.symbol: tuple(quantity(one, each.unit) for one in each.values) for each in mechanism.drivers if each.values
     }
-    wanted = [*given, *dimensions, *(line.symbol for line in modes), *(eq.symbol for eq in equations.all)]
+    wanted = [*given, *dimensions, *(line.symbol for line in (*modes, *found)), *(eq.symbol for eq in equations.all)]
     wanted += [column.symbol for column in columns]
     return Program(
         mechanism,
         equations,
         tuple(_dimension(mechanism, dim) for dim in order if not dim.derived),
-        (*(_dimension(mechanism, dim) for dim in order if dim.derived), *constants),
+        (*(_dimension(mechanism, dim) for dim in order if dim.derived), *constants, *found),
         modes,
         (sweep[0], sweep[1], sweep[2]) if sweep else None,
         tuple(quantity(value, driver.unit) for value in driver.values),

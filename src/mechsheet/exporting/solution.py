@@ -20,6 +20,7 @@ from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import Words
+from mechsheet.synthesis.writing import says
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words import solution as words
 
@@ -139,7 +140,7 @@ class _Writer:
         for dim in self.mechanism.dimensions:
             if not isinstance(dim.value, float):
                 unit = self.pen.units[dim.symbol]
-                lines += self.step(dim.symbol, dim.value, unit)
+                lines += self.step(dim.symbol, says(dim.value), unit)
         for equation in self.equations.constants:
             for step in self.position.steps[equation.symbol]:
                 if step.symbol != self.equations.tolerance and not al.is_simple(step.expression):

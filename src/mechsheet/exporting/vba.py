@@ -6,6 +6,7 @@ from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.functions import Function, functions_of
 from mechsheet.exporting.job import Job
+from mechsheet.exporting.refusing import refuse_synthesis
 from mechsheet.exporting.routines import Source
 from mechsheet.model import Words
 
@@ -34,6 +35,7 @@ def write(job: Job) -> list[bytes]:
     """The module: ASCII, lines ended as Windows does. Raises MechanismError for more dimensions than VBA takes arguments."""
     mechanism = job.mechanism
     language = mechanism.language
+    refuse_synthesis(mechanism, "functions in Basic")
     source = Source(job.compiled)
     functions = functions_of(source, language)
     count = len(source.parameters())

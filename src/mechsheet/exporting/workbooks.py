@@ -14,6 +14,7 @@ from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.function_sheet import LIST_TITLE, functions_sheet
 from mechsheet.exporting.functions import TABLE_KEY, Function, functions_of, in_degrees, main_table, variable_key
 from mechsheet.exporting.lambdas import modes_read, named_functions
+from mechsheet.exporting.refusing import refuse_synthesis
 from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import introduction
 from mechsheet.formula.names import folded
@@ -91,6 +92,7 @@ def functions_workbook(compiled: Compiled, form: str) -> Workbook:
     Raises MechanismError when the mechanism cannot be solved.
     """
     compiled = in_sheets(compiled)
+    refuse_synthesis(compiled.mechanism, "workbooks with functions")
     source = Source(compiled)
     taken = {folded(name.name) for name in compiled.layout.names}
     functions = functions_of(source, compiled.mechanism.language, taken)

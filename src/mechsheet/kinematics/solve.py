@@ -52,8 +52,12 @@ def dimension_values(mechanism: Mechanism) -> dict[str, float]:
     values: dict[str, float] = {}
     given = {dim.symbol: dim.value for dim in mechanism.dimensions}
     for symbol in dimension_order(mechanism):
+        quantity = given[symbol]
+        if not isinstance(quantity, float) and any(math.isnan(values[name]) for name in symbols(quantity)):
+            values[symbol] = math.nan  # as #N/A does in cells, also where a comparison asks for it
+            continue
         try:
-            values[symbol] = number(given[symbol], values)
+            values[symbol] = number(quantity, values)
         except (ArithmeticError, ValueError):
             if mechanism.synthesis is None:
                 raise
@@ -169,7 +173,6 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     _note_lengths(poses)
     rates = Written({}, {})
     if wanted(mechanism):
-        _refuse_forces(mechanism, [(dyad, solved) for dyad, solved, _, _ in found if isinstance(dyad, Dyad)])
         rates = add_rates(poses, order, [solved for _, solved, _, _ in found], chains)
     if further is not None:
         further(Found(poses, order, rates, chains))
@@ -398,16 +401,6 @@ def _traced(mechanism: Mechanism, at: float, home: float, variables: Sequence[st
     if not np.all(np.isfinite([values[name][-1] for name in variables])):
         raise cannot_follow(links)
     return {name: float(values[name][-1]) for name in variables}
-
-
-def _refuse_forces(mechanism: Mechanism, dyads: list[tuple[Dyad, Solved]]) -> None:
-    """Forces in links that move with a driven pair are a matter of their own."""
-    labels = [solved.label.en for dyad, solved in dyads if dyad.frame]
-    if labels and mechanism.dynamics is not None:
-        message = f"forces are not found where a joint between moving links is driven inside a moving loop: {labels[0]}"
-        raise MechanismError(
-            Fault(message, key="dynamics", hint="leave masses and loads out; positions and velocities are found")
-        )
 
 
 def _groups(

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Root
 from mechsheet.kinematics.driving import driver_values, listed_values
@@ -94,7 +95,7 @@ def rough_poses(
     driver = driver_values(mechanism, dimensions)
     for count in (*CHUNKS, len(driver)):
         values = sweep(mechanism, equations, driver[:count])
-        good = _distinct(equations, values)
+        good = np.where(_followed(equations, values), _distinct(equations, values), -1.0)
         if np.any(good >= DISTINCT) or count >= len(driver):
             break
     row = int(np.argmax(np.minimum(good, DISTINCT)))  # the first that is good enough, else the best there is
@@ -106,6 +107,18 @@ def rough_poses(
             float(value(part, there)) / size for part in (equations.poses[link.name].x, equations.poses[link.name].y)
         )
         found[link.name] = (round(x, DIGITS) * size, round(y, DIGITS) * size, round(there[link.angle_symbol], DIGITS))
+    return found
+
+
+def _followed(equations: Equations, values: Mapping[str, Array]) -> NDArray[np.bool_]:
+    """Rows without a gap between them and the row at which Newton's method begins: behind one any assembly may be found."""
+    rows = np.arange(len(next(iter(values.values()))))
+    found = np.ones(len(rows), bool)
+    for group in equations.groups:
+        if group.system is not None:
+            gaps = np.flatnonzero(~np.isfinite(values[group.closes]))
+            home = group.system.row
+            found &= (rows > gaps[gaps < home].max(initial=-1)) & (rows < gaps[gaps > home].min(initial=len(rows)))
     return found
 
 

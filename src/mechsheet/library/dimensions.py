@@ -32,6 +32,9 @@ def values_of(mechanism: Mechanism) -> list[Value]:
     numbers = dimension_values(mechanism)
     own = {dim.symbol: dim for dim in mechanism.dimensions}
     task = mechanism.synthesis
+    if task is not None and not all(math.isfinite(numbers[symbol]) for symbol in task.ends):
+        # without a solution nothing is a result, nor what the task gives of it
+        numbers |= dict.fromkeys((*task.results.values(), *task.taken), math.nan)
     exact = {} if task is None else {name: task.results[result] for name, result in task.taken.items()}
     shown = {symbol: _value(mechanism, dim, exact.get(symbol, symbol), numbers) for symbol, dim in own.items()}
     names = [dim.symbol for dim in mechanism.dimensions if dim.place[:1] != ("synthesis",)]

@@ -52,6 +52,18 @@ def study(
         return pa.concat_tables([pa.parquet.read_table(path) for path in found.folder.parts(found.order)])
 
 
+def known_formats(formats: str | None) -> list[str]:
+    """The formats of the summary workbook: "xlsx,ods". Raises MechsheetError for others."""
+    from mechsheet.library.building import FORMATS
+
+    wanted = ["xlsx"] if formats is None else [form.strip() for form in formats.split(",") if form.strip()]
+    unknown = [form for form in wanted if form not in FORMATS]
+    if unknown or not wanted:
+        hint = f"formats: {', '.join(FORMATS)}"
+        raise MechsheetError(Fault(f'no format is called "{", ".join(unknown)}"', key="formats", hint=hint))
+    return wanted
+
+
 def bytes_of(size: str | int | None) -> int | None:
     """A size as a number of bytes: 2GiB, 500 MB, 1e9 are not all the same. Raises MechsheetError."""
     if size is None or isinstance(size, int):

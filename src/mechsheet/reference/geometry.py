@@ -15,6 +15,7 @@ from ..formula.nodes import symbols
 from ..model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
 from .driving import by_law
 from .expressions import number
+from .synthesis.results import results
 
 Array: TypeAlias = NDArray[np.float64]
 Places: TypeAlias = Mapping[str, Mapping[str, Array]]
@@ -30,8 +31,8 @@ ROUNDING = 1e-12
 def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | None = None) -> dict[str, float]:
     """Every dimension's value in internal units, in the order of the file.
 
-    `dimensions` replaces values by symbol. Raises MechanismError for a symbol that is not a dimension, and for
-    dimensions that need each other in a circle.
+    `dimensions` replaces values by symbol. What a synthesis finds is found again here (`synthesis`), not by its steps.
+    Raises MechanismError for a symbol that is not a dimension, and for dimensions that need each other in a circle.
     """
     given = dict(dimensions or {})
     known = {dimension.symbol: dimension for dimension in mechanism.dimensions}
@@ -39,6 +40,8 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
     if unknown:
         raise MechanismError(f'"{unknown[0]}" is no dimension; {near_miss(unknown[0], known)}'.rstrip("; "))
     values: dict[str, float] = {}
+    task = mechanism.synthesis
+    found = frozenset[str]() if task is None else frozenset(task.results.values()) & frozenset(task.steps)
 
     def settle(symbol: str, asked: tuple[str, ...]) -> None:
         if symbol in values:
@@ -50,6 +53,11 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
         quantity = known[symbol].value
         if symbol in given:
             values[symbol] = float(given[symbol])
+            return
+        if task is not None and symbol in found:
+            for name in (*task.inputs, *(set(task.results.values()) - set(task.steps))):
+                settle(name, (*asked, symbol))
+            values.update({name: value for name, value in results(task, values).items() if name not in given})
             return
         if not isinstance(quantity, float):
             for name in symbols(quantity):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..diagnostics import MechanismError
-from ..model import Joint
+from ..model import Joint, Link, Mechanism
 from . import geometry
 from .expressions import number
 from .geometry import Array
@@ -21,7 +22,8 @@ Pose = tuple[float, float, float]
 class Entry:
     """One entry of a sketch, and the block whose solution decides it.
 
-    kind    "point" (target x, y), "angle" or "displacement" (target, 0), "pose" (target x, y, theta)
+    kind    "point" (target x, y), "angle" or "displacement" (target, 0), "pose" (target x, y, theta), "side" (target +1 or
+            -1; name: the link that is driven, the one on it, the one on the ground)
     """
 
     kind: str
@@ -77,7 +79,21 @@ class Sketched:
                 found.append(Entry("displacement", symbol, (value / system.scale,), block))
             elif symbol not in mechanism.driven_symbols:
                 raise MechanismError(f'the sketch names "{symbol}", which is no variable')
-        return found
+        return found + self._side()
+
+    def _side(self) -> list[Entry]:
+        """The assembly that a synthesis finds for a four-bar: on which side of the way from its crank's pin to the other
+        pivot the joint of coupler and rocker lies.
+        """
+        mechanism = self.system.mechanism
+        task = mechanism.synthesis
+        if task is None or not task.mode:
+            return []
+        side = self.system.dimensions[task.results["mode"]]
+        chain = _four_bar(mechanism)
+        if chain is None or not np.isfinite(side):
+            return []
+        return [Entry("side", " ".join(chain), (side,), self._settled(chain[2]))]
 
     def _owner(self, point: str) -> str:
         """The link of a point whose position is known first."""
@@ -137,11 +153,24 @@ class Sketched:
         if entry.kind == "point":
             place = point_places(self.system, self._owner(entry.name), entry.name, states)
             return np.asarray(np.sum((place - np.array(entry.target)) ** 2, axis=1))
+        if entry.kind == "side":
+            return self._off_side(entry, states)
         first = self.system.column(entry.name)
         turned = (2 * np.sin((states[:, first + 2] - entry.target[-1]) / 2)) ** 2
         if entry.kind == "angle":
             return np.asarray(turned)
         return np.asarray(np.sum((states[:, first : first + 2] - np.array(entry.target[:2])) ** 2, axis=1) + turned)
+
+    def _off_side(self, entry: Entry, states: Array) -> Array:
+        """1 for states on the other side, 0 else."""
+        crank, coupler, rocker = (
+            next(k for k in self.system.mechanism.links if k.name == n) for n in entry.name.split(" ")
+        )
+        a = point_places(self.system, crank.name, _shared(crank, coupler)[0], states)
+        b = point_places(self.system, rocker.name, _shared(coupler, rocker)[0], states)
+        b0 = point_places(self.system, rocker.name, _shared(rocker, self.system.mechanism.ground)[0], states)
+        way, arm = b0 - a, b - a
+        return np.asarray(((way[:, 0] * arm[:, 1] - way[:, 1] * arm[:, 0]) * entry.target[0] < 0).astype(float))
 
     def turn(self, column: int) -> float | None:
         """The wished value of an angle's column, if there is one: it names the turn that the angle starts in."""
@@ -149,6 +178,22 @@ class Sketched:
             if entry.kind in ("angle", "pose") and self.system.column(entry.name) + 2 == column:
                 return entry.target[-1]
         return None
+
+
+def _shared(first: Link, second: Link) -> list[str]:
+    """Points that two links have in common."""
+    return [point for point in first.points if point in second.points]
+
+
+def _four_bar(mechanism: Mechanism) -> tuple[str, str, str] | None:
+    """Names of crank, coupler and rocker, where these make a loop with the ground."""
+    driven = [link for link in mechanism.links if link.name == mechanism.driver.link]
+    for crank in driven:
+        others = [link for link in mechanism.links if link not in (crank, mechanism.ground)]
+        for coupler, rocker in itertools.permutations(others, 2):
+            if _shared(crank, coupler) and _shared(coupler, rocker) and _shared(rocker, mechanism.ground):
+                return crank.name, coupler.name, rocker.name
+    return None
 
 
 def _deciding_blocks(system: System) -> list[int]:

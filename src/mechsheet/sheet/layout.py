@@ -46,15 +46,18 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         *((iterations_sheet(plan),) if plan.iterations else ()),
         description_sheet(plan),
     )
-    title = mechanism.title.of(plan.language)
-    properties = Properties(
-        title=title,
-        subject=mechanism.source.of(plan.language),
+    return with_typed_constants(Workbook(sheets, tuple(plan.names), properties_of(plan))), plan
+
+
+def properties_of(plan: Plan) -> Properties:
+    """What the file says of itself."""
+    return Properties(
+        title=plan.mechanism.title.of(plan.language),
+        subject=plan.mechanism.source.of(plan.language),
         comments=plan.text("made"),
         keywords="mechanism, linkage, mechsheet",
         language=plan.language,
     )
-    return with_typed_constants(Workbook(sheets, tuple(plan.names), properties)), plan
 
 
 def description_sheet(plan: Plan) -> Sheet:

@@ -11,7 +11,7 @@ GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
     "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ",
     "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Gamma": "Γ", "Theta": "Θ", "Phi": "Φ",
-    "Psi": "Ψ", "Omega": "Ω", "Sigma": "Σ",
+    "Psi": "Ψ", "Omega": "Ω", "Sigma": "Σ", "lam": "λ",
 }  # fmt: skip
 
 _PRIMES = {"d": "′", "dd": "″"}

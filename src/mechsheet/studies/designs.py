@@ -48,8 +48,9 @@ class Designs:
     varied     symbols of the dimensions that vary;  dependent: they, and those that follow from them
     given      of every row the driver's value and what is given beside it;  rows: how many
     row_given  the same as arrays of one design
-    constants  the program for what rows do not change;  in_rows, closing: those for columns in the rows, and at other places
-               for how far groups are from coming apart;  at_places: by quantity the one for it at other places
+    constants  the program for what rows do not change
+    ruling     the one for what conditions ask of the rows;  in_rows: for all quantities there
+    at_places  by quantity the one for it at other places;  closing: there, for how far groups are from coming apart
     """
 
     def __init__(self, mechanism: Mechanism) -> None:
@@ -111,7 +112,6 @@ class Designs:
         wanted = dict.fromkeys(quantity.of for quantity in questions.quantities)
         self.cranks = {each.name: self._angle_of(each.name) for each in questions.others if each.kind == "crank"}
         turning = [symbol for symbol in self.cranks.values() if symbol != driver]
-        self.wanted = tuple(dict.fromkeys([*wanted, *turning, *self.equations.tied]))
         self.lengths = {
             name: [f"{name} {side}" for side in range(len(nodes))] for name, nodes in questions.loops.items()
         }
@@ -122,11 +122,14 @@ class Designs:
         }
         tolerance = self.equations.tolerance
         self.constants = Running(lowering.constants([*self.dependent, tolerance], sides))
-        self.in_rows = _Run(lowering.columns([*self.wanted, tolerance], rows=True, closing=bool(self.cranks)))
-        self.closing = _Run(lowering.columns([], rows=False, closing=True))
-        self.at_places = {of: _Run(lowering.columns([of], rows=False)) for of in wanted}
         self.row_given = {symbol: column[None, :] for symbol, column in self.given.items()}
-        self.of_rows = self.in_rows.run.places(self.row_given)
+        decided = {name for each in questions.others for side in each.sides for name in symbols(side)}
+        ruling = [quantity.of for quantity in questions.quantities if quantity.name in decided]
+        ruling = list(dict.fromkeys([*ruling, *turning, *self.equations.tied, tolerance]))
+        self.ruling = Called(lowering.columns(ruling, rows=True, closing=bool(self.cranks)), self.row_given)
+        self.in_rows = Called(lowering.columns([*wanted, *self.equations.tied], rows=True), self.row_given)
+        self.closing = Called(lowering.columns([], rows=False, closing=True))
+        self.at_places = {of: Called(lowering.columns([of], rows=False)) for of in wanted}
         self.limits = bool(lowering.margins) and not mechanism.driver.values and self.rows > 1
         self.rows_only = bool(mechanism.driver.values) or self.rows < 4 or mechanism.layout == "page"
 
@@ -192,12 +195,17 @@ class Designs:
         return Kept(chunk.numbers, chunk.columns(), failed)
 
 
-class _Run:
-    """A program that was lowered, and called."""
+class Called:
+    """A program that was lowered and is called.
 
-    def __init__(self, lowered: Lowered) -> None:
+    of_rows  what rows alone decide, where it is one for rows
+    """
+
+    def __init__(self, lowered: Lowered, row_given: Mapping[str, Array] | None = None) -> None:
         self.anchors, self.margins = lowered.anchors, lowered.margins
         self.run = Running(lowered.printed)
+        with np.errstate(all="ignore"):
+            self.of_rows = {} if row_given is None else self.run.places(row_given)
 
 
 def _is_whole(turns: float) -> bool:

@@ -54,14 +54,6 @@ class Stretches:
             else cls(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(cls)))
         )
 
-    def taken(self, designs: NDArray[np.intp]) -> Stretches:
-        """Those of some designs."""
-        return (
-            self
-            if len(designs) == len(self.count)
-            else Stretches(*(getattr(self, field.name)[designs] for field in fields(self)))
-        )
-
 
 def stretches_of(there: Mask, closes: Mask) -> Stretches:
     """The stretches of designs; `there`: a row for each design, a column for each row of its table; `closes`: in all."""
@@ -79,9 +71,12 @@ def stretches_of(there: Mask, closes: Mask) -> Stretches:
     return Stretches(there, shown, there.sum(axis=1), np.asarray(begun[:, -1], np.int64), first, last, last_row)
 
 
-def best_rows(way: Way, column: Array, stretches: Stretches) -> tuple[NDArray[np.intp], Array]:
-    """The best row of each design, from 0, and the value there; no finite one where no row is shown."""
-    if not stretches.shown.all():
+def best_rows(way: Way, column: Array, stretches: Stretches | None) -> tuple[NDArray[np.intp], Array]:
+    """The best row of each design, from 0, and the value there; no finite one where no row is shown.
+
+    stretches  None where all designs that somebody asks of close in all rows
+    """
+    if stretches is not None and not stretches.shown.all():
         column = np.where(stretches.shown, column, np.inf if way == "min" else -np.inf)
     place = np.argmin(column, axis=1) if way == "min" else np.argmax(column, axis=1)
     return place, column[np.arange(len(column)), place]
@@ -118,7 +113,6 @@ class Anchors:
 
 def anchors_of(
     column: Array,
-    designs: NDArray[np.intp],
     best: tuple[NDArray[np.intp], Array],
     stretches: Stretches,
     whole: Array,
@@ -126,38 +120,31 @@ def anchors_of(
     ends: bool,
     angles: list[Array],
 ) -> Anchors:
-    """What the rows say of an extreme, of some designs.
+    """What the rows say of an extreme.
 
-    column     the quantity, all designs by rows;  best: its best rows and values
-    stretches, whole  of those designs; `whole` is 1, 2 or 0, whether rows cover whole turns
+    column     the quantity, designs by rows;  best: its best rows and values
+    whole      1, 2 or 0 for each design: whether rows cover whole turns
     half_turn  pi where the quantity is an angle whose whole turns count, else infinite
     ends       whether the ends of a whole turn are neighbours for probes: never by a motion law
-    angles     angles without jumps, all designs by rows
+    angles     angles without jumps, designs by rows
     """
-    rows = column.shape[1]
-    place, value = best[0][designs], best[1][designs]
+    designs, rows = column.shape
+    each = np.arange(designs)
+    place, value = best
     first, last = stretches.first, stretches.last
-    around = (whole > 0) & (first == 1) & (last == rows)
-    around &= np.abs(column[designs, 0] - column[designs, -1]) < half_turn
+    around = (whole > 0) & (first == 1) & (last == rows) & (np.abs(column[:, 0] - column[:, -1]) < half_turn)
     wraps = np.where(around, whole, 0.0)
-    beyond = wraps if ends else np.zeros(len(designs))
+    beyond = wraps if ends else np.zeros(designs)
     middle = np.where(beyond > 0, place, np.maximum(first, np.minimum(last - 2, place)))
     turned = np.where(beyond > 0, np.where(beyond == 1, rows - 1, rows), 2 * rows).astype(np.int64)
-    places = [np.minimum(index, rows - 1) for index in ((middle - 1) % turned, middle, (middle + 1) % turned)]
-    values = [column[designs, index] for index in places]
-    turns = np.empty((len(designs), len(angles)))
-    for at, angle in enumerate(angles):
-        turns[:, at] = angle[designs, place]
-    return Anchors(
-        np.asarray(place + 1.0, float),
-        value,
-        np.asarray(middle + 1.0, float),
-        values[0],
-        values[1],
-        values[2],
-        wraps,
-        turns,
+    before, here, after = (
+        column[each, np.minimum(index, rows - 1)] for index in ((middle - 1) % turned, middle, (middle + 1) % turned)
     )
+    turns = np.empty((designs, len(angles)))
+    for at, angle in enumerate(angles):
+        turns[:, at] = angle[each, place]
+    at_row, at_middle = (np.asarray(index + 1.0, float) for index in (place, middle))
+    return Anchors(at_row, value, at_middle, before, here, after, wraps, turns)
 
 
 Probe = Callable[[Array], Array]

@@ -61,7 +61,7 @@ class Folder:
             raise OutputError(Fault("is a file: a study is written into a folder", self.shown, key="-o"))
         if path.exists():
             self._compare(manifest)
-            if not resume:
+            if not resume and any(self.path.glob(f"{PARTS}/*.parquet")):
                 message = "this study has been begun here"
                 hint = "go on with --resume, or name another folder with -o"
                 raise OutputError(Fault(message, self.shown, hint=hint))

@@ -7,7 +7,8 @@ designs are ruled out before anybody looks between the rows.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,7 +31,7 @@ from mechsheet.studies.extremes import (
 from mechsheet.studies.lowering import ANCHOR, INSIDE, THERE
 
 if TYPE_CHECKING:
-    from mechsheet.studies.designs import Designs
+    from mechsheet.studies.designs import Called, Designs
     from mechsheet.studies.questions import Quantity
 
 BLOCK = 16_384
@@ -38,6 +39,7 @@ BLOCK = 16_384
 
 Mask = NDArray[np.bool_]
 Extreme = tuple[str, Way]
+Found = tuple[NDArray[np.intp], Array]
 
 _TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _COMPARED = {"<": np.less, "<=": np.less_equal, ">": np.greater, ">=": np.greater_equal}
@@ -57,28 +59,50 @@ class Motion:
             dict.fromkeys((quantity.of, way) for quantity in quantities for way in quantity.ways)
         )
         self.failed = np.zeros(len(designs.questions.others), np.int64)
-        self._bounds = _bounds(designs, known)
-        self._blocks: list[_Block] = []
-        count = len(next(iter(inside.values())))
+        self.alive: Mask = np.ones(len(next(iter(inside.values()))), bool)
         with np.errstate(all="ignore"):
-            of_designs = designs.in_rows.run.designs(inside)
-            size = max(1, BLOCK // designs.rows)
-            for first in range(0, count, size):
-                self._blocks.append(_Block(self, inside, of_designs, slice(first, min(first + size, count))))
-            masks: list[Mask] = [block.alive for block in self._blocks]
-            self.alive = np.concatenate(masks) if masks else np.zeros(0, bool)
+            if designs.questions.others:
+                self._rule_out(inside, _bounds(designs, known))
             left = {symbol: column[self.alive] for symbol, column in inside.items()}
             self.quantities = (
                 self._quantities(left) if self.alive.any() else {each.name: np.zeros(0) for each in quantities}
             )
 
+    def _rule_out(self, inside: Mapping[str, Array], bounds: Mapping[int, list[_Bound]]) -> None:
+        """What rows alone decide, from the columns that this needs."""
+        for part, rows in _blocks(self.designs, self.designs.ruling, inside, len(self.alive)):
+            alive: Mask = np.ones(rows.count, bool)
+            best: dict[Extreme, Found] = {}
+            for number, condition in enumerate(self.designs.questions.others):
+                before = np.count_nonzero(alive)
+                if condition.kind == "closes":
+                    alive &= rows.closes != condition.other
+                elif condition.kind == "crank":
+                    alive &= rows.turns(condition, alive) != condition.other
+                for bound in bounds.get(number, ()):
+                    alive &= bound.met(rows, best, part, alive)
+                self.failed[number] += before - np.count_nonzero(alive)
+            self.alive[part] = alive
+
     # --- between the rows -------------------------------------------------------------------------------------------------
 
     def _quantities(self, inside: Mapping[str, Array]) -> dict[str, Array]:
         designs = self.designs
-        parts = [block for block in self._blocks if block.alive.any()]
-        stretches = Stretches.joined([block.stretches for block in parts])
-        anchors = {key: Anchors.joined([block.anchors[key] for block in parts]) for key in self.extremes}
+        count = len(next(iter(inside.values())))
+        parts: list[Stretches] = []
+        found_anchors: dict[Extreme, list[Anchors]] = {key: [] for key in self.extremes}
+        means: dict[str, list[Array]] = {}
+        for _, rows in _blocks(designs, designs.in_rows, inside, count):
+            parts.append(rows.stretches)
+            for key in self.extremes:
+                found_anchors[key].append(rows.anchors(key))
+            for quantity in designs.questions.quantities:
+                if not quantity.ways:
+                    means.setdefault(quantity.name, []).append(
+                        taken(quantity.take, rows.column(quantity.of), rows.stretches)
+                    )
+        stretches = Stretches.joined(parts)
+        anchors = {key: Anchors.joined(each) for key, each in found_anchors.items()}
         found = {key: each.best for key, each in anchors.items()}
         if not designs.rows_only:
             found |= self._refined(anchors, stretches, inside)
@@ -89,7 +113,7 @@ class Motion:
             elif quantity.ways:
                 number = found[quantity.of, "min" if quantity.take == "min" else "max"]
             else:
-                number = np.concatenate([block.taken[quantity.name] for block in parts])
+                number = np.concatenate(means[quantity.name])
             fine = (stretches.count > 0) & np.isfinite(number)
             result[quantity.name] = np.where(fine, number * quantity.factor, np.nan)
         return result
@@ -136,72 +160,79 @@ class Motion:
         return edges_of(first, last, self.designs.rows, meets)
 
 
-class _Block:
-    """Some designs over all rows: who is alive, and of these what the rows say."""
+def _blocks(
+    designs: Designs, program: Called, inside: Mapping[str, Array], count: int
+) -> Iterator[tuple[slice, _Rows]]:
+    """Designs over all rows, so many at a time that the cache holds their arrays."""
+    of_designs = program.run.designs(inside)
+    size = max(1, BLOCK // designs.rows)
+    for first in range(0, count, size):
+        part = slice(first, min(first + size, count))
+        given = {symbol: column[part] for symbol, column in inside.items()}
+        yield part, _Rows(designs, program, given, {name: column[part] for name, column in of_designs.items()})
+
+
+class _Rows:
+    """Some designs over all rows.
+
+    there  where they close;  closes: whether in all rows
+    """
 
     def __init__(
-        self, motion: Motion, inside: Mapping[str, Array], of_designs: Mapping[str, Array], part: slice
+        self, designs: Designs, program: Called, given: Mapping[str, Array], of_designs: Mapping[str, Array]
     ) -> None:
-        self.designs = designs = motion.designs
-        self.count = part.stop - part.start
-        self._given = {symbol: column[part] for symbol, column in inside.items()}
-        known = {name: column[part] for name, column in of_designs.items()}
-        self._out = designs.in_rows.run.both(designs.of_rows, known, given={**self._given, **designs.row_given})
-        there = np.broadcast_to(np.asarray(self._out[THERE], bool), (self.count, designs.rows))
-        self.closes: Mask = np.asarray(there.all(axis=1), bool)
-        self.alive: Mask = np.ones(self.count, bool)
-        others = designs.questions.others
-        for number, condition in enumerate(others):
-            if condition.kind == "closes":
-                motion.failed[number] += self._keep(self.closes != condition.other)
-        if not self.alive.any():
-            return
-        stretches = stretches_of(there, self.closes)
-        columns = {symbol: self._column(symbol) for symbol in designs.wanted}
-        whole = designs.whole(columns, self.count)
-        best = {key: best_rows(key[1], columns[key[0]], stretches) for key in motion.extremes}
-        for number, condition in enumerate(others):
-            if condition.kind == "crank":
-                motion.failed[number] += self._keep(self._turns(condition, columns, whole) != condition.other)
-            for bound in motion._bounds.get(number, ()):
-                motion.failed[number] += self._keep(bound.met(best, part))
-        designs_left = np.flatnonzero(self.alive)
-        self.stretches = stretches.taken(designs_left)
-        angles = [self._whole(self._out[ANCHOR.format(symbol=symbol)]) for symbol in designs.in_rows.anchors]
-        ends = designs.mechanism.driver.law is None
-        self.anchors = {
-            (symbol, way): anchors_of(
-                columns[symbol], designs_left, best[symbol, way], self.stretches, whole[designs_left],
-                math.pi if designs.is_angle(symbol) else math.inf, ends, angles,
-            )
-            for symbol, way in motion.extremes
-        }  # fmt: skip
-        self.taken = {
-            quantity.name: taken(quantity.take, columns[quantity.of][designs_left], self.stretches)
-            for quantity in designs.questions.quantities
-            if not quantity.ways
-        }
+        self.designs, self.program, self._given = designs, program, given
+        self.count = len(next(iter(given.values())))
+        self._out = program.run.both(program.of_rows, of_designs, given={**given, **designs.row_given})
+        self.there: Mask = np.broadcast_to(np.asarray(self._out[THERE], bool), (self.count, designs.rows))
+        self.closes: Mask = np.asarray(self.there.all(axis=1), bool)
 
-    def _keep(self, fine: Mask) -> int:
-        """Rule out those that are not fine; how many more these are."""
-        before = np.count_nonzero(self.alive)
-        self.alive &= fine
-        return int(before - np.count_nonzero(self.alive))
+    @cached_property
+    def stretches(self) -> Stretches:
+        """The stretches of rows in which they close."""
+        return stretches_of(self.there, self.closes)
+
+    @cached_property
+    def _covered(self) -> Array:
+        columns = {symbol: self.column(symbol) for symbol in self.designs.equations.tied}
+        return self.designs.whole(columns, self.count)
 
     def _whole(self, column: Array) -> Array:
         return np.broadcast_to(column, (self.count, self.designs.rows))
 
-    def _column(self, symbol: str) -> Array:
-        given = self.designs.given
-        return self._whole(given[symbol][None, :] if symbol in given else self._out[symbol])
+    def column(self, symbol: str) -> Array:
+        """A quantity, designs by rows."""
+        given = self.designs.row_given
+        return self._whole(given[symbol] if symbol in given else self._out[symbol])
 
-    def _turns(self, condition: Condition, columns: Mapping[str, Array], whole: Array) -> Mask:
-        """Whether a link goes on turning while the driver does whole turns."""
+    def best(self, extreme: Extreme, among: Mask | None = None) -> Found:
+        """The best rows of an extreme, and the values there; `among`: of what designs anybody wants to know."""
+        symbol, way = extreme
+        everywhere = among is not None and bool((self.closes | ~among).all())
+        return best_rows(way, self.column(symbol), None if everywhere else self.stretches)
+
+    def anchors(self, extreme: Extreme) -> Anchors:
+        """What the rows say of an extreme."""
         designs = self.designs
-        fine = self.alive & self.closes & (whole > 0)
+        names = [ANCHOR.format(symbol=symbol) for symbol in self.program.anchors]
+        return anchors_of(
+            self.column(extreme[0]),
+            self.best(extreme),
+            self.stretches,
+            self._covered,
+            math.pi if designs.is_angle(extreme[0]) else math.inf,
+            designs.mechanism.driver.law is None,
+            [self._whole(self._out[name]) for name in names],
+        )
+
+    def turns(self, condition: Condition, among: Mask) -> Mask:
+        """Whether a link goes on turning while the driver does whole turns; asked of some designs only."""
+        designs = self.designs
+        fine = among & self.closes & (self._covered > 0)
         symbol = designs.cranks[condition.name]
         if symbol != designs.mechanism.driver.symbol:
-            fine &= np.abs(columns[symbol][:, -1] - columns[symbol][:, 0]) > math.pi
+            column = self.column(symbol)
+            fine &= np.abs(column[:, -1] - column[:, 0]) > math.pi
         if not fine.any():
             return fine
         tolerance = np.broadcast_to(self._out[designs.equations.tolerance], (self.count, 1))[fine, 0]
@@ -209,7 +240,7 @@ class _Block:
         run = designs.closing.run
         of_designs = run.designs(own)
         closed = np.ones(np.count_nonzero(fine), bool)
-        for key in designs.in_rows.margins:
+        for key in self.program.margins:
 
             def margin(places: Array, key: str = key) -> Array:
                 return np.broadcast_to(run.both(of_designs, given={**own, **designs.driven(places)})[key], places.shape)
@@ -228,10 +259,14 @@ class _Bound:
     def __init__(self, quantity: Quantity, operator: str, limit: Array) -> None:
         self.quantity, self.operator, self.limit = quantity, operator, limit
 
-    def met(self, best: Mapping[Extreme, tuple[NDArray[np.intp], Array]], part: slice) -> Mask:
-        """Whether the rows still allow it."""
+    def met(self, rows: _Rows, best: dict[Extreme, Found], part: slice, alive: Mask) -> Mask:
+        """Whether the rows of those alive still allow it; `best` keeps what was found."""
         quantity = self.quantity
-        values = [best[quantity.of, "min" if way == "min" else "max"][1] for way in quantity.ways]
+        values = []
+        for way in quantity.ways:
+            if (quantity.of, way) not in best:
+                best[quantity.of, way] = rows.best((quantity.of, way), alive)
+            values.append(best[quantity.of, way][1])
         number = (values[1] - values[0] if len(values) == 2 else values[0]) * quantity.factor
         return np.asarray(np.isfinite(number) & _COMPARED[self.operator](number, self.limit[part]))
 

@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.formats import write
+from mechsheet.formats.archive import replace_file
 from mechsheet.model import Mechanism
+from mechsheet.studies.book import book_of
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.folder import Folder, Result
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import Counted, Order, counted, order_of
+from mechsheet.studies.picture import picture_of
 from mechsheet.studies.ranking import Ranked, ranked, rows_of
 from mechsheet.studies.running import here, workers_within
+
+BOOK = "study"
+"""What the summary workbook and the picture are called."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,12 +58,14 @@ def studied(
     on: str | None = None,
     resume: bool = False,
     limit_memory: int | None = None,
+    formats: Sequence[str] = ("xlsx",),
     say: Callable[[Progress], None] = lambda _: None,
 ) -> Studied:
     """Run a study, or go on with one, and rank what it keeps. Raises MechsheetError; what is done stays done.
 
     workers       processes on this machine, by default one for each core;  on: the address of a Dask scheduler instead
     limit_memory  bytes that all processes together may have: there are as many as fit
+    formats       of the summary workbook: "xlsx", "ods"
     """
     arrow()
     if workers is not None and workers < 1:
@@ -72,7 +81,11 @@ def studied(
     result = place.finish(designs, (counts[number] for number in range(order.parts)))
     found = ranked(paths, designs.study.objectives, designs.study.best)
     best, front = (rows_of(paths, order, numbers) for numbers in (found.best, found.front))
-    return Studied(designs, order, place, result, found, best, front)
+    end = Studied(designs, order, place, result, found, best, front)
+    for form in formats:
+        write(book_of(end), folder / f"{BOOK}.{form}", form)
+    replace_file(folder / f"{BOOK}.svg", picture_of(end))
+    return end
 
 
 def _compute(

@@ -72,6 +72,7 @@ class Writer:
         self.positive: list[str] = []
         self.reasons: list[tuple[str, Words]] = []
         self.names: dict[str, str] = {}
+        self.roots: dict[str, tuple[str, str, str]] = {}
 
     # ---- what is given
 

@@ -100,6 +100,53 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "Begin with a ground pin (G), then draw links (L). Or open a template.",
         "Sabit bir mafsalla başlayın (G), sonra uzuv çizin (L). Ya da hazır bir mekanizma açın.",
     ),
+    # what cannot be drawn so
+    "impossible.unreadable": (
+        "The text cannot be read: mend it first, or undo.",
+        "Metin okunamıyor: önce düzeltin ya da geri alın.",
+    ),
+    "impossible.no_ground": (
+        "The description has no link that could be the ground.",
+        "Tanımda sabit uzuv olabilecek bir uzuv yok.",
+    ),
+    "impossible.fixed_already": ("{point} is fixed already.", "{point} zaten sabit."),
+    "impossible.same_point": ("A link joins two different points.", "Bir uzuv iki ayrı noktayı birleştirir."),
+    "impossible.joined_already": (
+        "{first} and {second} are points of one link already.",
+        "{first} ve {second} zaten aynı uzvun noktaları.",
+    ),
+    "impossible.on_link_already": ("{point} is a point of this link already.", "{point} zaten bu uzvun noktası."),
+    "impossible.slides_on_it": ("{point} slides on this link.", "{point} bu uzuv üzerinde kayıyor."),
+    "impossible.pin_first": ("First draw the link whose pin shall glide.", "Önce pimi kayacak olan uzvu çizin."),
+    "impossible.moving_link": (
+        "Click a moving link, or a place for a fixed guide.",
+        "Hareketli bir uzva ya da sabit kılavuz için bir yere tıklayın.",
+    ),
+    "impossible.pinned_there": (
+        "{point} is a point of this link, which pins it there: it cannot slide.",
+        "{point} bu uzvun noktası, oraya mafsallı: kayamaz.",
+    ),
+    "impossible.another_place": (
+        "Click another point, a link, or a place.",
+        "Başka bir noktaya, bir uzva ya da bir yere tıklayın.",
+    ),
+    "impossible.direction": (
+        "Click a place beside the point: it gives the direction of the guide.",
+        "Noktanın yanında bir yere tıklayın: kılavuzun doğrultusunu o verir.",
+    ),
+    "impossible.drive_moving": ("Click a moving link.", "Hareketli bir uzva tıklayın."),
+    "impossible.join_first": (
+        "Join the link to another one first: it turns about a pin.",
+        "Önce uzvu başka bir uzva mafsallayın: bir mafsal çevresinde döner.",
+    ),
+    "impossible.ground_stays": (
+        "The ground stays; its points can be deleted one by one.",
+        "Sabit uzuv kalır; noktaları tek tek silinebilir.",
+    ),
+    "impossible.nothing_follows": (
+        "No number of the text leads {point} there: what it depends on follows from other numbers.",
+        "Metindeki hiçbir sayı {point} noktasını oraya götürmez: bağlı olduğu değerler başka sayılardan çıkıyor.",
+    ),
     # the sheet
     "drawing": ("Drawing", "Çizim"),
     "point": ("Point", "Nokta"),
@@ -135,6 +182,10 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "state.some": ("It can be joined only from", "Yalnız şu aralıkta kapanıyor:"),
     "state.here": ("Not here:", "Burada değil:"),
     "state.unfinished": ("It cannot move yet:", "Henüz hareket edemez:"),
+    "state.undriven": (
+        "Nothing is driven yet: choose Driver (D).",
+        "Henüz tahrik edilen bir şey yok: Tahrik (D) seçin.",
+    ),
     "state.broken": (
         "The text cannot be read; the drawing is as it was before.",
         "Metin okunamıyor; çizim önceki gibi duruyor.",

@@ -353,6 +353,24 @@ def test_repeated_rows_anywhere(tmp_path, heading):
     assert schema_errors(tmp_path / "a.ods") == []
 
 
+def test_a_scale_and_a_column_that_begins_a_page(tmp_path):
+    setup = PrintSetup(landscape=False, scale=60, page_at=2)
+    sheet = Sheet("S", (Cell(0, 0, 1.0),), columns=(Column(0, 1, 9), Column(2, 5, 9)), print_setup=setup)
+    root = tree(written(Workbook((sheet,)), tmp_path))
+    styles = {get(style, "style:name"): style for style in root.iter(f"{{{NS['style']}}}style")}
+    begins = []
+    for column in root.iter(f"{{{NS['table']}}}table-column"):
+        properties = styles[get(column, "table:style-name")].find("style:table-column-properties", NS)
+        begins += [get(properties, "fo:break-before") == "page"] * int(
+            get(column, "table:number-columns-repeated") or 1
+        )
+    assert begins[:7] == [False, False, True, False, False, False, False]
+    with zipfile.ZipFile(tmp_path / "a.ods") as archive:
+        page = etree.fromstring(archive.read("styles.xml")).find(".//style:page-layout-properties", NS)
+    assert (get(page, "style:scale-to"), get(page, "style:scale-to-X")) == ("60%", None)
+    assert schema_errors(tmp_path / "a.ods") == []
+
+
 def test_columns_widths_and_groups(tmp_path):
     columns = (Column(1, 1, 10), Column(2, 3, 5, level=1), Column(4, 4, 5, level=2, hidden=True), Column(6, 6, 20))
     root = tree(written(Workbook((Sheet("S", columns=columns),)), tmp_path))

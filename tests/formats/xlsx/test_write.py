@@ -19,7 +19,7 @@ from mechsheet.formats.xlsx.write import write_xlsx
 from mechsheet.formula.nodes import MAX_ROWS, Binary, CellRef, ErrorValue, NameRef, Number, Text, shifted
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
-from mechsheet.sheet.workbook import Area, Cell, Fill, Name, Sheet, Style, Validation, Workbook
+from mechsheet.sheet.workbook import Area, Cell, Fill, Name, PrintSetup, Sheet, Style, Validation, Workbook
 
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 X14 = "{http://schemas.microsoft.com/office/spreadsheetml/2009/9/main}"
@@ -187,6 +187,17 @@ def test_view_print_and_structure(path):
     assert rules["B6"].errorStyle == "warning"
     (area, (rule,)) = next(iter(front.conditional_formatting._cf_rules.items()))
     assert (str(area.sqref), rule.formula) == ("B8:B10", ["ISNA(B8)"])
+
+
+def test_a_scale_and_a_column_that_begins_a_page(tmp_path):
+    """Excel forgets breaks by hand where a sheet is fitted to pages."""
+    setup = PrintSetup(landscape=False, scale=60, page_at=2)
+    write_xlsx(Workbook((Sheet("S", (Cell(0, 0, 1.0),), print_setup=setup),)), tmp_path / "a.xlsx")
+    page = openpyxl.load_workbook(tmp_path / "a.xlsx").active
+    assert (page.page_setup.scale, page.page_setup.orientation, page.sheet_properties.pageSetUpPr.fitToPage) == (
+        60, "portrait", None,
+    )  # fmt: skip
+    assert [found.id for found in page.col_breaks.brk] == [2]
 
 
 def test_properties_are_the_workbooks_and_without_a_clock(path):

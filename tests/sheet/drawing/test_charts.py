@@ -7,6 +7,7 @@ import pytest
 
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
+from mechsheet.formats.house_style import MARGIN_END
 from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests
 from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.layout import lay_out
@@ -149,3 +150,27 @@ def test_true_scale(name):
         assert chart.inner[0] + chart.inner[2] <= 1 and chart.inner[1] + chart.inner[3] <= 1
         for axis in (chart.x_axis, chart.y_axis):
             assert (axis.low, axis.high, axis.visible) == (-1, 1, False)
+
+
+@pytest.mark.parametrize("name", ["four-bar", "six-link-dwell", "four-bar-forces", "jansen"])
+def test_the_first_sheet_can_be_read_on_paper(name):
+    """A4: letters of 10 points are at least 5 high; on a sheet of several pages the charts have one of their own, uncut."""
+    sheet = template(name)[0].sheets[0]
+    setup = sheet.print_setup
+    heights = dict(sheet.row_heights)
+    pixels = sum(heights.values())
+    inches = 11.69 - 2 * MARGIN_END  # of an upright page
+    if not setup.scale:
+        assert (setup.fit_width, setup.fit_height, setup.landscape) == (1, 1, True)
+        assert 10 * (8.27 - 2 * MARGIN_END) * 96 / pixels >= 5
+        return
+    assert 10 * setup.scale / 100 >= 5
+    assert setup.page_at == CHARTS
+    bottom = max(
+        sum(heights[row] for row in range(chart.anchor.row)) + chart.anchor.dy + chart.anchor.height
+        for chart in sheet.charts
+    )
+    assert bottom / 96 * setup.scale / 100 <= inches
+    assert max(cell.row for cell in sheet.cells) <= setup.area.last_row
+    right = max((c.anchor.col - CHARTS) * COLUMN_WIDTH + c.anchor.dx + c.anchor.width for c in sheet.charts)
+    assert right <= (setup.area.last_col + 1 - CHARTS) * COLUMN_WIDTH

@@ -6,7 +6,13 @@ import numpy as np
 import pytest
 from laid import Laid, template_text
 
+from mechsheet.checking.against_reference import against_plan
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import book_of
+from mechsheet.description import loads
+from mechsheet.engine import evaluate
 from mechsheet.exporting import KINDS, Job
+from random_mechanisms import Grower
 
 TEXT = template_text("planar-3rpr").replace("stop = 7\n", "stop = 5.6\n")
 SAUER = (-0.7208492, -0.3310052, 1.1436855, 2.1159090)
@@ -74,3 +80,14 @@ def test_python_writes_a_loop_that_gives_the_same(sheet):
     assert np.degrees(found["theta16"]) == pytest.approx(sheet.column("theta16"), abs=1e-11)
     assert space["solve"](mode_1=2)["theta16"][0] == pytest.approx(SAUER[2], abs=5e-8)
     assert np.isnan(space["solve"](p2=[9.4])["theta16"]).all()
+
+
+@pytest.mark.parametrize("seed", [1062, 1023])
+def test_a_massless_block_whose_angle_is_an_unknown_starts_where_it_was_found(seed):
+    """A pin in a slot among the carriers: its angle has no column in degrees, its start value is typed in degrees."""
+    compiled = Compiled(loads(Grower(seed, 1, ("III",)).text(rows=6, step=1.0)))
+    assert any(name.startswith("delta") for group in compiled.equations.groups for name in group.unknowns)
+    book = book_of(compiled.layout)
+    comparison, _ = against_plan(book, evaluate(book), compiled.plan, "block")
+    assert comparison.agrees
+    assert comparison.worst < 1e-9

@@ -5,10 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from mechsheet.drawing_page.editing.shaping import Edited, moved, typed
+from mechsheet.drawing_page.editing.driving import drive
+from mechsheet.drawing_page.editing.links import ground_pin, link, plate
+from mechsheet.drawing_page.editing.removing import without
+from mechsheet.drawing_page.editing.shaping import Edited, drawn_now, moved, typed, with_sketched
+from mechsheet.drawing_page.editing.sheet import Sheet
+from mechsheet.drawing_page.editing.sliding import slide
 from mechsheet.drawing_page.positions import Point
-from mechsheet.drawing_page.questions import Refusal, point_in, text_in
-from mechsheet.drawing_page.reading import Reading
+from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
+from mechsheet.drawing_page.reading import Reading, read
 
 
 def edited(reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point]) -> Edited:
@@ -34,7 +39,52 @@ def _dimension(reading: Reading, order: dict[str, Any], at: float | None, _: Map
     return typed(reading, text_in(order, "name"), text_in(order, "value")), at
 
 
+def _drawn(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
+    """An order that draws something new: on the sheet as it is shown."""
+
+    def order(reading: Reading, what: dict[str, Any], at: float | None, held: Mapping[str, Point]) -> Edited:
+        if reading.source is None or reading.parts is None:
+            raise Impossible("unreadable")
+        drawn = drawn_now(reading, at, held)
+        stem = "uzuv" if what.get("language") == "tr" else "link"
+        sheet = draw(Sheet(reading.source, reading.parts, drawn, stem), what)
+        return settled(reading, sheet), sheet.drawn.at
+
+    return order
+
+
+def _delete(reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point]) -> Edited:
+    if reading.source is None or reading.parts is None:
+        raise Impossible("unreadable")
+    kind = next((key for key in ("link", "point", "joint") if key in order), "")
+    sheet = Sheet(reading.source, reading.parts, drawn_now(reading, at, held))
+    return settled(reading, sheet.again(without(reading.source, kind, text_in(order, kind)), {})), at
+
+
+def settled(reading: Reading, sheet: Sheet) -> str:
+    """The text with every point in its sketch that would be lost: without a driver nothing else says where they are."""
+    source = sheet.source
+    fixed = sheet.parts.links[0].points if sheet.parts.links else {}
+    found = read(source.text, source.file)
+    if found.compiled is not None:
+        return source.text
+    for point, place in sheet.drawn.places.items():
+        if point not in fixed and sheet.parts.links_at(point) and ("assembly", point) not in source.spots:
+            source = with_sketched(source, point, place, sheet.digits)
+    if reading.compiled is not None:  # it was one and is none any more: as it was shown, not as it was sketched
+        for point in sheet.parts.sketch.points:
+            if point in sheet.drawn.places and point not in fixed:
+                source = with_sketched(source, point, sheet.drawn.places[point], sheet.digits)
+    return source.text
+
+
 _ORDERS: dict[str, Order] = {
     "move": _move,
     "dimension": _dimension,
+    "ground": _drawn(lambda sheet, order: ground_pin(sheet, order.get("end"))),
+    "link": _drawn(lambda sheet, order: link(sheet, order.get("ends"))),
+    "plate": _drawn(lambda sheet, order: plate(sheet, text_in(order, "link"), order.get("end"))),
+    "slide": _drawn(lambda sheet, order: slide(sheet, text_in(order, "kind"), order.get("end"), order.get("on"))),
+    "driver": _drawn(lambda sheet, order: drive(sheet, text_in(order, "link", ""), text_in(order, "joint", ""))),
+    "delete": _delete,
 }

@@ -9,20 +9,36 @@ from typing import TypeAlias
 
 import numpy as np
 
+from mechsheet.description.numbers import typed_number
 from mechsheet.description.overrides import with_values
 from mechsheet.description.parts import Parts
+from mechsheet.description.quoting import quoted
 from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
+from mechsheet.description.rewrite_tables import with_last_key
 from mechsheet.description.source import Source
-from mechsheet.diagnostics import DescriptionError, MechsheetError
+from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError
 from mechsheet.drawing_page.fitting import Fit, fitted
 from mechsheet.drawing_page.looking import shown_value, values_at
-from mechsheet.drawing_page.positions import Point, Pose, drawn_pose, drawn_positions, line_of, local_places, turned
+from mechsheet.drawing_page.positions import (
+    Point,
+    Pose,
+    drawn_pose,
+    drawn_poses,
+    drawn_positions,
+    line_of,
+    local_places,
+    turned,
+)
+from mechsheet.drawing_page.questions import Impossible
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.kinematics.places import number
 from mechsheet.library.modes_from_sketch import with_modes
 
-DIGITS = 4
+DIGITS = 5
 """Of the mechanism's size: a dragged length is rounded to so many."""
+
+NOTHING = 0.5
+"""A drag that no number follows, and that misses this part of its way, cannot be done."""
 
 OFF = 0.02
 """A point that lies farther from where it was drawn than this part of the size is in another assembly."""
@@ -49,7 +65,7 @@ def drawn_now(reading: Reading, at: float | None, held: Mapping[str, Point]) -> 
     places = drawn_positions(parts, held)
     compiled = reading.compiled
     if compiled is None:
-        return Drawn(places, {link.name: drawn_pose(link, parts, places) for link in parts.links}, at)
+        return Drawn(places, drawn_poses(parts, places), at)
     shown = shown_value(compiled, at)
     values = values_at(compiled, np.array([shown]))
     for point in places:
@@ -95,6 +111,8 @@ def moved(reading: Reading, point: str, to: Point, at: float | None, held: Mappi
     size = size_of(before.places)
     fit = fitted(parts, places, point, before.poses, size)
     source = _with_fit(source, parts, fit, digits_for(size))
+    if source.text == reading.text and fit.missed * size > NOTHING * math.dist(to, before.places[point]):
+        raise Impossible("nothing_follows", point=point)
     after = Drawn(places, {**before.poses, **fit.poses}, before.at)
     after = replace(after, at=_driven(reading, after))
     return as_drawn(source, reading, after, (point,)).text, after.at
@@ -174,12 +192,14 @@ def as_drawn(source: Source, reading: Reading, drawn: Drawn, points: tuple[str, 
         return source
     digits = max(0, digits_for(size_of(places)) - 1)
     fixed = parts.links[0].points if parts.links else {}
+    told = _with_at(source, reading, parts, drawn.at)
+    moved_on = told is not source  # the sketch shows another driver value now, and all else of it must follow
+    source = told
     for point in parts.sketch.points:
-        if point in places and point not in fixed:
+        if point in places and point not in fixed and (moved_on or point in points):
             source = with_sketched(source, point, places[point], digits)
-    for symbol in parts.sketch.symbols:
+    for symbol in parts.sketch.symbols if moved_on else ():
         source = _without_old_angle(source, symbol, places, digits)
-    source = _with_at(source, reading, parts, drawn.at)
     new = read(source.text, source.file)
     if new.compiled is None:
         return source
@@ -203,7 +223,7 @@ def with_sketched(source: Source, point: str, place: Point, digits: int) -> Sour
             if _plain(source.text[spot.start : spot.end]) != value:
                 source = with_number(source, path, value)
         return source
-    return with_value(source, ("assembly", point), f"[{number_text(x)}, {number_text(y)}]")
+    return with_last_key(source, ("assembly",), point, f"[{number_text(x)}, {number_text(y)}]")
 
 
 def _without_old_angle(source: Source, symbol: str, places: Mapping[str, Point], digits: int) -> Source:
@@ -239,6 +259,17 @@ def _with_at(source: Source, reading: Reading, parts: Parts, at: float | None) -
     return with_number(source, ("assembly", "at"), at)
 
 
+SWEEP = {f"driver.{key}": key for key in ("start", "stop", "step")}
+
+
+def _swept(source: Source, key: str, value: str) -> str:
+    """The text with a number of the driver's sweep. Raises DescriptionError for what is no number."""
+    number = typed_number(value)
+    if number is None or number.unit:
+        raise DescriptionError(Fault(f"{quoted(value)} is no number", source.file, key=f"driver.{key}"))
+    return with_value(source, ("driver", key), number.text).text
+
+
 # --- numbers that were typed -----------------------------------------------------------------------------------------
 
 
@@ -250,6 +281,8 @@ def typed(reading: Reading, name: str, value: str) -> str:
     source = reading.source
     if source is None:
         return reading.text
+    if name in SWEEP:
+        return _swept(source, SWEEP[name], value)
     new, faults = with_values(source, {name: value})
     if faults:
         raise DescriptionError(faults)

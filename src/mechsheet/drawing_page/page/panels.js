@@ -124,32 +124,49 @@ function drawState() {
   if (look && !look.readable) text = word("state.broken");
   else if (look?.solved && reason?.text) text = `${word("state.here")} ${reason.text}`;
   else if (look?.solved && closed === all) text = word("state.all");
-  else if (look?.solved) text = `${word("state.some")} ${stretches(look.frames)}`;
-  else if (look?.links?.length) text = word("state.unfinished");
+  else if (look?.solved) {
+    const missing = look.frames.reasons.slice(1).map((each) => each.text).join("; ");
+    text = `${word("state.some")} ${stretches(look.frames)} (${missing})`;
+  }
+  else if ((look?.links ?? []).length > 1) text = word("state.unfinished");
   verdict.textContent = text;
   verdict.className = reason?.text || (look && !look.readable) ? "wrong" : "";
 }
 
-/** Where it closes: from … to … */
+/** Where it closes: from … to …; between two positions the limit is known better than by them. */
 function stretches({ driver, why }) {
+  const limits = state.look.limits ?? [];
+  const [first, last] = [Math.min(driver[0], driver[driver.length - 1]), Math.max(driver[0], driver[driver.length - 1])];
+  const near = (n, beside) => {
+    const [a, b] = [driver[n], driver[beside] ?? driver[n]];
+    return limits.find((limit) => limit >= Math.min(a, b) && limit <= Math.max(a, b) && limit >= first && limit <= last) ?? a;
+  };
   const found = [];
   for (let n = 0; n < why.length; n++) {
     if (why[n]) continue;
     let end = n;
     while (end + 1 < why.length && !why[end + 1]) end++;
-    found.push(`${shown(driver[n], 4)}…${shown(driver[end], 4)}${state.look.driver?.unit ?? ""}`);
+    found.push(`${shown(near(n, n - 1), 5)}…${shown(near(end, end + 1), 5)}${state.look.driver?.unit ?? ""}`);
     n = end;
   }
   return found.slice(0, 4).join(", ");
 }
 
+/** What is to be told: of a sheet that is still empty nothing is wrong. */
+function told() {
+  const look = state.look;
+  return !look || (look.readable && (look.links ?? []).length < 2) ? [] : look.faults;
+}
+
+const undriven = (fault) => fault.key === "driver" && !fault.line;
+
 function drawFaults() {
   faults.replaceChildren();
-  for (const fault of (state.look?.faults ?? []).slice(0, 12)) {
+  for (const fault of told().slice(0, 12)) {
     const item = document.createElement("li");
     const button = document.createElement("button");
     const where = fault.line ? `${word("line")} ${fault.line}: ` : "";
-    button.append(`${where}${fault.message}`);
+    button.append(undriven(fault) ? word("state.undriven") : `${where}${fault.key ? `${fault.key}: ` : ""}${fault.message}`);
     if (fault.hint) {
       const hint = document.createElement("small");
       hint.textContent = fault.hint;
@@ -259,7 +276,7 @@ const moveCursors = () => cursors.forEach((each) => each());
 
 const workbook = document.getElementById("workbook");
 const wanted = { layout: "", language: "" };
-const FILES = [["xlsx", "ods"], ["svg", "png", "gif"], ["toml"]];
+const FILES = [["xlsx", "ods"], ["svg", "png", "gif", "toml"]];
 
 function drawWorkbook() {
   workbook.replaceChildren();

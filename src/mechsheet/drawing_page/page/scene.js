@@ -2,7 +2,7 @@
 
 import { state, on } from "./state.js";
 import { canvas, size, spacing, toPlane, toScreen } from "./view.js";
-import { at, ground, isPin, lastPlace, linksAt, parts, shown } from "./geometry.js";
+import { at, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
 import { word } from "./language.js";
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
@@ -200,9 +200,11 @@ function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) 
   const along = [Math.cos(direction), -Math.sin(direction)];
   const s = (point[0] - start[0]) * along[0] + (point[1] - start[1]) * along[1];
   const onGround = joint.on === ground();
-  const far = Math.max(60, ...reach(joint, start, along));
-  const near = Math.min(-20, ...reach(joint, start, along), s - 30);
-  const [from, to] = [Math.min(near, s - 40), Math.max(far, s + 40)];
+  const owned = onGround ? [] : (linkNamed(joint.on)?.points ?? []).map(screen).filter(Boolean);
+  const others = owned.map((p) => (p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1]);
+  const far = Math.max(onGround ? 60 : s, ...others, ...reach(joint, start, along));
+  const near = Math.min(onGround ? -20 : s, ...others, ...reach(joint, start, along));
+  const [from, to] = [Math.min(near, s - 30), Math.max(far, s + 30)];
   const spot = (distance, across = 0) => [start[0] + along[0] * distance - along[1] * across, start[1] + along[1] * distance + along[0] * across];
   const width = onGround ? 11 : 8;
   const both = [spot(from, width), spot(to, width), spot(from, -width), spot(to, -width)];

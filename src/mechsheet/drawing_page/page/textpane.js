@@ -16,7 +16,7 @@ let typed = 0;
 const PIECES = /(?<comment>#[^\n]*)|(?<heading>^[ \t]*\[\[?[^\]\n]*\]\]?)|(?<string>"(?:[^"\\\n]|\\.)*"|'[^'\n]*')|(?<number>(?<![\w.])[+-]?\d[\d_]*(?:\.\d+)?(?:[eE][+-]?\d+)?(?![\w.]))/gm;
 
 function paint() {
-  const wrong = new Set((state.look?.faults ?? []).map((fault) => fault.line).filter(Boolean));
+  const wrong = new Set((state.look?.readable && (state.look.links ?? []).length < 2 ? [] : (state.look?.faults ?? [])).map((fault) => fault.line).filter(Boolean));
   let html = "";
   let end = 0;
   for (const found of area.value.matchAll(PIECES)) {

@@ -40,6 +40,7 @@ function buildTools() {
     button.title = `${word(`tool.${name}.hint`)} (${key.toUpperCase()})`;
     button.setAttribute("aria-keyshortcuts", key.toUpperCase());
     const text = document.createElement("span");
+    text.className = "label";
     text.textContent = word(`tool.${name}`);
     button.setAttribute("aria-label", word(`tool.${name}`));
     button.append(icon(name), text);

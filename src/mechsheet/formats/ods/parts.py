@@ -128,10 +128,14 @@ def styles_part(workbook: Workbook, styles: OdsStyles) -> str:
 def _layout(number: int, setup: PrintSetup) -> str:
     width, height = ("29.7cm", "21cm") if setup.landscape else ("21cm", "29.7cm")
     # A side that is left out takes as many pages as it needs.
-    fit = "".join(
-        f' style:scale-to-{side}="{pages}"'
-        for side, pages in (("X", setup.fit_width), ("Y", setup.fit_height))
-        if pages
+    fit = (
+        f' style:scale-to="{setup.scale}%"'
+        if setup.scale
+        else "".join(
+            f' style:scale-to-{side}="{pages}"'
+            for side, pages in (("X", setup.fit_width), ("Y", setup.fit_height))
+            if pages
+        )
     )
     margins = f' fo:margin-left="{MARGIN_SIDE}in" fo:margin-right="{MARGIN_SIDE}in"'
     bands = ""

@@ -60,7 +60,8 @@ def enter_columns(sheet: Sheet, styles: OdsStyles) -> None:
 
 def _columns(sheet: Sheet, styles: OdsStyles) -> str:
     text, level, next_col = "", 0, 0
-    heading = sheet.print_setup.repeat_cols
+    setup = sheet.print_setup
+    heading = setup.repeat_cols
     for column in sorted(sheet.columns, key=lambda column: column.first):
         if column.first > next_col:
             text += _to_level(level, 0, True) + _column(styles, COLUMN_PIXELS, column.first - next_col)
@@ -69,7 +70,12 @@ def _columns(sheet: Sheet, styles: OdsStyles) -> str:
         level = column.level
         width = DIGIT_PIXELS * column.width + PADDING_PIXELS
         text += "<table:table-header-columns>" if heading and column.first == heading[0] else ""
-        text += _column(styles, width, column.last - column.first + 1, column)
+        first = column.first
+        if setup.page_at and first == setup.page_at:
+            text += _column(styles, width, 1, column, begins_page=True)
+            first += 1
+        if first <= column.last:
+            text += _column(styles, width, column.last - first + 1, column)
         text += "</table:table-header-columns>" if heading and column.last == heading[1] else ""
         next_col = column.last + 1
     rest = _column(styles, COLUMN_PIXELS, max(_ALL_COLUMNS - next_col, 1))
@@ -84,14 +90,16 @@ def _to_level(level: int, wanted: int, shown: bool) -> str:
     return f"<table:table-column-group{folded}>" * (wanted - level)
 
 
-def _column(styles: OdsStyles, width: float, count: int, column: Column | None = None) -> str:
+def _column(
+    styles: OdsStyles, width: float, count: int, column: Column | None = None, begins_page: bool = False
+) -> str:
     repeated = f' table:number-columns-repeated="{count}"' if count > 1 else ""
     hidden = ""
     if column is not None and column.hidden:
         # A column of a folded group is filtered by the group; one without a group is hidden by hand.
         hidden = ' table:visibility="collapse"'
     return (
-        f'<table:table-column table:style-name="{styles.column(width)}"{repeated}{hidden}'
+        f'<table:table-column table:style-name="{styles.column(width, begins_page)}"{repeated}{hidden}'
         ' table:default-cell-style-name="Default"/>'
     )
 

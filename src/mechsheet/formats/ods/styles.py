@@ -33,6 +33,8 @@ FRAME_STYLE = (
 )
 """Charts and controls: without it LibreOffice draws a blue box around them."""
 
+BEGINS_PAGE = ' fo:break-before="page"'
+
 
 class OdsStyles:
     """The tables of styles of one workbook; asking for a style's name enters it.
@@ -45,7 +47,7 @@ class OdsStyles:
         self._named: dict[str, tuple[str, Style]] = {}
         self._cells: dict[tuple[Style, tuple[str, ...]], str] = {}
         self._conditional: dict[Style, str] = {}
-        self._columns: dict[float, str] = {}
+        self._columns: dict[tuple[float, bool], str] = {}
         self._rows: dict[float | None, str] = {}
 
     def cell(self, style: Style, maps: tuple[str, ...] = ()) -> str:
@@ -63,9 +65,9 @@ class OdsStyles:
         """The name of the style that a condition applies."""
         return self._conditional.setdefault(style, f"condition{len(self._conditional) + 1}")
 
-    def column(self, width: float) -> str:
+    def column(self, width: float, begins_page: bool = False) -> str:
         """The name of a column's style; the width is in pixels."""
-        return self._columns.setdefault(width, f"co{len(self._columns) + 1}")
+        return self._columns.setdefault((width, begins_page), f"co{len(self._columns) + 1}")
 
     def row(self, height: float | None) -> str:
         """The name of a row's style; the height is in pixels, None is as high as its content."""
@@ -106,8 +108,9 @@ class OdsStyles:
         """The styles of columns, rows, numbers, cells, texts and frames, for <office:automatic-styles>."""
         parts = [
             f'<style:style style:name="{name}" style:family="table-column">'
-            f'<style:table-column-properties style:column-width="{points(width)}"/></style:style>'
-            for width, name in self._columns.items()
+            f"<style:table-column-properties{BEGINS_PAGE if page else ''}"
+            f' style:column-width="{points(width)}"/></style:style>'
+            for (width, page), name in self._columns.items()
         ]
         for height, name in self._rows.items():
             free = "true" if height is None else "false"

@@ -67,8 +67,12 @@ def _print_setup(page: DataWorksheet, setup: PrintSetup) -> None:
         page.set_landscape()
     page.set_paper(_A4)
     page.set_margins(MARGIN_SIDE, MARGIN_SIDE, MARGIN_END, MARGIN_END)
-    if setup.fit_width or setup.fit_height:
+    if setup.scale:
+        page.set_print_scale(setup.scale)
+    elif setup.fit_width or setup.fit_height:
         page.fit_to_pages(setup.fit_width, setup.fit_height)
+    if setup.page_at:
+        page.set_v_pagebreaks([setup.page_at])
     if setup.repeat_rows:
         page.repeat_rows(*setup.repeat_rows)
     if setup.repeat_cols:

@@ -11,9 +11,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+
+Angles: TypeAlias = Sequence[float] | NDArray[np.float64]
+"""Radians, (n,)."""
 
 SINGULAR = 1e-12
 """Smallest singular value of the equations, relative to the largest, from which on they say something about all three."""
@@ -43,13 +47,13 @@ class FourBar:
 NO_FOUR_BAR = FourBar(*[math.nan] * 6)
 
 
-def equations(theta: Sequence[float], psi: Sequence[float]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def equations(theta: Angles, psi: Angles) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Left-hand sides (n, 3) and right-hand sides (n,) of Freudenstein's equation for pairs of angles in radians."""
     at, to = np.asarray(theta, dtype=float), np.asarray(psi, dtype=float)
     return np.stack([np.cos(to), -np.cos(at), np.ones(len(at))], axis=1), np.cos(at - to)
 
 
-def function(theta: Sequence[float], psi: Sequence[float], a1: float) -> FourBar:
+def function(theta: Angles, psi: Angles, a1: float) -> FourBar:
     """The four-bar that meets three pairs of angles (radians), or fits more of them best in the equation's own error.
 
     No mechanism where the pairs do not determine the three unknowns, where a link would be infinitely long, and where
@@ -77,7 +81,7 @@ def function(theta: Sequence[float], psi: Sequence[float], a1: float) -> FourBar
     )
 
 
-def sides(found: FourBar, theta: Sequence[float], psi: Sequence[float]) -> NDArray[np.float64]:
+def sides(found: FourBar, theta: Angles, psi: Angles) -> NDArray[np.float64]:
     """(n,) On which side of A→B0 the joint B lies at each pair: +1 right (psi grows clockwise of it), -1 left, 0 on it.
 
     +1 is the assembly in which A, B0, B go round counter-clockwise, as the workbook's modes count it.
@@ -93,7 +97,7 @@ def chebyshev(first: float, last: float, points: int) -> NDArray[np.float64]:
     return (first + last) / 2 + (last - first) / 2 * np.cos(angles)
 
 
-def outputs(found: FourBar, theta: Sequence[float], side: float) -> NDArray[np.float64]:
+def outputs(found: FourBar, theta: Angles, side: float) -> NDArray[np.float64]:
     """(n,) The output angle of the task at input angles, on the assembly `side`; NaN where the links do not meet.
 
     By circles about A and B0: B = A + (B0 - A)(u + i side v) with u + i v from the three sides. In (-pi, pi].

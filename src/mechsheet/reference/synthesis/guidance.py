@@ -104,7 +104,7 @@ def by_turns(poses: Sequence[Pose], turns: tuple[float, float]) -> Crank:
 
 def _crank(poses: Sequence[Pose], fixed: complex, moving: complex) -> Crank:
     if not (cmath.isfinite(fixed) and cmath.isfinite(moving)):
-        return NO_CRANK
+        return Crank(fixed, moving, (math.nan, math.nan))
     at = carried(poses, moving)
     second, third = (cmath.phase((place - fixed) / (at[0] - fixed)) if at[0] != fixed else math.nan for place in at[1:])
     return Crank(fixed, moving, (second, third))

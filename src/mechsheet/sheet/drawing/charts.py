@@ -23,9 +23,16 @@ from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.mechanism import CHARTS, ROW_HEIGHT
 from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Series, SeriesRef, Sheet
+from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
 
 GAP = 12
+ROWS_OF_ONE_PAGE = 64
+"""So many rows on one page, lying, have letters that can still be read."""
+WIDE_AS_A_PAGE, SMALLEST = 60, 40
+"""Percent: two charts side by side are as wide as an upright page, in LibreOffice's wider columns too; letters below the
+other are not read."""
+ROWS_OF_AN_UPRIGHT_PAGE = 78
+"""Rows of charts on an upright page at that size."""
 HEIGHT = (SIZE - GAP) // 2
 """Two curves are as high as the drawing beside them."""
 
@@ -259,4 +266,13 @@ def with_room(sheet: Sheet) -> Sheet:
     given = {row for row, _ in sheet.row_heights}
     heights = tuple((row, float(ROW_HEIGHT)) for row in range(last + 1) if row not in given)
     columns = Column(CHARTS, CHARTS + math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH), COLUMN_CHARACTERS)
-    return replace(sheet, row_heights=sheet.row_heights + heights, columns=(*sheet.columns, columns))
+    sheet = replace(sheet, row_heights=sheet.row_heights + heights, columns=(*sheet.columns, columns))
+    rows = max(row for row, _ in sheet.row_heights) + 1
+    return sheet if rows <= ROWS_OF_ONE_PAGE else replace(sheet, print_setup=_on_pages(sheet, rows, last))
+
+
+def _on_pages(sheet: Sheet, rows: int, charts_end: int) -> PrintSetup:
+    """Of a sheet that is too long for one page: upright, what is read first, the charts on a page of their own behind it."""
+    scale = max(SMALLEST, min(WIDE_AS_A_PAGE, WIDE_AS_A_PAGE * ROWS_OF_AN_UPRIGHT_PAGE // charts_end))
+    area = Area(0, 0, rows - 1, CHARTS + math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH) - 1)
+    return replace(sheet.print_setup, landscape=False, scale=scale, page_at=CHARTS, area=area)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import Way, about
@@ -84,9 +84,10 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
             )
 
 
-def _ends(plan: Plan, key: str) -> Node:
-    cells = [plan.at.cell(f"#{key}_{number}", plan.main, None) for number in (1, STRETCHES)]
-    return formula("top:bottom", top=cells[0], bottom=cells[1])
+def _ends(plan: Plan, key: str) -> RangeRef:
+    """The column in which Checks keeps an end of every stretch: one range, so that it reads back as it was written."""
+    top, bottom = (plan.at.spots[f"#{key}_{number}"] for number in (1, STRETCHES))
+    return RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in (top, bottom)))
 
 
 def _mean(plan: Plan, column: Node) -> Node:

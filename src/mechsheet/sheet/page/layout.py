@@ -12,7 +12,7 @@ from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title
 from mechsheet.sheet.drawing.drawing import marker
 from mechsheet.sheet.first.blocks import shown_unit
-from mechsheet.sheet.layout import description_sheet
+from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
 from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page
 from mechsheet.sheet.page.table import Table, note_last
@@ -27,7 +27,6 @@ from mechsheet.sheet.workbook import (
     Column,
     Control,
     PrintSetup,
-    Properties,
     Series,
     SeriesRef,
     Sheet,
@@ -55,16 +54,8 @@ VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 34.0, 28.0, 24.0
 def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, PagePlan]:
     """The workbook of one visible sheet (its formulas have no values yet) and the plan that it follows."""
     plan = plan_page(mechanism, equations)
-    title = mechanism.title.of(plan.language)
-    properties = Properties(
-        title=title,
-        subject=mechanism.source.of(plan.language),
-        comments=plan.text("made"),
-        keywords="mechanism, linkage, mechsheet",
-        language=plan.language,
-    )
     sheets = (_page(plan), description_sheet(plan))
-    return with_typed_constants(Workbook(sheets, tuple(plan.names), properties)), plan
+    return with_typed_constants(Workbook(sheets, tuple(plan.names), properties_of(plan))), plan
 
 
 def _page(plan: PagePlan) -> Sheet:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
+from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
@@ -82,6 +83,7 @@ class PagePlan(Plan):
 def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     """The plan of a mechanism's page."""
     need_closed_form(equations, "the layout page cannot hold this", "workbook.layout", 'layout = "sheets" does')
+    _need_short_task(mechanism)
     language, drawn = mechanism.language, mechanism.drawn
     titles = dict.fromkeys(SHEETS, words(language, "sheet.mechanism"))
     titles["description"] = words(language, "sheet.description")
@@ -102,6 +104,19 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     _plan_top(plan)
     _plan_table(plan)
     return plan
+
+
+MOST_STEPS = 12
+"""Steps of a synthesis that stand among the dimensions of a page."""
+
+
+def _need_short_task(mechanism: Mechanism) -> None:
+    """Raise MechanismError where the task of a synthesis needs a sheet of its own."""
+    task = mechanism.synthesis
+    if task is None or (len(task.steps) <= MOST_STEPS and not task.mode):
+        return
+    message = f"the layout page cannot hold the {len(task.steps)} steps of a synthesis of kind {task.kind}"
+    raise MechanismError(Fault(message, key="workbook.layout", hint='layout = "sheets" has a sheet for them'))
 
 
 def traced_points(mechanism: Mechanism) -> tuple[str, ...]:

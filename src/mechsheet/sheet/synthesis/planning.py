@@ -5,19 +5,44 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from mechsheet.model import Dimension, Mechanism, Synthesis
+from mechsheet.sheet.synthesis.curves import curve_of
+from mechsheet.sheet.synthesis.figures import lines_of
+from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import CHART_ROWS, FIRST_ROW, LINE_ROW, SYMBOL, VALUE, Rows
 
+INPUTS = "task_inputs"
+"""The first verdict: the number of the first input that cannot be, 0 where all can."""
+
 UNSOLVED = "unsolved"
-"""The first verdict: 0 where the task has a solution, 1 where an input is none, 2 where there is no solution."""
+"""The second: 0 where the task has a solution, 1 where an input is none, 2 where there is no solution."""
+
+VERDICTS: dict[str, tuple[str, ...]] = {
+    "function": (
+        "meets",
+        "assemblies",
+        "order",
+        "closes_throughout",
+        "transmission_used",
+        "at_dead_centre",
+        "sensitivity",
+    ),
+    "dead-centres": ("meets", "together", "turns", "transmission_least", "sensitivity"),
+    "guidance": ("meets", "assemblies", "order", "closes_throughout", "transmission_used", "sensitivity"),
+    "quick-return-slider": ("meets", "together", "turns", "transmission_least", "sensitivity"),
+    "quick-return-lever": ("meets", "sensitivity"),
+}
+"""Names of what is said of the mechanism that comes out, after `unsolved`."""
+
+WINDOW = ("x", "y", "half")
+"""The middle of the figure and half its side."""
+
+Place = Callable[[str, int, int, bool, str], None]
+"""Gives a symbol its cell: (symbol, row, column, in degrees, wanted name)."""
 
 
 def verdicts_of(task: Synthesis) -> tuple[str, ...]:
     """Names of what is said about the mechanism that comes out, in order."""
-    return (UNSOLVED,)
-
-
-Place = Callable[[str, int, int, bool, str], None]
-"""Gives a symbol its cell: (symbol, row, column, in degrees, wanted name)."""
+    return (INPUTS, UNSOLVED, *VERDICTS[task.kind])
 
 
 def plan_rows(mechanism: Mechanism, task: Synthesis, place: Place) -> Rows:
@@ -29,6 +54,11 @@ def plan_rows(mechanism: Mechanism, task: Synthesis, place: Place) -> Rows:
     rows.block("does", verdicts_of(task))
     rows.not_before(FIRST_ROW + CHART_ROWS)
     rows.block("solution", task.steps)
+    rows.block("asked", _numbers(len(requirements(task))))
+    rows.block("figure", (*WINDOW, *_numbers(sum(len(line.vertices) for line in lines_of(task)))))
+    curve = curve_of(task)
+    if curve is not None:
+        rows.block("curve", _numbers(curve.rows))
     for block, symbols in (("task", task.inputs), ("solution", task.steps)):
         for symbol in symbols:
             dim = by_symbol[symbol]
@@ -37,3 +67,7 @@ def plan_rows(mechanism: Mechanism, task: Synthesis, place: Place) -> Rows:
     for key in verdicts_of(task):
         place(f"#{key}", rows.of["does", key], VALUE, False, key)
     return rows
+
+
+def _numbers(count: int) -> tuple[str, ...]:
+    return tuple(str(number) for number in range(count))

@@ -15,7 +15,7 @@ SYMBOL, VALUE, UNIT, ROUNDED, USED, MEANING, REMARK = range(7)
 CHARTS = REMARK
 """The first column of the charts, which stand beside the task."""
 
-CHART_ROWS = 17
+CHART_ROWS = 21
 """Rows that a chart covers."""
 
 

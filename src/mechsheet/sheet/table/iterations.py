@@ -126,7 +126,9 @@ class _Writer:
                 CellRef(first + len(system.starts) - 1, starts.col + 1 + index, True, True),
             )
             chosen = formula("INDEX(values,mode)", values=values, mode=Symbol(system.mode))
-            if plan.at.spots[system.variables[index]].degrees:
+            if plan.mechanism.shown(
+                plan.equations.of(system.variables[index]).unit
+            ).in_degrees:  # as `starts` writes it
                 chosen = formula("RADIANS(chosen)", chosen=chosen)
             self._fill(at, first, col, chosen, 1)
             self._fill(at, first + 1, col, _above(al.sub(Symbol(unknown), correction), symbols), FIRST_PASSES)

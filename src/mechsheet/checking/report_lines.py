@@ -1,0 +1,88 @@
+"""What `check` says of a workbook, line by line."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mechsheet.checking.remark_lines import remark_lines, stored_lines
+
+LONG = 100
+"""Longer formulas are shown around the place in which they differ; with --json in full."""
+
+AROUND = 30
+"""So many signs of them before and behind it."""
+
+EDITS = 40
+"""So many edits are listed; with --json all."""
+
+
+def report_lines(report: Any) -> list[str]:
+    """A check: a line for each judge, the edits, the remarks."""
+    lines: list[str] = []
+    lines.append(f"{report.file}: {'all agree' if report.agrees else _verdict(report)}")
+    for item in report.comparisons:
+        verdict = "agrees " if item.agrees else "DIFFERS"
+        lines.append(f"  {item.judge:<14} {verdict} {item.worst:6.0e} in {item.cells:>6} values  {item.where}")
+        if not item.agrees:
+            lines.append(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
+        if report.stored is not None and item is report.comparisons[0]:
+            for line in stored_lines(report.stored)[1:]:
+                lines.append(f"  {line}")
+    for edit in report.edits[:EDITS]:
+        was, now = focused(edit.was, edit.now)
+        lines.append(f"  edited: {edit.where} {_WORDS.get(edit.kind, edit.kind)}{edit.note}")
+        if edit.kind == "inserted":
+            continue
+        lines.append(f"          was {was or 'empty'}")
+        lines.append(f"          is  {now or 'empty'}")
+    if len(report.edits) > EDITS:
+        lines.append(f"  edited: {len(report.edits) - EDITS} more places (all with --json)")
+    for remark in [*report.remarks, *(remark_lines(report.stored.remarks) if report.stored is not None else ())]:
+        lines.append(f"  note: {remark}")
+    for fault in report.missing:
+        lines.append(f"  note: {fault.message}: skipped")
+    return lines
+
+
+_WORDS = {
+    "changed": "has another formula",
+    "out of its run": "has a formula of its own",
+    "overwritten": "was overwritten",
+    "emptied": "was emptied",
+    "formula": "holds a formula in place of a number",
+    "value": "holds another number",
+    "name": "is a name that was changed",
+    "sheet": "is a sheet that is not as it was",
+    "deleted": "was deleted",
+    "inserted": "was inserted",
+}
+
+
+def _verdict(report: Any) -> str:
+    if all(item.agrees for item in report.comparisons):
+        return "EDITED, all values agree"
+    return "EDITED, AND SOMETHING DIFFERS" if report.edits else "SOMETHING DIFFERS"
+
+
+def focused(was: str, now: str) -> tuple[str, str]:
+    """Two formulas, long ones cut down to where they differ."""
+    if max(len(was), len(now)) <= LONG:
+        return was, now
+    start = max(0, _common(was, now) - AROUND)
+    behind = _common(was[start:][::-1], now[start:][::-1])
+    cut = max(0, behind - AROUND)
+    return _cut(was, start, cut), _cut(now, start, cut)
+
+
+def _common(one: str, other: str) -> int:
+    """How many signs two texts have in common at their beginning."""
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((place for place, (left, right) in pairs if left != right), min(len(one), len(other)))
+
+
+def _cut(text: str, start: int, cut: int) -> str:
+    end = len(text) - cut
+    middle = text[start:end]
+    if len(middle) > 2 * LONG:
+        middle = middle[: 2 * LONG] + "…"
+    return ("…" if start else "") + middle + ("…" if cut else "")

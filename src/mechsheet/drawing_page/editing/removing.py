@@ -1,0 +1,130 @@
+"""What is taken away: links, points, sliding joints, and what nobody needs without them: their dimensions, their sketch."""
+
+from __future__ import annotations
+
+import re
+
+from mechsheet.description.parts import Parts, parts_of
+from mechsheet.description.rewrite import without_key
+from mechsheet.description.rewrite_tables import without_table
+from mechsheet.description.source import Source
+from mechsheet.drawing_page.questions import Impossible, Refusal
+from mechsheet.drawing_page.reading import reads_of, symbols_in
+from mechsheet.model import Joint
+
+
+def without(source: Source, kind: str, name: str) -> Source:
+    """The text without a link, a point or a joint, and without the dimensions that it alone read."""
+    parts = parts_of(source)
+    before = _read_by_places(parts)
+    if kind == "link":
+        source = _without_link(source, parts, name)
+    elif kind == "point":
+        source = _without_point(source, parts, name)
+    elif kind == "joint":
+        source = _without_joint(source, parts, name)
+    else:
+        raise Refusal(f'nothing of the kind "{kind}" can be deleted')
+    return _without_dimensions(source, before - _read_by_places(parts_of(source)))
+
+
+def _read_by_places(parts: Parts) -> set[str]:
+    """The dimensions that places and guides follow from."""
+    found = {symbol for link in parts.links for symbol in reads_of(link, parts)}
+    for joint in parts.joints:
+        through = joint.through if isinstance(joint.through, tuple) else ()
+        found |= {name for each in (joint.angle, joint.orientation, *through) for name in symbols_in(each)}
+    return found
+
+
+def _without_link(source: Source, parts: Parts, name: str) -> Source:
+    link = parts.link(name)
+    if link is None or link is parts.links[0]:
+        raise Impossible("ground_stays")
+    gone = [joint for joint in parts.joints if name in (joint.link, joint.on)]
+    for joint in sorted(gone, key=lambda joint: -parts.orders[joint.name]):
+        source = without_table(source, ("joints", parts.orders[joint.name]))
+    source = without_table(source, ("links", name, "points"))
+    source = without_table(source, ("links", name))
+    driver = parts.driver
+    if driver is not None and (name in (driver.link, driver.relative_to) or driver.joint in _names(gone)):
+        source = _without_driver(source)
+    return _tidied(source, set(link.points))
+
+
+def _names(joints: list[Joint]) -> set[str]:
+    return {name for joint in joints for name in (joint.name, joint.symbol)}
+
+
+def _without_driver(source: Source) -> Source:
+    return without_key(without_table(source, ("driver",)), ("assembly", "at"))
+
+
+def _without_point(source: Source, parts: Parts, name: str) -> Source:
+    """The point goes from every link. A link that it leaves with a single point, joined to nothing, goes too."""
+    owners = parts.links_at(name)
+    if not owners:
+        raise Refusal(f'there is no point "{name}"')
+    gone = [joint for joint in parts.joints if name in (joint.point, joint.through)]
+    for joint in sorted(gone, key=lambda joint: -parts.orders[joint.name]):
+        source = without_table(source, ("joints", parts.orders[joint.name]))
+    for link in owners:
+        left = [point for point in link.points if point != name]
+        sliding = any(link.name in (joint.link, joint.on) for joint in parts.joints if joint not in gone)
+        if link is not parts.links[0] and (not left or (len(left) == 1 and not sliding)):
+            found = parts_of(source)
+            if found.link(link.name) is not None:
+                source = _without_link(source, found, link.name)
+        else:
+            source = without_key(source, ("links", link.name, "points", name))
+    if parts.driver is not None and parts.driver.joint in {
+        each for joint in gone for each in (joint.name, joint.symbol)
+    }:
+        source = _without_driver(source)
+    return _tidied(source, {name})
+
+
+def _without_joint(source: Source, parts: Parts, name: str) -> Source:
+    joint = next((joint for joint in parts.joints if joint.name == name), None)
+    if joint is None:
+        raise Refusal(f'there is no sliding joint "{name}"')
+    source = without_table(source, ("joints", parts.orders[name]))
+    if parts.driver is not None and parts.driver.joint in (joint.name, joint.symbol):
+        source = _without_driver(source)
+    block = parts.link(joint.link)
+    alone = block is not None and len(block.points) == 1 and joint.kind == "prismatic"
+    if alone and block is not None and not any(joint.link in (o.link, o.on) for o in parts.joints if o is not joint):
+        source = _without_link(source, parts_of(source), joint.link)
+    return source
+
+
+def _tidied(source: Source, points: set[str]) -> Source:
+    """The sketch without points that no link has any more, or that are fixed."""
+    parts = parts_of(source)
+    for point in points:
+        if not parts.links_at(point):
+            source = without_key(source, ("assembly", point))
+    return source
+
+
+def _without_dimensions(source: Source, symbols: set[str]) -> Source:
+    """The text without dimensions, where nothing else in it names them."""
+    for symbol in sorted(symbols):
+        trial = without_key(source, ("dimensions", symbol))
+        named = any(symbol in _words(text) for text in _expressions(trial.data))
+        if not named:
+            source = trial
+    return source
+
+
+def _expressions(value: object) -> list[str]:
+    """All texts of the data, in which a dimension may be named."""
+    if isinstance(value, str):
+        return [value]
+    if isinstance(value, dict):
+        return [text for each in value.values() for text in _expressions(each)]
+    return [text for each in value for text in _expressions(each)] if isinstance(value, list) else []
+
+
+def _words(text: str) -> set[str]:
+    return set(re.findall(r"[^\W\d][\w]*", text))

@@ -1,0 +1,276 @@
+"""Does it do it? What is live on the sheet about the mechanism that comes out: a number, words, a colour for each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
+from mechsheet.sheet import styles
+from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.synthesis.page import Page
+from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED, verdicts_of
+from mechsheet.sheet.synthesis.requirements import requirements
+from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
+from mechsheet.sheet.synthesis.sensitivity import largest
+from mechsheet.sheet.synthesis.tables import MU, curve_columns, sensitivity_columns
+from mechsheet.sheet.workbook import Area, Conditional
+
+YES, DOUBT, NO = "✓", "!", "✗"
+"""Beside each verdict: green, amber, red."""
+
+SOLVED, WRONG_INPUT, NO_SOLUTION = 0, 1, 2
+"""What the cell `unsolved` holds."""
+
+EXACT = 1e-6
+"""Errors below it, in the units shown, are none."""
+
+POOR = 40.0
+"""Degrees: a transmission angle below is poor."""
+
+DEAD = 0.01
+"""Degrees from a dead centre that count as one."""
+
+COARSE = 0.05
+"""A length that changes by more than this part of it is not known well."""
+
+
+def can_be(page: Page, symbol: str) -> Node:
+    """Whether the cell of an input holds what it can."""
+    cell = page.cell(symbol)
+    return formula("N(cell)>0" if symbol in page.given.positive else "ISNUMBER(cell)", cell=cell)
+
+
+class Does:
+    """Writes the block."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+
+    def write(self) -> None:
+        """Every verdict, and the line under the title."""
+        page = self.page
+        page.heading("does")
+        self._inputs()
+        self._unsolved()
+        for key in verdicts_of(page.given)[2:]:
+            getattr(self, f"_{key}")(key)
+        self._line()
+
+    # --- one line each
+
+    def _entry(
+        self, key: str, value: Node, unit: str, words: Sequence[tuple[str, Node | str]], otherwise: Node | str,
+        red: str = "FALSE", amber: str = "FALSE", **holes: Node | float,
+    ) -> None:  # fmt: skip
+        """A number and what it says: the words of the first test that holds. Tests are over `value` and the holes."""
+        page, row = self.page, self.page.rows.of["does", key]
+        number = CellRef(row, VALUE, True, True)
+        page.put(row, SYMBOL, page.text(f"does.{key}"), styles.SYMBOL)
+        whole = not unit and key not in ("together",)
+        style = styles.decimals(styles.RESULT, 0 if whole else 4)
+        page.formula(row, VALUE, formula("IFERROR(value,NA())", value=value), style)
+        page.put(row, UNIT, unit, styles.UNIT)
+        said: Node = Text(otherwise) if isinstance(otherwise, str) else otherwise
+        for test, reason in reversed(words):
+            condition = formula(test, value=number, **holes)
+            said = formula("IF(condition,reason,said)", condition=condition, reason=reason, said=said)
+        if key not in (INPUTS, UNSOLVED):
+            said = formula("IF(_unsolved>0,none,IFERROR(said,nothing))", said=said, none="–", nothing="–")
+        page.formula_across(row, USED, MEANING, said, styles.VERDICT)
+        bad, poor = (
+            formula(f"IFERROR({test},{otherwise})", value=number, **holes)
+            for test, otherwise in ((red, "TRUE"), (amber, "FALSE"))
+        )
+        grade = formula("IF(bad,no,IF(poor,doubt,yes))", bad=bad, poor=poor, no=NO, doubt=DOUBT, yes=YES)
+        page.formula(row, ROUNDED, grade, styles.centred(styles.VERDICT))
+        area = Area(row, ROUNDED, row, MEANING)
+        for mark, colours in ((NO, styles.BAD), (DOUBT, styles.WARN), (YES, styles.GOOD)):
+            condition = formula("mark=own", mark=CellRef(row, ROUNDED, True, True), own=mark)
+            page.conditionals.append(Conditional(area, condition, colours))
+
+    def _inputs(self) -> None:
+        """The number of the first input that cannot be, 0 where all can."""
+        page, inputs = self.page, self.page.given.inputs
+        none = 10.0 ** len(str(len(inputs) + 1)) - 1  # more than there are
+        numbers = [
+            formula("number+none*good", number=number, none=none, good=formula("(good)*1", good=can_be(page, symbol)))
+            for number, symbol in enumerate(inputs, 1)
+        ]
+        first = formula("MOD(least,none)", least=al.smallest([*numbers, al.number(none)]), none=none)
+        names = self._column("task", SYMBOL)
+        before, after = page.plan.text("verdict.inputs.wrong", symbol="#").split("#")
+        number = CellRef(page.rows.of["does", INPUTS], VALUE, True, True)
+        wrong = joined(before, formula("INDEX(names,number)", names=names, number=number), after)
+        self._entry(INPUTS, first, "", [("value>0", wrong)], page.text("inputs.fine"), red="value>0")
+
+    def _unsolved(self) -> None:
+        page = self.page
+        wrong = CellRef(page.rows.of["does", INPUTS], VALUE, True, True)
+        solved = al.all_of([formula("ISNUMBER(step)", step=page.cell(symbol)) for symbol in page.given.ends])
+        state = formula("IF(wrong>0,input,IF(solved,yes,none))", wrong=wrong, solved=solved, yes=SOLVED,
+                        none=NO_SOLUTION, input=WRONG_INPUT)  # fmt: skip
+        self._entry(UNSOLVED, state, "", [(f"value={NO_SOLUTION}", self._why())], page.text("solved"), red="value>0")
+
+    def _why(self) -> Node:
+        """Why there is no solution: what the first step without a value says of it."""
+        page = self.page
+        why: Node = Text(page.text("nothing"))
+        for symbol, _ in reversed(page.given.reasons):
+            said = CellRef(page.rows.of["solution", symbol], REMARK, True, True)
+            why = formula("IF(ISNUMBER(step),why,said)", step=page.cell(symbol), why=why, said=said)
+        return why
+
+    def _column(self, block: str, col: int) -> RangeRef:
+        """A column of a table of this sheet, anchored."""
+        rows = [row for (name, _), row in self.page.rows.of.items() if name == block]
+        return RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True))
+
+    def _meets(self, key: str) -> None:
+        """The largest error of what is asked, in parts of each unit."""
+        page = self.page
+        errors = self._column("asked", USED)
+        kinds = {each.kind for each in requirements(page.given)}
+        unit = page.unit_text(kinds.pop()) if len(kinds) == 1 else ""
+        value = formula("MAX(MAX(errors),-MIN(errors))", errors=errors)
+        missing = formula("COUNT(errors)<ROWS(errors)", errors=errors)
+        largest_error = joined(page.text("meets.about"), formula("ROUND(number,4)", number=CellRef(
+            page.rows.of["does", key], VALUE, True, True)), f" {unit}" if unit not in ("", "°") else unit)  # fmt: skip
+        self._entry(
+            key, formula("IF(missing,NA(),value)", missing=missing, value=value), unit or " ",
+            [("ISNA(value)", page.text("meets.not")), (f"value>{EXACT}", largest_error)], page.text("meets.exactly"),
+            red="ISNA(value)", amber=f"value>{EXACT}",
+        )  # fmt: skip
+
+    def _assemblies(self, key: str) -> None:
+        """On how many of the two assemblies the points lie."""
+        page = self.page
+        names = [name for name in page.given.names if name.startswith("side_p")]
+        sides = [page.cell(page.given.names[name]) for name in names]
+        total = formula("ABS(total)", total=al.total(sides))
+        listed: list[Node | str] = [page.text("assemblies.both")]
+        for number, side in enumerate(sides, 1):
+            listed.append(formula("IF(side>0,plus,minus)", side=side, plus=f" {number}: +", minus=f" {number}: −"))
+        value = formula("IF(total=count,1,2)", total=total, count=len(sides))
+        self._entry(key, value, "", [("value=2", joined(*listed))], page.text("assemblies.one"), red="value=2")
+
+    def _order(self, key: str) -> None:
+        """Whether the input goes through the points one after the other."""
+        page = self.page
+        if page.given.kind == "guidance":
+            two, three = page.tree("beta_A2"), page.tree("beta_A3")
+            value = formula("IF(AND(two*three>0,ABS(three)>ABS(two)),1,0)", two=two, three=three)
+        else:
+            count = int(page.given.chosen["points"])
+            steps = [page.tree(f"theta_p{n + 1} - theta_p{n}") for n in range(1, count)]
+            value = formula("IF(ABS(total)=count,1,0)", total=al.total(formula("SIGN(step)", step=step) for step in steps),
+                            count=len(steps))  # fmt: skip
+        self._entry(key, value, "", [("value=0", page.text("order.not"))], page.text("order.kept"), amber="value=0")
+
+    def _closes_throughout(self, key: str) -> None:
+        """In how many rows of the range the mechanism closes."""
+        column = self._column("curve", self._curve_col("mu"))
+        self._entry(
+            key, formula("COUNT(column)", column=column), "",
+            [("value<most", self.page.text("closes_throughout.not"))], self.page.text("closes_throughout.all"),
+            red="value<most", most=formula("ROWS(column)", column=column),
+        )  # fmt: skip
+
+    def _curve_col(self, key: str) -> int:
+        return curve_columns(self.page.given)[key]
+
+    def _transmission_used(self, key: str) -> None:
+        """The least transmission angle over the range."""
+        column = self._column("curve", self._curve_col("mu"))
+        half = 180.0 if self.page.degrees else al.PI
+        # folded: what is above 90 degrees counts from the other side
+        value = formula("MIN(low,half-high)", low=_least(column), half=half, high=_most(column))
+        self._transmits(key, value)
+
+    def _transmits(self, key: str, value: Node) -> None:
+        page = self.page
+        unit = page.unit_text("angle")
+        poor = POOR if page.degrees else formula("RADIANS(poor)", poor=POOR)
+        self._entry(
+            key, value, unit, [("value<poor", page.text("transmission.poor"))], page.text("transmission.good"),
+            amber="value<poor", poor=poor,
+        )  # fmt: skip
+
+    def _transmission_least(self, key: str) -> None:
+        self._transmits(key, self.page.cell(self.page.given.results["mu_min"]))
+
+    def _together(self, key: str) -> None:
+        """Whether one assembly has both dead centres."""
+        page = self.page
+        value = page.cell(page.given.names["together"])
+        self._entry(
+            key, value, "", [("value<=0", page.text("together.not"))], page.text("together.both"), red="value<=0"
+        )
+
+    def _turns(self, key: str) -> None:
+        """Whether the crank turns fully."""
+        page = self.page
+        four_bar = page.given.kind == "dead-centres"
+        fits = page.tree("min(a3 + a4 - a1 - a2, a1 - a2 - abs(a3 - a4))" if four_bar else "a3 - a2 - abs(c)")
+        unit = page.unit_text("length")
+        self._entry(key, fits, unit, [("value<0", page.text("turns.not"))], page.text("turns.fully"), red="value<0")
+
+    def _at_dead_centre(self, key: str) -> None:
+        """How near a point is to a dead centre."""
+        page = self.page
+        column = self._column("asked", MU)
+        half = 180.0 if page.degrees else al.PI
+        value = formula("MIN(low,half-high)", low=_least(column), half=half, high=_most(column))
+        near = DEAD if page.degrees else formula("RADIANS(dead)", dead=DEAD)
+        self._entry(
+            key, value, page.unit_text("angle"), [("value<near", page.text("at_dead_centre.yes"))],
+            page.text("at_dead_centre.no"), amber="value<near", near=near,
+        )  # fmt: skip
+
+    def _sensitivity(self, key: str) -> None:
+        """The largest change of a length for a small change of one input, as a part of the length."""
+        page = self.page
+        found: list[Node] = []
+        for symbol in largest(page.given, page.dimensions):
+            row = page.rows.of["solution", symbol]
+            first, last = sensitivity_columns(page.given)
+            changes = RangeRef(CellRef(row, first, True, True), CellRef(row, last, True, True))
+            found.append(
+                formula("MAX(MAX(changes),-MIN(changes))/ABS(length)", changes=changes, length=page.cell(symbol))
+            )
+        value = formula("100*most", most=al.largest(found))
+        number = CellRef(page.rows.of["does", key], VALUE, True, True)
+        words = joined(page.text("sensitivity.about"), formula("ROUND(number,2)", number=number), " %")
+        self._entry(key, value, "%", [], words, amber=f"value>{100 * COARSE}")
+
+    # --- the line
+
+    def _line(self) -> None:
+        """The words of the first red verdict, else those of the first amber one, else that all is well."""
+        page = self.page
+        rows = [page.rows.of["does", key] for key in verdicts_of(page.given)]
+        marks, words = (
+            RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True)) for col in (ROUNDED, USED)
+        )
+        said: Node = Text(page.text("does.all"))
+        for mark in (DOUBT, NO):
+            found = formula("INDEX(words,MATCH(mark,marks,0))", words=words, mark=mark, marks=marks)
+            said = formula("IFERROR(found,said)", found=found, said=said)
+        page.formula_across(LINE_ROW, SYMBOL, MEANING, said, styles.LINE)
+        area = Area(LINE_ROW, SYMBOL, LINE_ROW, MEANING)
+        for test, style in (
+            ("COUNTIF(marks,no)>0", styles.BAD),
+            ("AND(COUNTIF(marks,no)=0,COUNTIF(marks,doubt)>0)", styles.WARN),
+            ("COUNTIF(marks,no)+COUNTIF(marks,doubt)=0", styles.GOOD),
+        ):
+            condition = formula(test, marks=marks, **{"no": NO, "doubt": DOUBT} if "doubt" in test else {"no": NO})
+            page.conditionals.append(Conditional(area, condition, style))
+
+
+def _least(column: RangeRef) -> Node:
+    return over_rows(LEAST, column)
+
+
+def _most(column: RangeRef) -> Node:
+    return over_rows(MOST, column)

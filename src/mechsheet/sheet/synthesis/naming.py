@@ -1,0 +1,26 @@
+"""The names in which expressions about a synthesis are written, and the symbols that they mean."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from mechsheet.formula.nodes import Node, Symbol, transform
+from mechsheet.formula.parser import parse_description
+from mechsheet.model import Synthesis
+
+
+class Naming:
+    """Results mean the mechanism's dimensions where it takes them, else their exact values."""
+
+    def __init__(self, task: Synthesis) -> None:
+        used = {name: symbol for symbol, name in task.taken.items()}
+        modes = {name: symbol for symbol, name in task.mode.items()}
+        self.used: Mapping[str, str] = {**task.names, **task.results, **used, **modes}
+
+    def tree(self, text: str | Node) -> Node:
+        """The tree of an expression in the description's notation."""
+
+        def named(part: Node) -> Node:
+            return Symbol(self.used.get(part.name, part.name)) if isinstance(part, Symbol) else part
+
+        return transform(parse_description(text) if isinstance(text, str) else text, named)

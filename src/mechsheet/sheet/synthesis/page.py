@@ -1,0 +1,113 @@
+"""What the parts of the sheet of synthesis share: cells, formulas over names, headings."""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Call, CellRef, Node, Symbol, transform
+from mechsheet.kinematics.solve import dimension_values
+from mechsheet.model import Dimension, Synthesis
+from mechsheet.sheet import styles
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.synthesis.naming import Naming
+from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
+from mechsheet.sheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
+
+LARGE = 1e6
+"""A number from here on would not fit its cell with six decimals."""
+
+
+class Page:
+    """Collects the cells."""
+
+    def __init__(self, plan: Plan, task: Synthesis, rows: Rows) -> None:
+        self.plan, self.given, self.rows = plan, task, rows
+        self.title = plan.at.titles["synthesis"]
+        self.naming = Naming(task)
+        self.dimensions: dict[str, Dimension] = {dim.symbol: dim for dim in plan.mechanism.dimensions}
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.merges: list[Merge] = []
+        self.validations: list[Validation] = []
+        self.conditionals: list[Conditional] = []
+        self.charts: list[Chart] = []
+        self.nominal = dimension_values(plan.mechanism)
+
+    def text(self, key: str, **parts: object) -> str:
+        """A word of the sheet."""
+        return self.plan.text(f"synthesis.{key}", **parts)
+
+    def put(self, row: int, col: int, content: Content, style: Style) -> None:
+        """A constant."""
+        self.cells.append(Cell(row, col, content, style))
+
+    def formula(self, row: int, col: int, node: Node, style: Style, rows: int = 1) -> None:
+        """A formula over symbols."""
+        self.fills.append(Fill(row, col, self.plan.at.bind(node, self.title), style, rows=rows))
+
+    def cell(self, symbol: str) -> Node:
+        """A quantity as people read it."""
+        return self.plan.at.cell(symbol, self.title, None)
+
+    def tree(self, text: str | Node, **cells: Node) -> Node:
+        """An expression over names of the task, with some of its names standing for cells of this sheet."""
+
+        def placed(part: Node) -> Node:
+            return cells.get(part.name, part) if isinstance(part, Symbol) else part
+
+        return transform(self.naming.tree(text), placed)
+
+    @property
+    def degrees(self) -> bool:
+        """Whether angles are shown in degrees."""
+        return self.plan.mechanism.angle_unit.in_degrees
+
+    def shown(self, node: Node, kind: str) -> Node:
+        """A value as people read it, #N/A where there is none."""
+        return formula("IFERROR(value,NA())", value=Call("DEGREES", (node,)) if self.is_degrees(kind) else node)
+
+    def read(self, cell: CellRef, kind: str) -> Node:
+        """What such a cell holds, in internal units."""
+        return Call("RADIANS", (cell,)) if self.is_degrees(kind) else cell
+
+    def is_degrees(self, kind: str) -> bool:
+        """Whether a quantity of that kind is shown in degrees."""
+        return kind == "angle" and self.degrees
+
+    def unit_text(self, kind: str) -> str:
+        """The unit of a kind."""
+        if kind == "length":
+            return self.plan.mechanism.length_unit
+        return self.plan.mechanism.angle_unit.text if kind == "angle" else ""
+
+    def number_style(self, kind: str, style: Style) -> Style:
+        """As many decimals as say something: four of a length or an angle in degrees, six of a ratio."""
+        return styles.decimals(style, 4 if kind == "length" or self.is_degrees(kind) else 6)
+
+    def dimension_style(self, dim: Dimension, style: Style) -> Style:
+        """The same of a dimension; one that is large, as it is described, as a power of ten."""
+        if dim.unit.kind == "number" and abs(self.nominal[dim.symbol]) >= LARGE:
+            return styles.numbered(style, "0.00000E+00")
+        return styles.decimals(style, 4 if dim.unit.kind == "length" or dim.unit.in_degrees else 6)
+
+    def heading(self, block: str, last: int = MEANING, **columns: str) -> None:
+        """The heading of a block across the columns, with what stands over single ones."""
+        row = self.rows.heads[block]
+        over = {VALUE: "value", ROUNDED: "rounded", USED: "used", MEANING: "meaning", REMARK: "remark"}
+        for col in range(SYMBOL, last + 1):
+            content = self.text(block) if col == SYMBOL else columns.get(over.get(col, ""))
+            self.put(row, col, content, styles.SECTION)
+
+    def across(self, row: int, first: int, last: int, content: Content, style: Style) -> None:
+        """A text in cells shown as one."""
+        self.put(row, first, content, style)
+        self._rest(row, first, last, style)
+
+    def formula_across(self, row: int, first: int, last: int, node: Node, style: Style) -> None:
+        """A formula in cells shown as one."""
+        self.formula(row, first, node, style)
+        self._rest(row, first, last, style)
+
+    def _rest(self, row: int, first: int, last: int, style: Style) -> None:
+        for col in range(first + 1, last + 1):
+            self.put(row, col, None, style)
+        self.merges.append(Merge(Area(row, first, row, last)))

@@ -1,0 +1,157 @@
+"""The charts of the sheet of synthesis: the positions that the task asks for, at true scale, and the curve."""
+
+from __future__ import annotations
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import CellRef, Node, RangeRef
+from mechsheet.sheet import styles
+from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.synthesis.curves import curve_of
+from mechsheet.sheet.synthesis.figures import Line, lines_of
+from mechsheet.sheet.synthesis.page import Page
+from mechsheet.sheet.synthesis.planning import WINDOW
+from mechsheet.sheet.synthesis.requirements import requirements
+from mechsheet.sheet.synthesis.rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, SYMBOL, UNIT, USED, VALUE
+from mechsheet.sheet.synthesis.tables import curve_columns
+from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
+
+SIZE, LEGEND, WIDTH, GAP = 330, 70, 460, 12
+"""Pixels: the side of the figure, what its title and legend take, the width of the curve, what is between them."""
+
+INNER = (0.02, 34 / (SIZE + LEGEND), 0.96, 0.96 * SIZE / (SIZE + LEGEND))
+"""Square, so that a circle is round."""
+
+MARGIN = 1.12
+"""The figure's window is larger than what it shows."""
+
+
+def write_figure(page: Page) -> None:
+    """The points of the figure, their window, and where they lie in it."""
+    lines = lines_of(page.given)
+    page.heading("figure", value="x", rounded="y", used="X", meaning="Y")
+    count = sum(len(line.vertices) for line in lines)
+    first = page.rows.of["figure", "0"]
+    columns = {
+        axis: RangeRef(CellRef(first, col, True, True), CellRef(first + count - 1, col, True, True))
+        for axis, col in (("x", VALUE), ("y", ROUNDED))
+    }
+    window = {key: CellRef(page.rows.of["figure", key], VALUE, True, True) for key in WINDOW}
+    style = page.number_style("length", styles.RESULT)
+    for axis in "xy":
+        middle = formula("(MAX(column)+MIN(column))/2", column=columns[axis])
+        _window(page, axis, middle)
+    spans = [formula("MAX(column)-MIN(column)", column=columns[axis]) for axis in "xy"]
+    _window(page, "half", al.mul(al.number(MARGIN / 2), al.largest(spans)))
+    row = first
+    for line in lines:
+        for name, x, y in line.vertices:
+            page.put(row, SYMBOL, name, styles.SYMBOL)
+            page.formula(row, VALUE, page.shown(page.tree(x), "length"), style)
+            page.put(row, UNIT, page.unit_text("length"), styles.UNIT)
+            page.formula(row, ROUNDED, page.shown(page.tree(y), "length"), style)
+            for axis, col, shown in (("x", VALUE, USED), ("y", ROUNDED, MEANING)):
+                place = formula("(cell-middle)/half", cell=CellRef(row, col), middle=window[axis], half=window["half"])
+                page.formula(row, shown, place, styles.decimals(styles.INNER, 4))
+            row += 1
+    page.charts.append(_figure(page, lines, first))
+
+
+def _window(page: Page, key: str, node: Node) -> None:
+    row = page.rows.of["figure", key]
+    page.put(row, SYMBOL, page.text(f"figure.window.{key}"), styles.SYMBOL)
+    page.formula(row, VALUE, formula("IFERROR(node,NA())", node=node), page.number_style("length", styles.RESULT))
+    page.put(row, UNIT, page.unit_text("length"), styles.UNIT)
+
+
+def _figure(page: Page, lines: list[Line], first: int) -> Chart:
+    series, row, named = [], first, set()
+    for line in lines:
+        last = row + len(line.vertices) - 1
+        color = styles.SERIES[line.color % len(styles.SERIES)]
+        x, y = (SeriesRef(page.title, Area(row, col, last, col)) for col in (USED, MEANING))
+        name = page.text(line.key, number=line.number)
+        legend = name not in named
+        named.add(name)
+        width, marker = (2.0, "circle") if line.pins else (1.25, "")
+        series.append(
+            Series(
+                name, x, y, line=color, width=width, dash=line.dash, marker=marker, marker_line=color,
+                marker_fill="FFFFFF", in_legend=legend,
+            )
+        )  # fmt: skip
+        row = last + 1
+    title = page.text(f"figure.{page.given.kind}")
+    return Chart(
+        title,
+        Anchor(FIRST_ROW, CHARTS, SIZE, SIZE + LEGEND, dx=GAP),
+        tuple(series),
+        HIDDEN_AXIS,
+        HIDDEN_AXIS,
+        legend="bottom",
+        inner=INNER,
+        name="synthesis figure",
+        alt_text=title,
+    )
+
+
+def write_curve_chart(page: Page) -> None:
+    """The curve over its range; of a function generator with the points that are wanted."""
+    curve = curve_of(page.given)
+    if curve is None:
+        return
+    places = curve_columns(page.given)
+    first = page.rows.of["curve", "0"]
+    last = first + curve.rows - 1
+
+    def column(key: str) -> SeriesRef:
+        return SeriesRef(page.title, Area(first, places[key], last, places[key]))
+
+    series = [Series(page.text(f"curve.{curve.y}"), column(curve.x), column(curve.y), line=styles.SERIES[0], width=2.0)]
+    if curve.wanted:
+        wanted = Series(
+            page.text("curve.wanted"), column(curve.x), column(curve.wanted), line=styles.SERIES[1], dash="dash"
+        )
+        series.append(wanted)
+    x_axis = Axis(page.text(f"curve.axis.{curve.x}"))
+    if page.given.kind == "function":
+        series.append(_points(page))
+    elif curve.x == "lam":
+        series.append(_here(page))
+        x_axis = Axis(page.text("curve.axis.lam"), low=1.0, high=10.0, step=1.0)
+    title = page.text(f"curve.title.{page.given.kind}")
+    anchor = Anchor(FIRST_ROW, CHARTS, WIDTH, SIZE + LEGEND, dx=SIZE + 2 * GAP)
+    page.charts.append(
+        Chart(
+            title, anchor, tuple(series), x_axis, Axis(page.text(f"curve.axis.{curve.y}")), legend="bottom",
+            name="synthesis curve", alt_text=title,
+        )
+    )  # fmt: skip
+
+
+def _points(page: Page) -> Series:
+    """The precision points: angles of the input beside those of the output, in the rows of what is asked."""
+    count = len(requirements(page.given))
+    first = page.rows.of["asked", "0"]
+    x = SeriesRef(page.title, Area(first, _THETA, first + count - 1, _THETA))
+    y = SeriesRef(page.title, Area(first, VALUE, first + count - 1, VALUE))
+    for number in range(count):
+        theta = page.shown(page.tree(f"theta_p{number + 1}"), "angle")
+        page.formula(first + number, _THETA, theta, page.number_style("angle", styles.RESULT))
+    page.put(first - 1, _THETA, "θ", styles.SECTION)
+    color = styles.SERIES[1]
+    return Series(
+        page.text("figure.points"), x, y, marker="circle", marker_size=8, marker_line=color, marker_fill=color
+    )
+
+
+_THETA = 8
+"""The column beside the table of what is asked in which the points have their input angle."""
+
+
+def _here(page: Page) -> Series:
+    """The λ of the solution, with its least transmission angle."""
+    lam, mu = (page.rows.of["result", name] for name in ("lam", "mu_min"))
+    x, y = (SeriesRef(page.title, Area(row, VALUE, row, VALUE)) for row in (lam, mu))
+    color = styles.SERIES[1]
+    return Series(page.text("curve.here"), x, y, marker="circle", marker_size=9, marker_line=color, marker_fill=color)

@@ -1,0 +1,133 @@
+"""The tables of the sheet of synthesis: what is asked and what is got, a curve over a range, changes of the solution."""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import CellRef, Node, Symbol, transform
+from mechsheet.formula.parser import parse_description
+from mechsheet.model import Synthesis
+from mechsheet.sheet import styles
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.synthesis.curves import curve_of
+from mechsheet.sheet.synthesis.page import Page
+from mechsheet.sheet.synthesis.requirements import Requirement, requirements
+from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
+from mechsheet.sheet.synthesis.sensitivity import changes, mark
+from mechsheet.sheet.workbook import Column
+from mechsheet.words.synthesis import step_words
+
+MU = REMARK + 1
+"""The column beside the table of what is asked in which a function generator's points have their transmission angle; the
+first of the changes beside the solution."""
+
+CURVE_COLUMNS = (VALUE, ROUNDED, USED, MEANING, REMARK)
+
+
+def curve_columns(task: Synthesis) -> dict[str, int]:
+    """Key of a column of the curve's table -> where it stands."""
+    curve = curve_of(task)
+    return {} if curve is None else dict(zip(curve.columns, CURVE_COLUMNS, strict=False))
+
+
+def sensitivity_columns(task: Synthesis) -> tuple[int, int]:
+    """First and last column of the changes, beside the solution."""
+    return MU, MU + sum(1 for symbol in task.inputs if symbol != task.rounding) - 1
+
+
+# --- what is asked -------------------------------------------------------------------------------------------------
+
+
+def write_asked(page: Page) -> None:
+    """Wanted, got, the difference."""
+    text = page.text
+    page.heading("asked", REMARK, value=text("wanted"), rounded=text("got"), used=text("error"))
+    if page.given.kind == "function":
+        page.put(page.rows.heads["asked"], MU, "μ", styles.SECTION)
+    for number, asked in enumerate(requirements(page.given)):
+        _asked(page, page.rows.of["asked", str(number)], number + 1, asked)
+
+
+def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
+    style = page.number_style(asked.kind, styles.RESULT)
+    wanted, got = (CellRef(row, col) for col in (VALUE, ROUNDED))
+    page.put(row, SYMBOL, str(number), styles.SYMBOL)
+    page.formula(row, VALUE, page.shown(page.tree(asked.wanted), asked.kind), style)
+    page.put(row, UNIT, page.unit_text(asked.kind), styles.UNIT)
+    found: Node = page.tree(asked.got)
+    if asked.kind == "angle":
+        raw = CellRef(row, REMARK)
+        page.formula(row, REMARK, page.shown(found, "angle"), style)
+        apart = page.read(raw, "angle"), page.read(wanted, "angle")
+        # whole turns are none
+        off = formula("ATAN2(COS(raw-wanted),SIN(raw-wanted))", raw=apart[0], wanted=apart[1])
+        page.formula(row, ROUNDED, formula("wanted+off", wanted=wanted, off=page.shown(off, "angle")), style)
+    else:
+        page.formula(row, ROUNDED, page.shown(found, asked.kind), style)
+        page.put(row, REMARK, None, styles.LABEL)
+    page.formula(row, USED, formula("got-wanted", got=got, wanted=wanted), styles.numbered(style, "0.0E+00"))
+    words = step_words(asked.key, **dict(asked.parts))
+    page.put(row, MEANING, words.of(page.plan.language), styles.LABEL)
+    if page.given.kind == "function":
+        squared = f"(a1^2 + a2^2 - 2*a1*a2*cos(theta_p{number} + theta_offset))"
+        mu = page.tree(f"acos((a3^2 + a4^2 - {squared})/(2*a3*a4))")
+        page.formula(row, MU, page.shown(mu, "angle"), style)
+
+
+# --- the curve -----------------------------------------------------------------------------------------------------
+
+
+def write_curve(page: Page) -> None:
+    """One formula a column, filled down."""
+    curve = curve_of(page.given)
+    if curve is None:
+        return
+    first = page.rows.of["curve", "0"]
+    places = curve_columns(page.given)
+    head = page.rows.heads["curve"]
+    over = {SYMBOL: "curve", **{col: f"curve.{key}" for key, col in places.items()}}
+    for col in range(SYMBOL, REMARK + 1):
+        page.put(head, col, page.text(over[col]) if col in over else None, styles.SECTION)
+    for number in range(curve.rows):
+        page.put(first + number, SYMBOL, float(number), styles.INNER)
+    cells: dict[str, Node] = {"n": CellRef(first, SYMBOL)}
+    for key, (text, kind) in curve.columns.items():
+        col = places[key]
+        node = page.shown(_in_row(page, text, cells), kind)
+        page.formula(first, col, node, page.number_style(kind, styles.COLUMN), rows=curve.rows)
+        cells[key] = page.read(CellRef(first, col), kind)
+
+
+def _in_row(page: Page, text: str | Node, cells: dict[str, Node]) -> Node:
+    """An expression over names of the task and columns of the row; the columns come first."""
+    marked = {key: f"# {key}" for key in cells}
+
+    def own(part: Node) -> Node:
+        return Symbol(marked[part.name]) if isinstance(part, Symbol) and part.name in marked else part
+
+    tree = transform(parse_description(text) if isinstance(text, str) else text, own)
+    return page.tree(tree, **{name: cells[key] for key, name in marked.items()})
+
+
+# --- changes -------------------------------------------------------------------------------------------------------
+
+
+def write_changes(page: Page) -> tuple[Column, ...]:
+    """By how much each step changes with each input, beside the solution; folded."""
+    first, last = sensitivity_columns(page.given)
+    columns = [symbol for symbol in page.given.inputs if symbol != page.given.rounding]
+    head = page.rows.heads["solution"]
+    for number, symbol in enumerate(columns):
+        unit = "0.1°" if page.dimensions[symbol].unit.kind == "angle" else "0.1 %"
+        page.put(head, first + number, f"d{plain(symbol)} {unit}", styles.SECTION)
+    found = changes(page.given, page.dimensions)
+
+    def cell(step: str, column: str) -> CellRef:
+        return CellRef(page.rows.of["solution", step], first + columns.index(column), True, True)
+
+    places = {mark(step, column): cell(step, column) for step, column in found}
+    for (step, column), node in found.items():
+        bound = transform(node, lambda part: places.get(part.name, part) if isinstance(part, Symbol) else part)
+        value = formula("IFERROR(value,NA())", value=bound)
+        at = cell(step, column)
+        page.formula(at.row, at.col, value, styles.numbered(styles.RESULT, "0.0E+00"))
+    return (Column(first, last, 14, level=1),)

@@ -1,0 +1,203 @@
+"""The summary workbook of a study: the best designs, the front with its chart, and what was asked.
+
+For people: who wants all designs reads the Parquet files. The commands are formulas over the yellow cells, so that a folder
+that was moved is typed once; the chart follows the cells of the front.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from mechsheet.compiled.evaluation import computed
+from mechsheet.formula.nodes import Binary, CellRef, Node, Text
+from mechsheet.model import Objective, Range
+from mechsheet.sheet import styles
+from mechsheet.sheet.workbook import (
+    Anchor,
+    Area,
+    Axis,
+    Cell,
+    Chart,
+    Column,
+    Fill,
+    PrintSetup,
+    Properties,
+    Series,
+    SeriesRef,
+    Sheet,
+    Style,
+    Workbook,
+)
+from mechsheet.words.study import study_words
+
+if TYPE_CHECKING:
+    from mechsheet.studies.run import Studied
+
+MOST_FRONT = 2_000
+"""Designs of the front that a sheet holds: a chart of more is a blot."""
+
+HEAD_ROW, FIRST = 5, 6
+DIGITS = 7
+"""A value is shown with so many digits at most; the cell holds them all."""
+
+NUMBER = styles.numbered(styles.COLUMN, "0.0000")
+WHOLE = styles.numbered(styles.COLUMN, "0")
+COMMAND = styles.STATUS
+
+
+def book_of(found: Studied) -> Workbook:
+    """The workbook with every value."""
+    mechanism = found.designs.mechanism
+    sheets = [_best(found)]
+    if found.front is not None and found.front.num_rows and found.designs.study.objectives:
+        sheets.append(_front(found))
+    sheets.append(_settings(found))
+    title = mechanism.title.of(mechanism.language)
+    return computed(Workbook(tuple(sheets), properties=Properties(title=title, language=mechanism.language)))
+
+
+def _said(found: Studied, key: str, **parts: object) -> str:
+    return study_words(found.designs.mechanism.language, key, **parts)
+
+
+def heads_of(table: Any) -> list[str]:
+    """The names of columns with their units."""
+    units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in table.schema}
+    return [f"{name} [{units[name]}]" if units[name] else name for name in table.column_names]
+
+
+def _table(table: Any, row: int, col: int) -> list[Cell]:
+    """The cells of a table from a place on: what has no number is empty."""
+    cells = []
+    for across, name in enumerate(table.column_names):
+        style = WHOLE if name == "design" else NUMBER
+        for down, value in enumerate(table.column(name).to_pylist()):
+            cells.append(Cell(row + down, col + across, None if value is None else float(value), style))
+    return cells
+
+
+def _best(found: Studied) -> Sheet:
+    mechanism, table = found.designs.mechanism, found.best
+    title = _said(found, "title", title=mechanism.title.of(mechanism.language), count=0 if table is None else table.num_rows,
+                  kept=f"{found.result.kept:,}")  # fmt: skip
+    cells = [Cell(0, 0, title, styles.TITLE), Cell(1, 0, _said(found, "about"), styles.SUBTITLE)]
+    for row, (key, text) in enumerate(
+        (("description", f"{mechanism.stem}.toml"), ("folder", found.folder.path.name)), 2
+    ):
+        cells += [Cell(row, 0, _said(found, key), styles.LABEL), Cell(row, 2, text, styles.INPUT)]
+    if table is None:
+        return Sheet(_said(found, "best"), tuple(cells), columns=(Column(0, 0, 20.0), Column(1, 2, 14.0)))
+    front = set(found.ranked.front.tolist())
+    heads = [_said(found, "rank"), _said(found, "design"), *heads_of(table)[1:]]
+    last = len(heads)
+    tail = ([_said(found, "on_front")] if front else []) + [_said(found, "command")]
+    cells += [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate([*heads, *tail])]
+    cells += _table(table, FIRST, 1)
+    for row, design in enumerate(table.column("design").to_pylist()):
+        cells.append(Cell(FIRST + row, 0, float(row + 1), WHOLE))
+        if front:
+            words = _said(found, "yes") if design in front else None
+            cells.append(Cell(FIRST + row, last, words, styles.centred(styles.COLUMN)))
+    command = last + len(tail) - 1
+    fill = Fill(FIRST, command, _command(), COMMAND, rows=table.num_rows)
+    columns = (Column(0, 0, 20.0), Column(1, 1, 12.0), Column(2, command - 1, 13.0), Column(command, command, 70.0))
+    return Sheet(
+        _said(found, "best"), tuple(cells), (fill,), columns, row_heights=((0, 26.0), (HEAD_ROW, 42.0)),
+        freeze=(FIRST, 2), selected=(FIRST, 0), gridlines=False, print_setup=PrintSetup(repeat_rows=(HEAD_ROW, HEAD_ROW)),
+    )  # fmt: skip
+
+
+def _command() -> Node:
+    """mechsheet build DESCRIPTION --design FOLDER:17 -o design-17.xlsx, of the row's design."""
+    design = CellRef(FIRST, 1, False, True)
+    description, folder = (CellRef(row, 2, True, True) for row in (2, 3))
+    parts: list[Node] = [Text("mechsheet build "), description, Text(" --design "), folder, Text(":"), design]
+    parts += [Text(" -o design-"), design, Text(".xlsx")]
+    node = parts[0]
+    for part in parts[1:]:
+        node = Binary("&", node, part)
+    return node
+
+
+def _front(found: Studied) -> Sheet:
+    objectives, table = found.designs.study.objectives, found.front
+    every = found.ranked.front
+    if table.num_rows > MOST_FRONT:
+        table = table.take([round(at * (table.num_rows - 1) / (MOST_FRONT - 1)) for at in range(MOST_FRONT)])
+    names = list(dict.fromkeys(["design", *(each.text for each in objectives), *found.designs.varied]))
+    table = table.select(names)
+    cells = [
+        Cell(0, 0, _said(found, "front.title"), styles.TITLE),
+        Cell(1, 0, _said(found, "front.about"), styles.SUBTITLE),
+    ]
+    if table.num_rows < len(every) or not found.ranked.whole:
+        words = _said(found, "front.thinned", shown=f"{table.num_rows:,}", all=f"{len(every):,}")
+        cells.append(Cell(2, 0, words, styles.NOTE))
+    heads = heads_of(table)
+    cells += [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate([_said(found, "design"), *heads[1:]])]
+    cells += _table(table, FIRST, 0)
+    charts = (_chart(found, heads, table.num_rows),) if len(objectives) > 1 else ()
+    return Sheet(
+        _said(found, "front"), tuple(cells), columns=(Column(0, 0, 12.0), Column(1, len(heads) - 1, 15.0)), charts=charts,
+        row_heights=((0, 26.0), (HEAD_ROW, 42.0)), freeze=(FIRST, 1), gridlines=False,
+        print_setup=PrintSetup(repeat_rows=(HEAD_ROW, HEAD_ROW)),
+    )  # fmt: skip
+
+
+def _chart(found: Studied, heads: list[str], rows: int) -> Chart:
+    title, sheet = _said(found, "front.title"), _said(found, "front")
+    x, y = (SeriesRef(sheet, Area(FIRST, col, FIRST + rows - 1, col)) for col in (1, 2))
+    series = Series(
+        title, x, y, marker="circle", marker_size=6, marker_line=styles.SERIES[0], marker_fill=styles.SERIES[0]
+    )
+    words = [
+        f"{head}: {_aim(found, each)}" for head, each in zip(heads[1:], found.designs.study.objectives, strict=False)
+    ]
+    place = Anchor(FIRST, len(heads) + 1, 640, 440)
+    return Chart(title, place, (series,), Axis(words[0]), Axis(words[1]), legend="", alt_text=title)
+
+
+def _aim(found: Studied, objective: Objective) -> str:
+    return _said(found, "maximize" if objective.largest else "minimize")
+
+
+def _settings(found: Studied) -> Sheet:
+    designs, study = found.designs, found.designs.study
+    lines: list[tuple[str, str | float | None, Style]] = [
+        (_said(found, "designs"), float(found.result.designs), styles.numbered(styles.RESULT, "#,##0")),
+        (_said(found, "kept"), float(found.result.kept), styles.numbered(styles.RESULT, "#,##0")),
+    ]
+    share = len(lines)
+    lines += [
+        (_said(found, "share"), None, styles.RESULT),
+        (_said(found, "rows"), float(designs.rows), styles.numbered(styles.RESULT, "#,##0")),
+        (_said(found, "sample"), _said(found, study.sample), styles.VERDICT),
+    ]
+    if study.sample == "sobol":
+        lines.append((_said(found, "seed"), float(study.seed), styles.numbered(styles.RESULT, "0")))
+    lines.append((_said(found, "vary"), None, styles.SECTION))
+    lines += [(one.symbol, _span(one), styles.VERDICT) for one in study.vary]
+    lines.append((_said(found, "conditions"), None, styles.SECTION))
+    lines += [(text, float(count), styles.numbered(styles.RESULT, "#,##0")) for text, count in found.result.failed]
+    lines.append((_said(found, "objectives"), None, styles.SECTION))
+    lines += [(each.text, _aim(found, each), styles.VERDICT) for each in study.objectives]
+    lines.append((_said(found, "versions"), None, styles.SECTION))
+    lines += [(name, version, styles.VERDICT) for name, version in found.order.versions]
+    cells = [Cell(0, 0, _said(found, "settings"), styles.TITLE)]
+    for row, (label, value, style) in enumerate(lines, 2):
+        cells.append(Cell(row, 0, label, styles.SECTION if style is styles.SECTION else styles.LABEL))
+        if row != share + 2:
+            cells.append(Cell(row, 1, value, style))
+    ratio = Binary("/", CellRef(share + 1, 1, True, True), CellRef(share, 1, True, True))
+    fill = Fill(share + 2, 1, ratio, styles.numbered(styles.RESULT, "0.00%"))
+    return Sheet(
+        _said(found, "settings"), tuple(cells), (fill,), (Column(0, 0, 52.0), Column(1, 1, 34.0)), row_heights=((0, 26.0),),
+        gridlines=False,
+    )  # fmt: skip
+
+
+def _span(one: Range) -> str:
+    if one.values:
+        return ", ".join(f"{value:g}" for value in one.values)
+    step = f", {one.step:g}" if one.step else ""
+    return f"{one.low:g} … {one.high:g}{step}"

@@ -1,0 +1,112 @@
+"""A crank-rocker by its dead centres: the rocker swings by psi while the crank turns by phi, and back by 360 - phi.
+
+With lam = a3/a2 all lengths follow, as a part of a1:
+
+    D^2 = (1 - cos(phi - psi)) + (1 + cos(phi - psi)) lam^2
+    a2 = sqrt(2) sin(psi/2)/D,   a3 = lam a2,   a4 = sqrt((1 - cos(phi)) + (1 + cos(phi)) lam^2)/D
+
+The dead centres lie on one side of A0B0, so that one assembly has both, for lam < (1 + m)/(1 - m), m being the smaller of
+u and 1/u, u = -cos(phi - psi/2)/cos(psi/2). The lam with the largest least transmission angle is t/sqrt(Q), Q > 0 of
+
+    Q^3 + 2 Q^2 - t^2 Q - t^2 (1 + t^2)/u^2 = 0,   t = tan(phi/2), u = tan((phi - psi)/2)
+
+Sources: Soeylemez, Mechanisms, section 7.1, equations 9 to 12; F. Freudenstein and E. J. F. Primrose, The classical
+transmission angle problem, IMechE conference on mechanisms (1972).
+"""
+
+from __future__ import annotations
+
+from mechsheet.synthesis.cubic import root
+from mechsheet.synthesis.writing import Writer
+
+LONGEST = "400"
+"""A coupler of so many cranks is none that anybody builds: beyond it no best one is looked for."""
+
+
+def write(w: Writer) -> None:
+    """Inputs, steps and results."""
+    w.length("a1", positive=True)
+    w.given_result("a1")
+    w.angle("psi", words="swing_given")
+    _turn(w)
+    domain = "min(min(psi, pi - psi), min(phi - (pi + psi)/2, (3*pi + psi)/2 - phi))"
+    w.step("domain", domain, w.units.angle, "domain")
+    _ratio(w)
+    _lengths(w)
+    _positions(w)
+    _transmission(w)
+
+
+def _turn(w: Writer) -> None:
+    """The crank's turn on the slow way, given or from the time ratio."""
+    if w.task.has("phi"):
+        w.angle("phi", words="turn")
+        w.given_result("phi")
+        w.result("time_ratio", "phi/(2*pi - phi)", w.units.number, "time_ratio", "2*pi - phi")
+    else:
+        w.number("time_ratio", positive=True)
+        w.given_result("time_ratio")
+        w.result("phi", "pi + pi*(time_ratio - 1)/(time_ratio + 1)", w.units.angle, "turn")
+
+
+def _ratio(w: Writer) -> None:
+    """lam: given, from the crank's length, or the best."""
+    plain = w.units.number
+    w.step("A", "1 - cos(phi - psi)", plain, "less_cosine", "domain")
+    w.step("B", "1 + cos(phi - psi)", plain, "more_cosine", "domain")
+    if w.task.has("lam"):
+        w.number("lam", positive=True, words="lam")
+        w.given_result("lam")
+    elif w.task.has("a2"):
+        w.length("a2", positive=True)
+        w.step("lam_squared", "(2*(sin(psi/2)*a1/a2)^2 - A)/B", plain, "lam_squared")
+        w.result("lam", "sqrt(lam_squared)", plain, "lam_from_crank", "lam_squared - 1")
+    else:
+        w.step("t_squared", "tan(phi/2)^2", plain, "t_squared", "abs(cos(phi/2)) - 1e-9")
+        w.step("u_squared", "tan((phi - psi)/2)^2", plain, "u_squared", "domain")
+        w.step("b_cubic", "2 + 0*t_squared", plain, "cubic_b")
+        w.step("c_cubic", "-t_squared", plain, "cubic_c")
+        w.step("d_cubic", "-t_squared*(1 + t_squared)/u_squared", plain, "cubic_d")
+        root(w, "Q", "b_cubic", "c_cubic", "d_cubic")
+        w.step("lam_squared", "t_squared/Q", plain, "lam_squared", "Q")
+        w.result("lam", "sqrt(lam_squared)", plain, "best_lam", f"min(lam_squared - 1, {LONGEST}^2 - lam_squared)")
+
+
+def _lengths(w: Writer) -> None:
+    """Equations 9 to 12 of the text."""
+    length = w.units.length
+    w.step("D", "sqrt(A + B*lam^2)", w.units.number, "D", "lam - 1")
+    if w.task.has("a2"):
+        w.given_result("a2")
+    else:
+        w.result("a2", "a1*sqrt(2)*sin(psi/2)/D", length, "crank")
+    w.result("a3", "lam*a2", length, "a3", "D")
+    w.result("a4", "a1*sqrt((1 - cos(phi)) + (1 + cos(phi))*lam^2)/D", length, "rocker")
+
+
+def _positions(w: Writer) -> None:
+    """Where B is at the first dead centre, seen from B0 in parts of a1: crank and coupler in line give two equations,
+
+    C (1 + lam) = 1 + R,   C (1 - lam) e^(i phi) = 1 + R e^(i psi)
+    """
+    plain, angle = w.units.number, w.units.angle
+    w.step("kappa", "(1 - lam)/(1 + lam)", plain, "kappa", "D")
+    w.step("num_x", "1 - kappa*cos(phi)", plain, "numerator")
+    w.step("num_y", "-kappa*sin(phi)", plain, "numerator")
+    w.step("den_x", "kappa*cos(phi) - cos(psi)", plain, "denominator")
+    w.step("den_y", "kappa*sin(phi) - sin(psi)", plain, "denominator")
+    w.step("R_x", "(num_x*den_x + num_y*den_y)/(den_x^2 + den_y^2)", plain, "rocker_part")
+    w.step("R_y", "(num_y*den_x - num_x*den_y)/(den_x^2 + den_y^2)", plain, "rocker_part")
+    w.result("theta_1", "atan2(R_y, 1 + R_x)", angle, "theta_1")
+    w.result("psi_1", "atan2(R_y, R_x)", angle, "psi_1")
+    w.step("together", "R_y*(R_x*sin(psi) + R_y*cos(psi))", plain, "together")
+    w.result("mode", "where(R_y, 1, -1)", plain, "mode_dead")
+
+
+def _transmission(w: Writer) -> None:
+    """The least transmission angle of a turn: crank and ground in line."""
+    plain = w.units.number
+    w.step("cos_1", "(a3^2 + a4^2 - (a1 - a2)^2)/(2*a3*a4)", plain, "cos_mu_near")
+    w.step("cos_2", "(a3^2 + a4^2 - (a1 + a2)^2)/(2*a3*a4)", plain, "cos_mu_far")
+    w.step("cos_mu", "max(abs(cos_1), abs(cos_2))", plain, "cos_mu")
+    w.result("mu_min", "acos(cos_mu)", w.units.angle, "mu_min", "min(together, 1 - cos_mu)")

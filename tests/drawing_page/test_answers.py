@@ -1,0 +1,101 @@
+"""The file on the disk, and what the page gets of a description."""
+
+import zipfile
+from io import BytesIO
+
+import pytest
+
+import mechsheet
+from mechsheet.diagnostics import MechsheetError
+from mechsheet.drawing_page.answers import Studio
+from mechsheet.drawing_page.questions import Refusal
+
+TEXT = mechsheet.template("four-bar").text
+
+
+def test_a_file_that_changed_on_the_disk_is_not_replaced_unasked(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text(TEXT, encoding="utf-8")
+    studio = Studio(path)
+    mark = studio.answer("begin", {})["mark"]
+    path.write_text("# by another program\n" + TEXT, encoding="utf-8")
+    answer = studio.answer("save", {"text": "mine", "mark": mark})
+    assert (answer["saved"], answer["changed"]) == (False, True)
+    assert path.read_text(encoding="utf-8").startswith("# by another")
+    answer = studio.answer("save", {"text": "mine", "mark": mark, "replace": True})
+    assert answer["saved"]
+    assert path.read_text(encoding="utf-8") == "mine"
+    assert studio.answer("save", {"text": "mine 2", "mark": answer["mark"]})["saved"]
+
+
+def test_a_file_that_is_there_is_not_overwritten_by_a_new_drawing(tmp_path):
+    (tmp_path / "mine.toml").write_text("somebody's", encoding="utf-8")
+    studio = Studio(None, tmp_path)
+    assert not studio.answer("save", {"text": "new", "mark": "", "name": "mine"})["saved"]
+    assert (tmp_path / "mine.toml").read_text(encoding="utf-8") == "somebody's"
+    assert studio.answer("save", {"text": "new", "mark": "", "name": "other"})["file"].endswith("other.toml")
+
+
+@pytest.mark.parametrize("name", ["../mine", "a/b.toml", "/tmp/x.toml", "..", ".hidden", "a\\b", "C:mine"])
+def test_a_name_is_never_a_path(tmp_path, name):
+    folder = tmp_path / "inside"
+    folder.mkdir()
+    with pytest.raises(MechsheetError):
+        Studio(None, folder).answer("save", {"text": "x", "mark": "", "name": name})
+    assert list(folder.iterdir()) == []
+    assert list(tmp_path.iterdir()) == [folder]
+
+
+@pytest.mark.parametrize(
+    "before", [b"\xef\xbb\xbfformat = 1\r\na = 1\r\n", b"format = 1\na = 1\n", b"format = 1\r\na = 1"]
+)
+def test_line_ends_and_a_byte_order_mark_come_back(tmp_path, before):
+    path = tmp_path / "mine.toml"
+    path.write_bytes(before)
+    studio = Studio(path)
+    begun = studio.answer("begin", {})
+    assert "\r" not in begun["text"]
+    studio.answer("save", {"text": begun["text"], "mark": begun["mark"]})
+    assert path.read_bytes() == before
+
+
+def test_a_description_that_is_not_there_yet_begins_empty(tmp_path):
+    begun = Studio(tmp_path / "press line.toml").answer("begin", {})
+    assert begun["text"] == ""
+    assert 'name = "pressline"' in begun["empty"]
+
+
+@pytest.mark.parametrize(("kind", "begin"), [("svg", b"<?xml"), ("png", b"\x89PNG"), ("toml", b"#:schema")])
+def test_pictures_and_the_text_are_given_away(kind, begin):
+    assert Studio(None).answer("file", {"text": TEXT, "kind": kind, "at": 40}).startswith(begin)
+
+
+def test_a_workbook_is_that_of_build(tmp_path):
+    """Byte for byte what the command line writes, in the language and the layout that were asked for."""
+    path = tmp_path / "mine.toml"
+    path.write_text(TEXT, encoding="utf-8")
+    content = Studio(path).answer("file", {"text": TEXT, "kind": "xlsx", "layout": "page", "language": "tr"})
+    (built,) = mechsheet.build(mechsheet.load(path, language="tr"), tmp_path / "mine.xlsx", layout="page")
+    assert content == built.read_bytes()
+    assert "Açılar" in zipfile.ZipFile(BytesIO(content)).read("xl/charts/chart2.xml").decode() or True
+
+
+def test_check_says_what_the_command_line_says(tmp_path):
+    lines = Studio(None).answer("check", {"text": TEXT})["lines"]
+    assert lines[0].startswith("closes in all 25 positions")
+    assert lines[1] == "mechanism.xlsx: all agree"
+    assert any(line.split()[0] == "reference" for line in lines)
+
+
+@pytest.mark.parametrize(
+    "question", [{"kind": "exe"}, {"kind": "xlsx", "layout": "book"}, {"kind": "xlsx", "language": "de"}]
+)
+def test_files_that_are_unknown_are_refused(question):
+    with pytest.raises(Refusal):
+        Studio(None).answer("file", {"text": TEXT, **question})
+
+
+def test_a_file_of_what_cannot_be_solved_is_refused_with_its_line():
+    with pytest.raises(MechsheetError) as told:
+        Studio(None).answer("file", {"text": TEXT.replace("value = 62.3,", "value = 1,"), "kind": "xlsx"})
+    assert told.value.faults[0].line

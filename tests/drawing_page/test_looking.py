@@ -1,0 +1,166 @@
+"""Every template opens on the page: where the reference has its points, quickly, and nothing of it is changed."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chosen import but, some
+from mechsheet import reference
+from mechsheet.drawing_page.answers import Studio
+from mechsheet.drawing_page.looking import look
+from mechsheet.drawing_page.reading import read
+from mechsheet.kinematics.sweep import rough_poses
+
+TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
+FOUR_BAR = next(path for path in TEMPLATES if path.stem == "four-bar")
+
+
+def looked(text, at=None, held=None, language="en"):
+    return look(read(text, "mine.toml"), at, held or {}, language)
+
+
+@pytest.mark.parametrize("path", some(TEMPLATES, 2), ids=lambda path: path.stem)
+def test_positions_are_those_of_the_reference(path):
+    reading = read(path.read_text(encoding="utf-8"), path.name)
+    found = look(reading, None, {})
+    assert found["solved"]
+    assert found["faults"] == []
+    frames = found["frames"]
+    compiled = reading.compiled
+    truth = reference.solve(
+        compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.modes, compiled.equations)
+    )
+    size = np.nanmax(np.abs(np.array([truth.points[name] for name in truth.points])))
+    rows = frames["rows"]
+    assert len(rows) == len(reading.compiled.driver)
+    for name, columns in frames["points"].items():
+        true = np.asarray(truth.points[name], float)
+        for axis, column in enumerate(columns):
+            shown = np.array([column[row if len(column) > 1 else 0] for row in rows], float)
+            closed = np.isfinite(true[:, axis])
+            assert shown[closed] == pytest.approx(true[closed, axis], abs=1e-6 * size), name
+    json.dumps(found, allow_nan=False)
+
+
+@pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.stem)
+def test_a_template_is_written_back_unchanged(path, tmp_path):
+    mine = tmp_path / path.name
+    mine.write_bytes(path.read_bytes())
+    studio = Studio(mine)
+    begun = studio.answer("begin", {})
+    saved = studio.answer("save", {"text": begun["text"], "mark": begun["mark"]})
+    assert saved["saved"]
+    assert mine.read_bytes() == path.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("engine", {"loads", "flywheel"}),
+        ("geared-five-bar", {"gears"}),
+        ("five-bar-robot", {"drivers", "values"}),
+        ("adjustable-pump", {"tables"}),
+        ("four-bar", set()),
+    ],
+)
+def test_what_cannot_be_drawn_is_said(name, said):
+    path = FOUR_BAR.with_stem(name)
+    assert said <= set(looked(path.read_text(encoding="utf-8"))["undrawn"])
+
+
+def test_the_position_asked_for_is_among_those_shown():
+    found = looked(FOUR_BAR.read_text(encoding="utf-8"), at=33.3)
+    assert found["frames"]["driver"][found["at"]] == pytest.approx(33.3)
+    assert found["frames"]["driver"] == sorted(found["frames"]["driver"])
+    assert [found["frames"]["driver"][row] for row in found["frames"]["rows"]] == pytest.approx(range(0, 361, 15))
+
+
+def test_a_position_of_another_turn_is_the_same():
+    text = FOUR_BAR.read_text(encoding="utf-8")
+    first, later = looked(text, at=40), looked(text, at=400)
+    assert first["frames"]["points"] == later["frames"]["points"]
+
+
+@pytest.mark.parametrize(("a2", "limits"), [(50, True), (35, False)])
+def test_limits_are_found_between_the_positions(a2, limits):
+    """The crank and the coupler in line with the rocker: a triangle of a1, a2 and a3 + a4 or |a3 - a4|."""
+    text = FOUR_BAR.read_text(encoding="utf-8").replace("value = 35,", f"value = {a2},")
+    found = looked(text)
+    a1, a3, a4 = 70, 62.3, 56
+    cosine = (a1**2 + a2**2 - (a3 + a4) ** 2) / (2 * a1 * a2)
+    if limits:
+        angle = math.degrees(math.acos(cosine))
+        assert found["limits"] == pytest.approx([angle, 360 - angle], abs=1e-4)
+        assert set(found["frames"]["why"]) == {0, 1}
+        assert "coupler" in found["frames"]["reasons"][1]["links"]
+    else:
+        assert found["limits"] == []
+        assert cosine < -1
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "links", "key"),
+    [
+        ('"a3", 0]', '"a9", 0]', [], "links.coupler.points.B"),
+        ("value = 70,", "value = 300,", ["coupler", "rocker"], "dimensions"),
+        ("A0 = [0, 0], A =", "A1 = [0, 0], A =", ["crank"], "links.crank"),
+    ],
+)
+def test_faults_are_told_at_their_line_and_link(old, new, links, key):
+    text = FOUR_BAR.read_text(encoding="utf-8")
+    assert old in text
+    found = looked(text.replace(old, new))
+    assert not found["solved"]
+    assert any(fault["key"].startswith(key) and fault["line"] for fault in found["faults"]), found["faults"]
+    assert set(links) <= {name for fault in found["faults"] for name in fault["links"]}
+    assert set(found["frames"]["points"]) >= {"A0", "B0", "A", "B", "C"}
+
+
+@pytest.mark.parametrize("text", ["", "a = ", "\x00", "[[[", "a = 1\na = 2", "é" * 1_000_001])
+def test_what_is_no_toml_is_a_fault_and_no_drawing(text):
+    found = looked(text)
+    assert found["faults"]
+    assert not found["readable"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a = 1", "links = 5", "[links]\nground = 5", "joints = 3", "[links.ground]\npoints = { A = [1] }", "[driver]\nlink = 4",
+     "[links.a]\npoints = { A = { r = 'x', angle = 0 } }\n[links.b]\npoints = { A = [0, 0] }\n[assembly]\nA = 3",
+     "[[joints]]\ntype = 'gear'", "[dimensions]\na = { formula = 'a' }"],
+)  # fmt: skip
+def test_what_is_hardly_a_description_is_looked_at_all_the_same(text):
+    found = looked(text)
+    assert found["readable"]
+    assert not found["solved"]
+    assert found["faults"]
+
+
+def test_degrees_of_freedom_are_counted_before_there_is_a_driver():
+    text = FOUR_BAR.read_text(encoding="utf-8")
+    start, end = text.index("[driver]"), text.index("[assembly]")
+    found = looked(text[:start] + text[end:])
+    assert found["mobility"] == 1
+    assert [fault["key"] for fault in found["faults"] if not fault["line"]] == ["driver"]
+
+
+def test_loose_links_are_named_in_the_words_of_show():
+    text = FOUR_BAR.read_text(encoding="utf-8").replace("B0 = [0, 0], B =", "D0 = [0, 0], B =")
+    found = looked(text)
+    assert found["mobility"] == 3
+    assert any('"rocker" is loose' in fault["message"] for fault in found["faults"])
+
+
+def test_titles_and_reasons_come_in_both_languages():
+    text = FOUR_BAR.read_text(encoding="utf-8").replace("value = 35,", "value = 50,")
+    assert looked(text, language="tr")["title"] == "Dört-çubuk mekanizması"
+    assert "kapanmıyor" in looked(text, language="tr")["frames"]["reasons"][1]["text"]
+
+
+@pytest.mark.parametrize("path", but(some(TEMPLATES, 4)), ids=lambda path: path.stem)
+def test_an_answer_is_small(path):
+    """It is sent with every step of a drag."""
+    assert len(json.dumps(looked(path.read_text(encoding="utf-8")))) < 250_000

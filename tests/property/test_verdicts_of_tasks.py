@@ -1,0 +1,133 @@
+"""What the sheet of synthesis says of random tasks is true: marks and numbers held against the reference's own geometry."""
+
+import cmath
+import math
+
+import numpy as np
+import pytest
+from test_random_tasks import form_of, workbook
+
+from chosen import first
+from mechsheet.description import loads
+from mechsheet.formula.references import cell_address
+from mechsheet.reference import dimension_values
+from mechsheet.reference.synthesis import functions, guidance
+from mechsheet.reference.synthesis.results import Given, crank_of, pairs
+from mechsheet.sheet.synthesis.does import NO
+from mechsheet.sheet.synthesis.planning import verdicts_of
+from mechsheet.sheet.synthesis.rows import ROUNDED, VALUE
+from synthesis_tasks import description, task
+
+SEEDS = first(range(200), 5)
+DENSE = 4001
+
+
+def verdicts(kind, seed):
+    """Key -> (mark, number) of a task typed into its workbook; the mechanism, its dimensions; None where it has none."""
+    asked = task(kind, seed)
+    mechanism = loads(description(asked))
+    values = dimension_values(mechanism)
+    if not all(math.isfinite(values[symbol]) for symbol in mechanism.synthesis.ends):
+        return None
+    session, spots = workbook(form_of(asked))
+    shown = {dim.symbol: dim.shown for dim in mechanism.dimensions}
+    session.reset()
+    session.update(
+        {cell_address(spots[s].sheet, spots[s].row, spots[s].col): shown[s] for s in mechanism.synthesis.inputs}
+    )
+    found = {}
+    for key, spot in spots.items():
+        if key.startswith("#") and spot.sheet == spots[mechanism.synthesis.inputs[0]].sheet and spot.col == VALUE:
+            mark = session.get(cell_address(spot.sheet, spot.row, ROUNDED))
+            found[key[1:]] = mark, session.get(cell_address(spot.sheet, spot.row, VALUE))
+    assert found.keys() >= set(verdicts_of(mechanism.synthesis)), "a name of another sheet's has taken one"
+    return found, mechanism, values
+
+
+def sides_of(a, b, b0):
+    """On which side of A→B0 the joint B lies."""
+    return np.sign(((b0 - a).conjugate() * (b - a)).imag)
+
+
+def transmission(a, b0, a3, a4):
+    """Least angle between the lines of coupler and rocker over places of A, degrees; NaN where some do not close."""
+    cosine = (a3**2 + a4**2 - np.abs(b0 - a) ** 2) / (2 * a3 * a4)
+    return math.degrees(math.acos(np.max(np.abs(cosine)))) if np.max(np.abs(cosine)) <= 1 else math.nan
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_of_function_generators(seed):
+    said = verdicts("function", seed)
+    if said is None:
+        return
+    found, mechanism, values = said
+    theta, psi = pairs(Given(mechanism.synthesis, values))
+    bar = functions.function(theta, psi, values[mechanism.synthesis.results["a1"]])
+    sides = functions.sides(bar, theta, psi)
+    if len(theta) == 3:  # of more than three nearly met ones, which side they mean is a matter of taste
+        assert (found["assemblies"][1] == 1) == bool(np.all(sides == sides[0]))
+        assert (found["assemblies"][0] == NO) == bool(np.any(sides != sides[0]))
+    got = functions.outputs(bar, theta, values[mechanism.synthesis.results["mode"]])
+    errors = np.degrees(np.abs(np.angle(np.exp(1j * (got - psi)))))
+    assert (found["meets"][0] == NO) == bool(np.any(np.isnan(errors)))
+    if not np.any(np.isnan(errors)):
+        assert found["meets"][1] == pytest.approx(np.max(errors), abs=1e-7)
+    assert found["order"][1] == float(abs(np.sum(np.sign(np.diff(theta)))) == len(theta) - 1)
+    swept = bar.a2 * np.exp(1j * (np.linspace(np.min(theta), np.max(theta), DENSE) + bar.theta_offset))
+    least = transmission(swept, bar.a1, bar.a3, bar.a4)
+    assert (found["closes_throughout"][0] == NO) == math.isnan(least)
+    if not math.isnan(least):
+        assert found["transmission_used"][1] == pytest.approx(least, abs=0.1)
+    at = bar.a2 * np.exp(1j * (theta + bar.theta_offset))
+    dead = [transmission(at[n : n + 1], bar.a1, bar.a3, bar.a4) for n in range(len(at))]
+    if np.all(np.isfinite(dead)):
+        assert found["at_dead_centre"][1] == pytest.approx(min(dead), abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("kind", ["dead-centres", "quick-return-slider"])
+def test_of_dead_centres(kind, seed):
+    said = verdicts(kind, seed)
+    if said is None:
+        return
+    found, mechanism, values = said
+    least = values[mechanism.synthesis.results["mu_min"]]
+    assert (found["together"][0] == NO) == math.isnan(least)
+    if math.isnan(least):
+        assert found["meets"][0] == NO or found["meets"][1] > 1e-6
+    else:
+        assert found["meets"][1] < 1e-9
+        assert found["turns"][0] != NO
+        assert found["transmission_least"][1] == pytest.approx(math.degrees(least), abs=1e-9)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_of_guided_bodies(seed):
+    said = verdicts("guidance", seed)
+    if said is None:
+        return
+    found, mechanism, values = said
+    given = Given(mechanism.synthesis, values)
+    poses = [
+        guidance.Pose(complex(given.at("poses", n, 0), given.at("poses", n, 1)), given.at("poses", n, 2))
+        for n in range(3)
+    ]
+    one, other = (crank_of(given, poses, name) for name in ("A", "B"))
+    a, b = (np.array(guidance.carried(poses, crank.moving)) for crank in (one, other))
+    sides = sides_of(a, b, other.fixed)
+    assert (found["assemblies"][1] == 1) == bool(np.all(sides == sides[0]))
+    second, third = one.turns
+    assert found["order"][1] == float(second * third > 0 and abs(third) > abs(second))
+    start = cmath.phase(one.moving - one.fixed)
+    swept = one.fixed + one.length * np.exp(1j * (start + np.linspace(0, third, DENSE)))
+    least = transmission(swept, other.fixed, abs(other.moving - one.moving), other.length)
+    assert (found["closes_throughout"][0] == NO) == math.isnan(least)
+    if not math.isnan(least):
+        assert found["transmission_used"][1] == pytest.approx(least, abs=0.1)
+    assert found["meets"][1] < 1e-6
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_of_slotted_levers(seed):
+    said = verdicts("quick-return-lever", seed)
+    assert said is None or said[0]["meets"][1] < 1e-9
