@@ -634,6 +634,17 @@ class Study:
 
 
 @dataclass(frozen=True, slots=True)
+class Tolerances:
+    """What bands are asked for: of which variables, coordinates and outputs, and of which summaries, by symbol.
+
+    quantities  those of the summaries, too, in the order in which they have columns
+    """
+
+    quantities: tuple[str, ...]
+    summaries: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
@@ -642,6 +653,7 @@ class Mechanism:
     rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
     dynamics     masses and loads; None where the description has none
     solution     how groups without a closed form are solved
+    bands        what tolerances are followed to; None where nobody asks
     synthesis    the task from which dimensions are found; None where all of them are given
     file         the stem of the file that it was read from, "" when it was read from none
     """
@@ -670,6 +682,7 @@ class Mechanism:
     relations: tuple[Relation, ...] = ()
     drivers: tuple[FurtherDriver, ...] = ()
     exercise: Exercise | None = None
+    bands: Tolerances | None = None
     study: Study | None = None
     synthesis: Synthesis | None = None
     text: str = ""

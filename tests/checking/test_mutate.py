@@ -129,3 +129,12 @@ def test_formulas_of_forces_alone_are_damaged_and_the_sheet_asks_both_ways_to_th
     assert found.agrees
     assert {damage.where.partition("!")[0] for damage in found.damages} == {"Forces"}
     assert 0 < found.caught("sheet") < 8  # the size of a joint force is read by nobody
+
+
+@pytest.mark.parametrize("name", ["quick-return-lever", "quick-return-slider"])
+def test_formulas_of_a_synthesis_alone_are_damaged(tmp_path, name):
+    path = saved(laid_out(name)[0], tmp_path / f"{name}.xlsx")
+    found = mutate(path, 8, sheets=("synthesis",))
+    assert found.clear
+    assert found.agrees
+    assert {damage.where.partition("!")[0] for damage in found.damages} == {"Synthesis"}

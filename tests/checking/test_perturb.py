@@ -31,6 +31,15 @@ def test_the_reference_agrees_and_most_sets_assemble(four_bar):
     assert 0 < found.judged[0].worst.worst < 1e-9
 
 
+@pytest.mark.parametrize("name", ["crank-rocker-swing", "rigid-body-guidance"])
+def test_inputs_of_a_task_are_changed_and_the_reference_finds_the_same(tmp_path, name):
+    path = saved(laid_out(name)[0], tmp_path / f"{name}.xlsx")
+    found = perturb(path, 4)
+    assert found.agrees
+    task = laid_out(name)[1].mechanism.synthesis
+    assert set(task.inputs) <= found.judged[0].setting.inputs.keys()
+
+
 def test_the_seed_decides(tmp_path):
     yoke = saved(laid_out("scotch-yoke")[0], tmp_path / "scotch-yoke.xlsx")
     one, same, other = perturb(yoke, 3), perturb(yoke, 3), perturb(yoke, 3, seed=1)

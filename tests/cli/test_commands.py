@@ -208,3 +208,30 @@ def test_mobility_fault_has_file_and_line(tmp_path):
         result = run(command, path)
         assert result.exit_code == 2, command
         assert "loose.toml:" in result.stderr
+
+
+TOLERANCED = TEMPLATES / "hoeken.toml"
+
+
+def test_show_prints_the_bands():
+    lines = run("show", TOLERANCED, "--tolerance").stdout.splitlines()
+    assert lines[-1].startswith("length ± 0.596 mm (RSS 0.316 mm): a2 61%")
+    found = json.loads(run("show", TOLERANCED, "--tolerance", "--json").stdout)
+    assert set(found) == {"deviation", "P.x", "length"}
+    assert found["length"]["value"] == pytest.approx(188.1, abs=0.05)
+    assert sum(found["length"]["shares"].values()) == pytest.approx(1.0)
+
+
+def test_bands_by_an_option(tmp_path):
+    """The description inside asks for them, so `check` judges them too; without a tolerance it says what is missing."""
+    mine = tmp_path / "mine.toml"
+    mine.write_text(TOLERANCED.read_text(encoding="utf-8").partition("[tolerance]")[0], encoding="utf-8")
+    assert run("build", mine, "--tolerance", "-o", tmp_path).exit_code == 0
+    assert "all agree" in run("check", tmp_path / "mine.xlsx").stdout
+    result = run("build", FOUR_BAR, "--tolerance", "-o", tmp_path)
+    assert result.exit_code == 2
+    assert "four-bar.toml:" in result.stderr
+    assert "no dimension has a tolerance" in result.stderr
+    result = run("build", mine, "--tolerance", "--layout", "page", "-o", tmp_path)
+    assert result.exit_code == 2
+    assert "which the layout page does not have" in result.stderr

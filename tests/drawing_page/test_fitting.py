@@ -132,3 +132,13 @@ def test_where_no_number_leads_the_page_says_so():
     with pytest.raises(Impossible) as told:
         dragged(TEMPLATES[0].with_stem("oldham"), "M", (0.05, 0.05))
     assert "M" in told.value.text("en")
+
+
+def test_the_other_assembly_is_sketched_where_no_sketch_was(tmp_path):
+    """Without a sketch the mode is +1: a point dragged to the other side is named, and stays there."""
+    text = TEMPLATES[0].with_stem("four-bar").read_text(encoding="utf-8").replace("[assembly]\nB = [50, 55]\n", "")
+    path = tmp_path / "four-bar.toml"
+    path.write_text(text, encoding="utf-8")
+    off, _, _, new = dragged(path, "B", (-0.02, -0.85))
+    assert off < 2e-3
+    assert re.search(r"^B = \[", new, re.MULTILINE)

@@ -16,10 +16,13 @@ from mechsheet.reference.synthesis.results import Given, crank_of, pairs
 from mechsheet.sheet.synthesis.does import NO
 from mechsheet.sheet.synthesis.planning import verdicts_of
 from mechsheet.sheet.synthesis.rows import ROUNDED, VALUE
+from mechsheet.synthesis.kinds import KINDS
 from synthesis_tasks import description, task
 
 SEEDS = first(range(200), 5)
 DENSE = 4001
+SMALL = 0.01
+"""The part of a change that is tried."""
 
 
 def verdicts(kind, seed):
@@ -73,7 +76,7 @@ def test_of_function_generators(seed):
     if not np.any(np.isnan(errors)):
         assert found["meets"][1] == pytest.approx(np.max(errors), abs=1e-7)
     assert found["order"][1] == float(abs(np.sum(np.sign(np.diff(theta)))) == len(theta) - 1)
-    swept = bar.a2 * np.exp(1j * (np.linspace(np.min(theta), np.max(theta), DENSE) + bar.theta_offset))
+    swept = bar.a2 * np.exp(1j * (np.linspace(theta[0], theta[-1], DENSE) + bar.theta_offset))
     least = transmission(swept, bar.a1, bar.a3, bar.a4)
     assert (found["closes_throughout"][0] == NO) == math.isnan(least)
     if not math.isnan(least):
@@ -131,3 +134,24 @@ def test_of_guided_bodies(seed):
 def test_of_slotted_levers(seed):
     said = verdicts("quick-return-lever", seed)
     assert said is None or said[0]["meets"][1] < 1e-9
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_of_how_much_a_small_change_changes(kind, seed):
+    """0.1 degrees, or 0.1 %, in one input: by the reference's differences, in parts of each length."""
+    said = verdicts(kind, seed)
+    if said is None:
+        return
+    found, mechanism, values = said
+    synthesis = mechanism.synthesis
+    units = {dim.symbol: dim.unit for dim in mechanism.dimensions}
+    lengths = [s for s in synthesis.ends if s in synthesis.steps and units[s].kind == "length"]
+    largest = 0.0
+    for symbol in synthesis.inputs:
+        whole = math.radians(0.1) if units[symbol].kind == "angle" else 0.001 * abs(values[symbol])
+        around = [dimension_values(mechanism, {symbol: values[symbol] + way * SMALL * whole}) for way in (1, -1)]
+        for length in lengths:
+            change = (around[0][length] - around[1][length]) / (2 * SMALL)
+            largest = max(largest, 100 * abs(change / values[length]))
+    assert found["sensitivity"][1] == pytest.approx(largest, rel=1e-3)

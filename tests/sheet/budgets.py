@@ -71,6 +71,7 @@ class Size:
     iterations  those of the sheet of Newton's method, which the other numbers leave out
     rates       those of the sheet of velocities and accelerations
     forces      those of the sheet of forces
+    tolerance   those of the sheet of tolerances
     columns     columns of that table
     longest     characters of its longest formula; outputs, which are as long as the description has them, left out
     elsewhere   characters of the longest formula of the other sheets, and on a page beside the table; no two-way tables, and
@@ -84,6 +85,7 @@ class Size:
     rates: int
     iterations: int
     forces: int
+    tolerance: int
     columns: int
     longest: int
     elsewhere: int
@@ -125,6 +127,7 @@ def size_of(found: Compiled) -> Size:
         rates=sum(cells(sheet) for sheet in sheets if sheet.title == plan.at.titles.get("rates")),
         iterations=sum(map(cells, iterations)),
         forces=sum(cells(sheet) for sheet in sheets if sheet.title == plan.at.titles.get("forces")),
+        tolerance=sum(cells(sheet) for sheet in sheets if sheet.title == plan.at.titles.get("tolerance")),
         columns=len(plan.columns),
         longest=max(length(fill) for fill in table if fill.col not in outputs),
         elsewhere=max(map(length, others)),

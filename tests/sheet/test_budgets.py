@@ -45,8 +45,10 @@ def test_cells_beside_the_table(name):
     passes = [group.system.passes for group in compiled(name).equations.groups if group.system]
     assert size.rates <= 1.6 * (size.table + size.iterations / (max(passes, default=0) + 1))
     assert size.forces <= 2.5 * size.table
+    bands = compiled(name).plan.mechanism.bands
+    assert size.tolerance <= size.table * (len(bands.quantities) if bands else 0)
     beside = LARGE_BESIDE_FEW_ROWS.get(name, BESIDE) + (SYNTHESIS if compiled(name).mechanism.synthesis else 0)
-    most = SHARE * size.table + MOVED * size.rates + LOADED * size.forces + beside
+    most = SHARE * size.table + MOVED * size.rates + LOADED * size.forces + size.tolerance + beside
     assert size.cells - size.two_way <= most
 
 

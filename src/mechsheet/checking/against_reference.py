@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet import reference
+from mechsheet.checking.bands import compare_bands
 from mechsheet.checking.conditioning import excused
 from mechsheet.checking.inputs import Array, Inputs, inputs_in
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally
@@ -18,6 +19,7 @@ from mechsheet.checking.steepness import EDGE, Steepness
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
+from mechsheet.formula.nodes import symbols
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.equations import Equations
@@ -81,7 +83,30 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
             _compare_rate(plan, tally, symbol, column, theirs, solution, steep)
         else:
             _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol), beyond)
+    if plan.bands and book.sheet(plan.at.titles["tolerance"]) is not None:  # that it is missing is told as an edit
+        _compare_bands(plan, tally, values, changed, inputs, start)
     return tally.result(), list(inputs.remarks)
+
+
+def _compare_bands(plan: Plan, tally: Tally, values: Any, mechanism: Mechanism, inputs: Inputs, start: Any) -> None:
+    """The sheet of tolerances, by solutions with each dimension a little smaller and larger."""
+
+    def number(sheet: str, row: int, col: int) -> float:
+        cell = values.get(sheet, row, col)
+        return cell if isinstance(cell, float) else math.nan
+
+    def solve(driver: Array) -> reference.Solution:
+        own = None if mechanism.driver.law is not None else driver
+        return reference.solve(_typed(plan.mechanism, inputs), inputs.dimensions, start=start, values=own)
+
+    known, dead = _Known(plan, values), np.zeros(plan.rows, dtype=bool)
+    for group in plan.equations.groups:
+        if group.number in plan.sensitivities.groups and group.dead is not None:
+            names = {*symbols(group.dead.margin), *symbols(group.dead.least)}
+            there = {name: known[name] for name in names}
+            with np.errstate(invalid="ignore"):
+                dead |= ~(value(group.dead.margin, there) > (1 + EDGE) * value(group.dead.least, there))
+    compare_bands(plan, tally, number, solve, inputs.given[plan.mechanism.driver.symbol], dead)
 
 
 def _with_listed_rates(mechanism: Mechanism, inputs: Inputs) -> Mechanism:

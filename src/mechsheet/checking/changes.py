@@ -48,6 +48,8 @@ class Change:
                 return f"{key} {index + 1} of the driver"
             case ("tables", int(table), str(heads), int(index)):
                 return f"{heads.removesuffix('s')} {index + 1} of table {table + 1}"
+            case ("synthesised", symbol):
+                return f"{symbol}, taken out of the synthesis"
             case ("synthesis", *place):
                 return "the task's " + " ".join(str(part + 1) if isinstance(part, int) else str(part) for part in place)
             case ("links", str(link), str(key), *part):
@@ -79,6 +81,19 @@ def changes_in(book: Book, expected: Expected, shown: str) -> list[Change]:
             found.append(Change(key, _number(was), number))
     if faults:
         raise WorkbookError(faults)
+    return found + _typed_over(book, expected)
+
+
+def _typed_over(book: Book, expected: Expected) -> list[Change]:
+    """Dimensions of a synthesis in whose place a number stands: they are no results any more."""
+    plan, task = expected.plan, expected.plan.mechanism.synthesis
+    found = []
+    for symbol in task.taken if task else ():
+        spot = plan.at.spots[symbol]
+        sheet = book.sheet(spot.sheet)
+        number = None if sheet is None else _number(sheet.constants.get(spot.row, spot.col))
+        if sheet is not None and number is not None and sheet.formula_at(spot.row, spot.col) is None:
+            found.append(Change(("synthesised", symbol), None, number))
     return found
 
 

@@ -177,6 +177,9 @@ def _with_change(source: Source, change: Change) -> Source:
         case ("driver", "speed" | "acceleration" as key):
             inside = ("driver", str(key), "value")
             return with_number(source, inside if inside in source.spots else change.key, _given(change))
+        case ("synthesised", str(symbol)):
+            source = without_key(source, ("dimensions", symbol, "synthesis"))
+            return with_number(source, ("dimensions", symbol, "value"), _given(change))
         case ("tolerance", str(symbol)):
             path = ("dimensions", symbol, "tolerance")
             return without_key(source, path) if change.now is None else with_number(source, path, change.now)

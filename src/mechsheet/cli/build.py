@@ -42,6 +42,7 @@ if TYPE_CHECKING:
 @click.option("--format", "formats", help="xlsx, ods, or both with a comma.  [default: xlsx]")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the workbook.")
 @click.option("--layout", type=click.Choice(["sheets", "page"]), help="Several sheets, or all on one.")
+@click.option("--tolerance", is_flag=True, help="Bands of all outputs and summaries by the dimensions' tolerances.")
 @click.option(
     "--functions",
     metavar="basic,lambda",
@@ -57,6 +58,7 @@ def build(
     formats: str | None,
     language: str | None,
     layout: str | None,
+    tolerance: bool,
     functions: str,
     design: str | None,
     force: bool,
@@ -72,7 +74,7 @@ def build(
 
     A workbook in which somebody has saved changes is left as it is, unless with --force.
     """
-    from mechsheet.description.reader import with_layout
+    from mechsheet.description.reader import with_layout, with_tolerance
     from mechsheet.library.building import refuse_edited, targets, told, write_all
     from mechsheet.library.verdicts import verdict
 
@@ -82,10 +84,11 @@ def build(
         )
     paths = _each_once(descriptions)
     asked = Changes(**changes)
-    mechanisms = [
-        with_layout(described(path, asked if design is None else _of_design(path, design, asked), language), layout)
-        for path in paths
-    ]
+    mechanisms = []
+    for path in paths:
+        own = described(path, asked if design is None else _of_design(path, design, asked), language)
+        mechanism = with_layout(own, layout, readable_name(path))
+        mechanisms.append(with_tolerance(mechanism, readable_name(path)) if tolerance else mechanism)
     wanted = [targets(mechanism, output, formats, functions) for mechanism in mechanisms]
     _refuse_shared(paths, wanted)
     if not force:

@@ -7,6 +7,8 @@ from typing import Any
 
 import click
 
+from mechsheet.diagnostics import readable_name
+
 from .common import JSON, Changes, at_lines_of, change_options, described
 from .helping import Explained
 from .streams import print_file
@@ -24,6 +26,12 @@ from .streams import print_file
     help="What the first sheet says, by names of its cells; searched.",
 )
 @click.option(
+    "--tolerance",
+    "what",
+    flag_value="tolerance",
+    help="What the tolerances come to: worst case, root sum of squares, share of each dimension.",
+)
+@click.option(
     "--dimensions",
     "what",
     flag_value="dimensions",
@@ -32,16 +40,17 @@ from .streams import print_file
 @JSON
 @click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")
 def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **changes: Any) -> None:
-    """Print what was understood: the groups and variables, the equations, the dimensions, the cells, or the verdicts.
+    """Print what was understood: groups and variables, equations, dimensions, cells, verdicts, or bands.
 
     \b
     mechsheet show four-bar.toml
     mechsheet show four-bar.toml --equations
     mechsheet show four-bar.toml --verdicts --json
+    mechsheet show mine.toml --tolerance
     mechsheet show function-generator.toml --dimensions --json
     mechsheet show four-bar.toml --json
     """
-    from mechsheet.library import dimensions, verdicts
+    from mechsheet.library import dimensions, tolerances, verdicts
     from mechsheet.library import show as shows
 
     mechanism = described(description, Changes(**changes))
@@ -54,6 +63,9 @@ def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **cha
             text = dimensions.dimensions_json(mechanism) if as_json else dimensions.dimensions_text(mechanism)
         elif what == "verdicts":
             text = verdicts.verdicts_json(mechanism) if as_json else verdicts.verdicts_text(mechanism)
+        elif what == "tolerance":
+            printed = tolerances.bands_json if as_json else tolerances.bands_text
+            text = printed(mechanism, readable_name(description))
         elif as_json:
             text = shows.variables_json(mechanism)
         elif as_csv:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, exercise, gears, joints, links, results, study, synthesis
+from mechsheet.description import dimensions, exercise, gears, joints, links, results, study, synthesis, tolerances
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
 from mechsheet.description.forces import dynamics, flywheel, force_names
@@ -77,17 +77,31 @@ def loads(
     return mechanism
 
 
-def with_layout(mechanism: Mechanism, layout: str | None) -> Mechanism:
+def with_layout(mechanism: Mechanism, layout: str | None, file: str = "<text>") -> Mechanism:
     """The mechanism with a layout of its workbook, "sheets" or "page", in place of its description's own (None: that).
 
-    It stands in its text, too. Raises DescriptionError for a layout that is not known.
+    It stands in its text, too; `file` is what messages call that. Raises DescriptionError for a layout that is not known,
+    or that cannot hold what the description asks for.
     """
     if layout is None or layout == mechanism.layout:
         return mechanism
     if layout not in LAYOUTS:
         raise DescriptionError(Fault(f"unknown layout {quoted(layout)}", hint='layouts: "sheets", "page"'))
-    source, _ = parse_as_meant(mechanism.text, "<text>")
-    found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text)
+    source, _ = parse_as_meant(mechanism.text, file)
+    found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text, file)
+    sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
+    return replace(found, file=mechanism.file, sketch=sketch)
+
+
+def with_tolerance(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
+    """The mechanism with bands of all its outputs and summaries, where its description asks for none.
+
+    It stands in its text, too; `file` is what messages call that. Raises DescriptionError where nothing can have a band.
+    """
+    if mechanism.bands is not None:
+        return mechanism
+    source, _ = parse_as_meant(mechanism.text, file)
+    found = loads(f"{source.text.rstrip()}\n\n[tolerance]\n", file)
     sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
     return replace(found, file=mechanism.file, sketch=sketch)
 
@@ -176,6 +190,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "study": study.read(part(data, "study", {}), bodies, summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
     }
+    parts["bands"] = tolerances.read(data, table, [*([driven] if driven else []), *further], layout, scope)
     drivers.check_tables(further, parts["tables"], scope)
     name = _name(head, report)
     if report.faults or driven is None:

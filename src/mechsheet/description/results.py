@@ -139,7 +139,7 @@ def _coordinates(scope: Scope) -> list[str]:
     return [f"{point}.{axis}" for point in scope.points for axis in "xy"]
 
 
-def _check_column(name: Any, path: Path, scope: Scope) -> None:
+def check_column(name: Any, path: Path, scope: Scope) -> None:
     """`name` must be a variable, a coordinate or an output: something with a value in every row."""
     if name is BAD or name in scope.variables or name in scope.outputs or known_rate(name, path, scope):
         return
@@ -162,7 +162,7 @@ def summaries(data: dict[str, Any], scope: Scope) -> tuple[Summary, ...]:
         if entry is BAD:
             continue
         path: Path = ("summary", name)
-        _check_column(entry["of"], (*path, "of"), scope)
+        check_column(entry["of"], (*path, "of"), scope)
         cell = scope.cell(entry, path)
         result.append(Summary(name, entry["of"], entry["take"], words(entry.get("label")), cell))
     return tuple(result)
@@ -179,10 +179,10 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
         given = (entry.get(key, []) for key in ("y", "paths", "hodographs"))
         y, paths, hodographs = ([] if names is BAD else names for names in given)
         if x:
-            _check_column(x, (*path, "x"), scope)
+            check_column(x, (*path, "x"), scope)
         for number, name in enumerate(y):
             if name not in scope.charted:
-                _check_column(name, (*path, "y", number), scope)
+                check_column(name, (*path, "y", number), scope)
         for key, names in (("paths", paths), ("hodographs", hodographs)):
             for number, name in enumerate(names):
                 if name is not BAD and name not in scope.points:
@@ -249,7 +249,7 @@ def tables(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[TableR
             )
             scope.report.at((*path, "value"), message, "give a second input: rows = { a2 = [40, 45, 50] }")
         else:
-            _check_column(value, (*path, "value"), scope)
+            check_column(value, (*path, "value"), scope)
             _check_position(value, (*path, "value"), scope)
         result.append(TableRequest(rows, column, values, value, title))
     return tuple(result)

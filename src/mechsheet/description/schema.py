@@ -460,6 +460,15 @@ SOLUTION = Table(
     }
 )
 
+TOLERANCES = Table(
+    {
+        "of": Key(
+            Items(Text(names="output, variable, coordinate or summary"), 1, MOST_SERIES),
+            "what has bands; default: all outputs and summaries of positions",
+        ),
+    }
+)
+
 OF_SYNTHESIS = Table({"synthesis": Key(Text(names="result"), "the result that says it", True)})
 
 ASSEMBLY = Named(
@@ -625,6 +634,7 @@ DESCRIPTION = Table(
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
+        "tolerance": Key(TOLERANCES, "bands that follow from the tolerances of dimensions; needs no keys"),
         "charts": Key(Items(CHART), "charts; sensible ones are chosen when left out"),
         "tables": Key(Items(TABLE), "two-way tables"),
         "workbook": Key(WORKBOOK, "how the workbook is written"),

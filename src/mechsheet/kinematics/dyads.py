@@ -31,6 +31,11 @@ class Determinant:
     turned: bool
     dead: Condition | None
 
+    @property
+    def product(self) -> Node:
+        """w1 x w2."""
+        return al.neg(self.node) if self.turned else self.node
+
 
 @dataclass(frozen=True, slots=True)
 class Solved:

@@ -21,7 +21,7 @@ from mechsheet.units import Unit
 
 Role = Literal[
     "constant", "driver", "iteration", "intermediate", "variable", "point", "coefficient", "rate", "dynamic", "force",
-    "output",
+    "influence", "band", "output",
 ]  # fmt: skip
 
 RATES: tuple[Role, ...] = ("coefficient", "rate")
@@ -31,7 +31,10 @@ RATES: tuple[Role, ...] = ("coefficient", "rate")
 FORCES: tuple[Role, ...] = ("dynamic", "force")
 """Roles of what only a mechanism with masses or loads has: what forces are found from, and what people read."""
 
-INNER: tuple[Role, ...] = ("intermediate", "coefficient", "dynamic")
+BANDS: tuple[Role, ...] = ("influence", "band")
+"""Roles of what only a workbook with tolerances has: what derivatives by dimensions are found from, and what people read."""
+
+INNER: tuple[Role, ...] = ("intermediate", "coefficient", "dynamic", "influence")
 """Roles of columns in quieter ink: nobody but other columns reads them."""
 
 ForceKind = Literal["", "effort", "work", "besides", "size", "part", "normal", "couple", "whole", "center"]
@@ -175,6 +178,9 @@ class Group:
                   a right triangle; none where two lines meet
     system        the equations that Newton's method solves, where no formula does; such a group has no `closure`
     follows       the mode as a synthesis finds it, over its steps; None where it is given
+    determinant   that of the closure's derivatives by the unknowns, in their order: w1 x w2, where w is the derivative of
+                  left minus right by one of them; None where there is no `closure`
+    dead          what must hold for derivatives to be numbers; None where the determinant never vanishes
     """
 
     number: int
@@ -195,6 +201,8 @@ class Group:
     sides: tuple[Node, ...] = ()
     system: System | None = None
     follows: Node | None = None
+    determinant: Node | None = None
+    dead: Condition | None = None
 
     @property
     def mode_value(self) -> int:

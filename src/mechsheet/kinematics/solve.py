@@ -411,9 +411,17 @@ def _groups(
             index, dyad.kind, dyad.bodies, solved.pins, solved.unknowns, loop, solved.mode,
             solved.assemblies, assembly, solved.closes, solved.apart, solved.degenerate, is_open, solved.label,
             solved.transmission, solved.sides, solved.system, _mode_of_task(mechanism, solved),
+            None if solved.system else _determinant(dyad, solved.determinant), solved.determinant.dead,
         )
         for index, ((dyad, solved, assembly, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)
     )  # fmt: skip
+
+
+def _determinant(dyad: Dyad | Chain, found: Determinant) -> Node:
+    """That of the closure: where the driven pair is turned against the dyad's first link, and not the link against the pair,
+    the unknowns are -q1 and q2 - q1, which turns the sign."""
+    turned = isinstance(dyad, Dyad) and dyad.frame and dyad.whole[0] == dyad.first[0]
+    return al.neg(found.product) if turned else found.product
 
 
 def _pairs(poses: Poses, order: Order) -> None:

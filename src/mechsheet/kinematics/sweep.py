@@ -95,7 +95,9 @@ def rough_poses(
     driver = driver_values(mechanism, dimensions)
     for count in (*CHUNKS, len(driver)):
         values = sweep(mechanism, equations, driver[:count])
-        good = np.where(_followed(equations, values), _distinct(equations, values), -1.0)
+        good = _distinct(equations, values)
+        begun = np.where(_followed(equations, values), good, -1.0)
+        good = begun if np.any(begun >= 0) else good  # nowhere near its beginning: anywhere
         if np.any(good >= DISTINCT) or count >= len(driver):
             break
     row = int(np.argmax(np.minimum(good, DISTINCT)))  # the first that is good enough, else the best there is

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from mechsheet.description.reader import with_layout
+from mechsheet.description.reader import with_layout, with_tolerance
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, near_miss, readable_name
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
@@ -55,6 +55,7 @@ def build(
     functions: str | Iterable[str] = (),
     force: bool = False,
     layout: str | None = None,
+    tolerance: bool = False,
 ) -> list[Path]:
     """Write the mechanism's workbook, once for each format, and return the files written.
 
@@ -64,6 +65,7 @@ def build(
     formats    "xlsx", "ods", or several; "xlsx" without it
     functions  extra files: "basic" (`NAME-basic.ods`, needs macros), "lambda" (`NAME-lambda.xlsx`, needs Excel 365)
     layout     "sheets" or "page" (all on one sheet), in place of the description's own
+    tolerance  with bands of all outputs and summaries, where the description asks for none
     force      also over a file that is not a workbook as `build` wrote it: somebody's work may be in it
 
     A file is written beside its place and moved into it: a failure leaves the old one whole. Raises MechanismError when
@@ -71,6 +73,8 @@ def build(
     MechsheetError for formats that are not known or do not fit the file.
     """
     mechanism = with_layout(mechanism, layout)
+    if tolerance:
+        mechanism = with_tolerance(mechanism)
     wanted = targets(mechanism, output, formats, functions)
     if not force:
         refuse_edited(wanted)

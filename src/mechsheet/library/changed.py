@@ -105,21 +105,32 @@ def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: s
         raise located(error, mechanism.text, file) from error
     known = [group.mode for group in groups if group.mode]
     dyads = {group.mode for group in groups if group.system is None}
+    task = mechanism.synthesis
+    found = [
+        Fault(f"the assembly mode {quoted(name)} is found by the synthesis", file, key=option_of(f"{name}={value}"),
+              hint="change its task instead, or take it out of [assembly]")
+        for name, value in pairs
+        if task is not None and name_of(name) in task.mode
+    ]  # fmt: skip
     misfits = [
         _no_mode(name, value, file)
         for name, value in pairs
         if name_of(name) in dyads and _value_fault(name, value, file) is None and abs(float(value)) != 1
     ]
-    return misfits + [
-        Fault(
-            f"no group of links has the assembly mode {quoted(name)}",
-            file,
-            key=option_of(f"{name}={value}"),
-            hint=suggestion(name_of(name), known, "modes"),
-        )
-        for name, value in pairs
-        if name_of(name) not in known
-    ]
+    return (
+        found
+        + misfits
+        + [
+            Fault(
+                f"no group of links has the assembly mode {quoted(name)}",
+                file,
+                key=option_of(f"{name}={value}"),
+                hint=suggestion(name_of(name), known, "modes"),
+            )
+            for name, value in pairs
+            if name_of(name) not in known
+        ]
+    )
 
 
 def _with_modes(mechanism: Mechanism, wanted: Mapping[str, int], file: str) -> Mechanism:

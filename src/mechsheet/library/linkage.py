@@ -121,11 +121,12 @@ class Linkage(Mechanism):
         formats: str | Iterable[str] | None = None,
         force: bool = False,
         layout: str | None = None,
+        tolerance: bool = False,
     ) -> list[Path]:
         """Write the workbooks; see `mechsheet.build`."""
         from mechsheet.library.building import build
 
-        return build(self, output, formats, force=force, layout=layout)
+        return build(self, output, formats, force=force, layout=layout, tolerance=tolerance)
 
     def drawing(self, at: float | None = None) -> Drawing:
         """The drawing at a driver value (in its unit; the first position without it), shown by a notebook."""

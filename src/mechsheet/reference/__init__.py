@@ -6,6 +6,7 @@ It knows nothing of equations, formulas, cells or the groups that the workbook i
 from .continuity import leaps
 from .forces import forces
 from .geometry import dimension_values, driver_values
+from .nearby import nearby
 from .poses import Solution, assemblies, outputs, reached, solve, variables
 from .rates import by_time, rates
 from .residual import residuals, worst
@@ -20,6 +21,7 @@ __all__ = [
     "forces",
     "further",
     "leaps",
+    "nearby",
     "outputs",
     "rates",
     "reached",

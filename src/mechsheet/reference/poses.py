@@ -136,7 +136,7 @@ def solve(
     before = len(scaled) - len(driver)
     rows_of_path = np.maximum(np.interp(np.arange(len(path)), asked, np.arange(len(asked))) - before, 0.0)
     asked = asked[before:]
-    state = _unsolved(built, path, rows_of_path)
+    state = unsolved(built, path, rows_of_path)
     alive = np.isfinite(path) & built.finite
     undetermined = np.zeros(len(path), dtype=bool)
     for i in range(len(built.blocks)):
@@ -155,10 +155,10 @@ def solve(
     state[~alive] = np.nan
     _continuous(built, sketched, state, path, alive)
     reached[alive] = state[alive]
-    return _solution(built, driver, path, state, reached, alive, undetermined)
+    return solution_of(built, driver, path, state, reached, alive, undetermined)
 
 
-def _unsolved(built: System, value: Array, rows: Array | None = None) -> Array:
+def unsolved(built: System, value: Array, rows: Array | None = None) -> Array:
     """States (m, columns) at driver values as the system has them: what is given, NaN else."""
     state = np.full((len(value), built.columns), np.nan)
     state[:, :3] = 0.0
@@ -235,7 +235,7 @@ def assemblies(
     if not built.finite:
         return []
     scaled = value / built.scale if mechanism.driver.joint else value
-    state = np.nan_to_num(_unsolved(built, np.array([scaled])))
+    state = np.nan_to_num(unsolved(built, np.array([scaled])))
     depth, states = assembly.assembled(built, state, scaled, 0, len(built.blocks), None, 4096)
     if depth < len(built.blocks):
         return []
@@ -297,9 +297,10 @@ def _places(built: System, state: Array) -> tuple[dict[str, Array], dict[str, Ar
     return _poses(built, state), slides, points
 
 
-def _solution(
+def solution_of(
     built: System, driver: Array, value: Array, state: Array, reached: Array, alive: Mask, undetermined: Mask
 ) -> Solution:
+    """What states of a system say; NaN in rows that are not alive."""
     worst = np.zeros(len(driver))
     for block in built.blocks:
         for equation in block.equations:

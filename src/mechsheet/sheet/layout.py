@@ -18,6 +18,7 @@ from mechsheet.sheet.table.iterations import iterations_sheet
 from mechsheet.sheet.table.positions import positions_sheet
 from mechsheet.sheet.table.rates import rates_sheet
 from mechsheet.sheet.table.requested import table_sheets
+from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
 
 DESCRIPTION_MARK = "mechsheet description, format 1"
@@ -30,14 +31,18 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     """The workbook (its formulas have no values yet) and the plan that it follows."""
     plan = plan_of(mechanism, equations)
     checks, extremes = Checks(plan), Extremes(plan)
+    tolerance = Tolerance(plan)
     requests = chart_requests(plan)
     drawing = drawing_of(plan, traced_points(plan, requests), requests)
     sheets = (
-        with_room(mechanism_sheet(plan, checks, extremes, charts_of(plan, requests, drawing), controls(plan))),
+        with_room(
+            mechanism_sheet(plan, checks, extremes, tolerance, charts_of(plan, requests, drawing), controls(plan))
+        ),
         *((synthesis_sheet(plan),) if plan.synthesis else ()),
         positions_sheet(plan),
         *((rates_sheet(plan),) if plan.rates else ()),
         *((forces_sheet(plan),) if plan.forces else ()),
+        *((tolerance.sheet(),) if plan.bands else ()),
         *table_sheets(plan),
         notes_sheet(plan),
         drawing.sheet,

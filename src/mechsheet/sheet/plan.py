@@ -15,9 +15,10 @@ import numpy as np
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.driving import given_values
-from mechsheet.kinematics.equations import FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
+from mechsheet.kinematics.equations import BANDS, FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.sensitivity import NO_BANDS, Sensitivities, toleranced
 from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
@@ -25,6 +26,7 @@ from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
 from mechsheet.sheet.synthesis.planning import plan_rows
 from mechsheet.sheet.synthesis.rows import Rows
+from mechsheet.sheet.table.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
 from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
 from mechsheet.sheet.workbook import Name
@@ -40,7 +42,8 @@ FIRST_BLOCK = 4
 """The row of the first block's heading."""
 
 SHEETS = ("mechanism", "positions", "drawing", "checks", "extremes", "notes", "description")
-"""Keys of the sheets that every workbook has; "rates" and "forces" stand behind the positions of one that has them."""
+"""Keys of the sheets that every workbook has; "rates", "forces", "tolerance" stand behind the positions of one that has
+them."""
 
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""
@@ -95,6 +98,7 @@ class Plan:
     rates   the columns of the sheet of rates behind its first two; none without velocities
     iterations  those of the sheet of Newton's method, where a group is solved by it
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
+    bands   those of the sheet of tolerances, likewise;  sensitivities: what these say
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
     arrow_rows  rows of the drawing's sheet in which its arrows stand, likewise
     synthesis   rows of the sheet of synthesis; None where no dimension is found from a task
@@ -112,6 +116,8 @@ class Plan:
     rates: list[TableColumn] = field(default_factory=list)
     forces: list[TableColumn] = field(default_factory=list)
     iterations: list[TableColumn] = field(default_factory=list)
+    bands: list[TableColumn] = field(default_factory=list)
+    sensitivities: Sensitivities = NO_BANDS
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
@@ -132,6 +138,21 @@ class Plan:
     def nominal(self) -> dict[str, Array]:
         """Every symbol's values over the rows with the dimensions and modes as described, NaN where there is none."""
         return sweep(self.mechanism, self.equations.equations, self.given)
+
+    @cached_property
+    def banded(self) -> dict[str, Banded]:
+        """The quantities that have a band, by symbol."""
+        return {each.quantity: Banded(each.quantity, tuple(each.by)) for each in self.sensitivities.of}
+
+    @cached_property
+    def band_places(self) -> dict[str, int]:
+        """By quantity with a band: the decimals of which the last is the band's first digit, in most rows."""
+        found = {}
+        for name, column in sizes(self.mechanism, self.sensitivities, self.equations, self.nominal).items():
+            there = column[np.isfinite(column) & (column > 0)]
+            if len(there):
+                found[name] = min(10, max(0, int(np.ceil(-np.log10(np.median(there)) - 1e-9))))
+        return found
 
     @cached_property
     def first_existing(self) -> int:
@@ -236,14 +257,17 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     further = [
         key for key, own in (("rates", RATES), ("forces", FORCES), ("iterations", ("iteration",))) if roles & {*own}
     ]
+    further += ["tolerance"] if mechanism.bands else []
     further += ["synthesis"] if mechanism.synthesis else []
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
-    assignments = with_energy(mechanism, lowered(mechanism, equations))
+    found_of_bands = found_bands(mechanism, equations)
+    assignments = with_bands(mechanism, with_energy(mechanism, lowered(mechanism, equations)), found_of_bands)
     found = classification(mechanism, assignments)
     plan = Plan(mechanism, assignments, language, at, rows, [float(value) for value in values], found)
+    plan.sensitivities = found_of_bands
     _plan_columns(plan)
     _plan_names_and_blocks(plan)
     return plan
@@ -273,10 +297,13 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _block(plan, "assembly", modes)
     variables = [*mechanism.given_by_row]
     variables += [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
+    variables += [symbol for symbol in plan.banded if plan.equations.of(symbol).role == "point"]
     variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
         _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
+    if mechanism.bands:
+        _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
     _block(plan, "verdicts", plan.found.entries)
     _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
     for dim in mechanism.dimensions:
@@ -293,6 +320,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
             safe_name(equation.symbol, taken),
             taken,
         )
+    if mechanism.bands:
+        _place_bands(plan, taken)
     for mode in modes:
         _spot(plan, mode, plan.blocks["assembly"].rows[mode], False, safe_name(mode, taken), taken)
     for key in ("start", "step"):
@@ -326,6 +355,16 @@ def block_of(dim: Dimension) -> str:
     places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
     places |= {"joints": "gears", "drivers": "drivers", "synthesis": "synthesis"}
     return places[str(dim.place[0])] if dim.place else ""
+
+
+def _place_bands(plan: Plan, taken: set[str]) -> None:
+    """The tolerances beside their dimensions, and the lines that say what they come to."""
+    rows = plan.blocks["dimensions"].rows
+    for dim in toleranced(plan.mechanism):
+        name = safe_name(f"tol_{dim.symbol}", taken)
+        _spot(plan, tolerance_symbol(dim.symbol), rows[dim.symbol], False, name, taken, TOLERANCE)
+    for symbol, row in plan.blocks["bands"].rows.items():
+        _spot(plan, f"#band {symbol}", row, False, safe_name(f"band_{symbol}", taken), taken)
 
 
 def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
@@ -376,7 +415,7 @@ def _plan_columns(plan: Plan) -> None:
         in_degrees = symbol in plan.mechanism.listed_symbols and own is not None and own.in_degrees
         _add_column(plan, symbol, "time" if driver.law else "listed", 0, in_degrees)
     for equation in plan.equations.columns:
-        if equation.role in (*RATES, *FORCES, "iteration"):
+        if equation.role in (*RATES, *FORCES, *BANDS, "iteration"):
             continue
         degrees = equation.role != "intermediate" and plan.mechanism.shown(equation.unit).in_degrees
         group = -1 if equation.role == "output" else equation.group
@@ -386,6 +425,7 @@ def _plan_columns(plan: Plan) -> None:
     if plan.rates:
         plan.at.spots["#rates"] = Spot(plan.at.titles["rates"], plan.at.first, RATES_STATUS, column=True)
     plan.forces += _columns_beside(plan, "forces", FORCES)
+    plan.bands += _columns_beside(plan, "tolerance", BANDS)
 
 
 def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[TableColumn]:

@@ -36,6 +36,10 @@ def parts(symbol: str) -> tuple[str, str]:
 
     theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14)
     """
+    if symbol.startswith(("Σ|", "√Σ")):
+        return symbol, ""
+    if ":" in symbol:
+        return _of_band(*symbol.split(":"))
     symbol = _PASS.sub("", symbol)
     if symbol in _SHAKING:
         return _SHAKING[symbol]
@@ -65,6 +69,21 @@ def parts(symbol: str) -> tuple[str, str]:
     if greek is None and any(character.isalpha() for character in subscript) and "_" not in symbol:
         return symbol, ""
     return greek or letter, subscript
+
+
+def _of_band(quantity: str, part: str) -> tuple[str, str]:
+    """det:1 -> (D, 1), theta14:gap 1.x -> (λ, 1,x), theta14:a3 -> ∂θ₁₄/∂a₃, theta14:worst case -> (Δθ, 14)"""
+    if quantity == "det":
+        return "D", part
+    what, space, number = part.partition(" ")
+    if quantity.startswith("loop "):
+        return f"∂g{quantity.removeprefix('loop ')}/∂{plain(part)}", ""
+    if not space:
+        return f"∂{plain(quantity)}/∂{plain(part)}", ""
+    if what in ("gap", "part"):
+        return "λ" if what == "gap" else "Σ", number.replace(".", ",")
+    letter, subscript = parts(quantity)
+    return f"Δ{letter}", subscript
 
 
 def rich(symbol: str, after: str = "") -> Rich | str:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Symbol, TriangleAngle, Unary, children, symbols
 from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.studies.program import DESIGN, ONE, PLACE, WHOLE, Printed, Program, Value, Width
@@ -139,6 +140,11 @@ class _Writer:
         self._masks: dict[tuple[Condition, ...], Value] = {}
         self._areas: dict[frozenset[Value], Value] = {}
         self._equations = lowering.equations
+        self._sums = {
+            equation.symbol: equation.expression
+            for equation in lowering.equations.columns
+            if equation.unit.kind == "angle" and not equation.exists and isinstance(equation.expression, Binary)
+        }
         wide: Width = PLACE if rows else WHOLE
         self.known = {symbol: Value(ONE, number=number) for symbol, number in lowering.fixed.items()}
         self.known |= {symbol: self.program.given(symbol, DESIGN) for symbol in lowering.varied}
@@ -160,12 +166,39 @@ class _Writer:
                 value = self._direction(equation.symbol, self.value(y), self.value(x))
             case TriangleAngle(opposite, beside, other):
                 value = self._angle(*(self.value(side) for side in (opposite, beside, other)))
+            case expression if equation.role == "output":
+                value = self.value(self._cancelled(expression))
             case expression:
                 value = self.value(expression, rooted=bool(equation.exists))
         if not equation.exists:
             return value
         mask = self._mask(equation.exists)
         return value if mask.width == ONE and mask.number else self.program.step("_kept", value, mask)
+
+    def _cancelled(self, expression: Node) -> Node:
+        """A sum of angles without what is added and taken away again: of theta14 - theta13 the angle between the links is
+        left, and nobody computes the directions of both."""
+        terms: dict[Node, int] = {}
+        self._add_terms(expression, 1, terms)
+        left = {node: count for node, count in terms.items() if count}
+        if len(left) == len(terms) or not left or any(abs(count) > 1 for count in left.values()):
+            return expression
+        total: Node = al.ZERO
+        for node, count in left.items():
+            total = al.add(total, node) if count > 0 else al.sub(total, node)
+        return total
+
+    def _add_terms(self, node: Node, sign: int, terms: dict[Node, int]) -> None:
+        match node:
+            case Binary("+" | "-" as op, one, other):
+                self._add_terms(one, sign, terms)
+                self._add_terms(other, sign if op == "+" else -sign, terms)
+            case Unary("-", operand):
+                self._add_terms(operand, -sign, terms)
+            case Symbol(name) if name in self._sums:
+                self._add_terms(self._sums[name], sign, terms)
+            case _:
+                terms[node] = terms.get(node, 0) + sign
 
     def _tolerance(self, equation: Equation) -> Value:
         """No number where a length between joints is none: then no row claims a position."""

@@ -147,6 +147,25 @@ PHRASES = {
     "driving_torque": ("driving torque of {one} on {other}", "tahrik momenti, {one} → {other}"),
     "driving_force": ("driving force of {one} on {other}", "tahrik kuvveti, {one} → {other}"),
     "by_work": ("the same by virtual work", "aynısı, virtüel iş ile"),
+    # tolerances
+    "constant_derivative": ("change of {symbol} by {dimension}", "{dimension} değişince {symbol} değişimi"),
+    "gap_influence": (
+        "how far a gap of 1 in the loop would move {symbol}", "devrede 1 birimlik açıklık {symbol} değerini ne kadar oynatır"
+    ),
+    "sensitivity": (
+        "change of {symbol} by one unit of {dimension}, the driver standing",
+        "{dimension} bir birim büyürse {symbol} ne kadar değişir, tahrik dururken",
+    ),
+    "band": ("band of {symbol}", "{symbol} sapma bandı"),
+    "band_worst": (
+        "{symbol}: all tolerances at their worst ends", "{symbol}: bütün toleranslar en kötü uçlarında"
+    ),
+    "band_root": (
+        "{symbol}: root of the sum of squares; tolerances independent",
+        "{symbol}: karelerin toplamının karekökü; toleranslar bağımsız",
+    ),
+    "band_low": ("{symbol} less the worst case", "{symbol} eksi en kötü durum"),
+    "band_high": ("{symbol} plus the worst case", "{symbol} artı en kötü durum"),
     # groups solved by Newton's method
     "largest_length": ("the largest length given", "verilen en büyük uzunluk"),
     "newton_distance": (

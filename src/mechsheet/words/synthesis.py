@@ -176,7 +176,7 @@ SHEET: dict[str, tuple[str, str]] = {
         "Synthesis of a quick return with a lever", "Kollu çabuk dönüş mekanizmasının sentezi"
     ),
     "synthesis.kind.dead-centres": (
-        "Synthesis of a crank-rocker by its dead centres", "Ölü konumlarıyla kol-sarkaç sentezi"
+        "Synthesis of a crank-rocker by its dead centres", "Ölü konumlarıyla krank-sarkaç sentezi"
     ),
     "synthesis.kind.guidance": ("Synthesis of a body's guidance", "Cisim kılavuzlama sentezi"),
     "synthesis.kind.quick-return-slider": (
@@ -186,14 +186,14 @@ SHEET: dict[str, tuple[str, str]] = {
         "Type into the yellow cells: lengths, drawing and curves follow at once.",
         "Sarı hücrelere yazın: boylar, çizim ve eğriler hemen uyar.",
     ),
-    "synthesis.task": ("Task", "Ödev"),
+    "synthesis.task": ("Task", "Görev"),
     "synthesis.result": ("Result", "Sonuç"),
     "synthesis.solution": ("Solution, step by step", "Adım adım çözüm"),
     "synthesis.does": ("Does it do it?", "Yapıyor mu?"),
     "synthesis.does.unsolved": ("solution", "çözüm"),
     "synthesis.does.task_inputs": ("yellow cells", "sarı hücre"),
     "synthesis.inputs.fine": ("each holds what it can be", "hepsinde olabilecek bir değer var"),
-    "synthesis.does.meets": ("task", "ödev"),
+    "synthesis.does.meets": ("task", "görev"),
     "synthesis.does.assemblies": ("assemblies", "montaj sayısı"),
     "synthesis.does.order": ("order", "sıra"),
     "synthesis.does.closes_throughout": ("passes", "geçiş"),
@@ -203,7 +203,7 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.does.sensitivity": ("sensitivity", "duyarlık"),
     "synthesis.does.together": ("dead centres", "ölü konumlar"),
     "synthesis.does.turns": ("full turn", "tam dönme"),
-    "synthesis.does.all": ("does all that the task asks", "ödevin istediği her şeyi yapıyor"),
+    "synthesis.does.all": ("does all that the task asks", "görevin istediği her şeyi yapıyor"),
     "synthesis.meets.exactly": ("does exactly what is asked", "isteneni tam olarak yapıyor"),
     "synthesis.meets.about": ("misses what is asked by up to ", "istenenden en çok sapma: "),
     "synthesis.meets.not": ("does not reach what is asked", "istenene ulaşamıyor"),
@@ -274,7 +274,7 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.exact": ("exact", "tam"),
     "synthesis.rounded": ("rounded", "yuvarlanmış"),
     "synthesis.used": ("used", "kullanılan"),
-    "synthesis.solved": ("the task has a solution", "ödevin çözümü var"),
+    "synthesis.solved": ("the task has a solution", "görevin çözümü var"),
     "synthesis.nothing": ("no solution", "çözüm yok"),
     "synthesis.from": ("from the synthesis", "sentezden"),
 }  # fmt: skip

@@ -11,6 +11,7 @@ from mechsheet.words.notes import NOTES
 from mechsheet.words.page import PAGE
 from mechsheet.words.rates import RATES
 from mechsheet.words.synthesis import SHEET
+from mechsheet.words.tolerance import TOLERANCE
 
 Language = Literal["en", "tr"]
 
@@ -185,6 +186,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
     **RATES,
+    **TOLERANCE,
     **FORCES,
     **NEWTON,
     **GEARS,

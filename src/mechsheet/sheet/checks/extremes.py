@@ -25,6 +25,7 @@ from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import ALL, SHOWN, formula
+from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.units import turn as whole_turn
@@ -68,6 +69,10 @@ class Extremes:
             for way in ("min", "max"):
                 self.blocks[symbol, way] = Block(row, PROBES)
                 row += PROBES + len(self.ends) + 2
+        self.bands: dict[tuple[str, Way], Block] = {}
+        for extreme in () if plan.rows_only else banded_extremes(plan):
+            self.bands[extreme] = Block(row, 1)
+            row += 3
         self._places()
 
     def _places(self) -> None:
@@ -84,6 +89,9 @@ class Extremes:
         for symbol in self.quantities:
             wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
             spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
+        for (symbol, way), block in self.bands.items():
+            for name in self.plan.banded[symbol].derivatives:
+                spots[f"#{way} {name}"] = Spot(title, block.row + 1, self.probes.at.spots[name].col)
         for number, block in self.gaps.items():
             for key, work in ((f"#gap_least_{number}", 0), (f"#gap_row_{number}", 1)):
                 cell = self.probes.cell(block.row, SIDE + work)
@@ -112,6 +120,8 @@ class Extremes:
             self._end(end, block)
         for (symbol, way), block in self.blocks.items():
             self._extreme(symbol, way, block)
+        for (symbol, way), block in self.bands.items():
+            self._band(symbol, way, block)
         return Sheet(
             probes.title,
             tuple(probes.cells),
@@ -341,8 +351,7 @@ class Extremes:
         value = probes.work(
             row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
         )
-        places = probes.cells_down(row, AT, count)
-        place = formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
+        place = self._place(row, count)
         if count == 1:
             probes.work(row + 2, SIDE + 1, "INDEX(drivers,place)", styles.RESULT, place=place,
                         drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
@@ -361,6 +370,20 @@ class Extremes:
             value=value, last=probes.cell(row + PROBES, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
             low=low, high=high,
         )  # fmt: skip
+
+    def _band(self, symbol: str, way: Way, block: Block) -> None:
+        """The derivatives by dimensions where a quantity is smallest or largest: as this changes, so does the extreme."""
+        probes, extreme = self.probes, self.blocks[symbol, way].row
+        probes.put(block.row, STATUS, self.plan.text("extremes.band", symbol=plain(symbol)), styles.LABEL)
+        probes.work(block.row, AT, "anchor", anchor=probes.cell(extreme, AT))
+        probes.work(block.row + 1, AT, "place", place=self._place(extreme, PROBES + len(self.ends) + 1))
+        probes.lay(block, self.plan.banded[symbol].derivatives)
+
+    def _place(self, row: int, count: int) -> Node:
+        """Where the best of a block's row and probes is."""
+        values, places = self.probes.cells_down(row, VALUE, count), self.probes.cells_down(row, AT, count)
+        value = self.probes.cell(row + 2, SIDE)
+        return formula("INDEX(places,MATCH(value,values,0))", places=places, value=value, values=values)
 
     # --- between the rows -------------------------------------------------------------------------------------
 
@@ -409,6 +432,14 @@ def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:
         "/(2*((two-one)*(y_two-y_three)-(two-three)*(y_two-y_one)))",
         one=one, two=two, three=three, y_one=y_one, y_two=y_two, y_three=y_three,
     )  # fmt: skip
+
+
+def banded_extremes(plan: Plan) -> list[tuple[str, Way]]:
+    """The extremes that summaries with a band are of."""
+    ways: dict[str, tuple[Way, ...]] = {"min": ("min",), "max": ("max",), "range": ("min", "max")}
+    asked = plan.mechanism.bands.summaries if plan.mechanism.bands else ()
+    summaries = [summary for summary in plan.mechanism.summaries if summary.symbol in asked]
+    return list(dict.fromkeys((each.of, way) for each in summaries for way in ways.get(each.take, ())))
 
 
 def quantities_of(plan: Plan) -> tuple[str, ...]:

@@ -39,7 +39,7 @@ class Probes:
         self.plan = plan
         self.title = title
         self.columns = [*plan.columns]
-        for column in (*plan.rates, *plan.forces):  # behind those of the positions
+        for column in (*plan.rates, *plan.forces, *plan.bands):  # behind those of the positions
             self.columns.append(replace(column, col=len(self.columns)))
         spots = {
             column.symbol: replace(plan.at.spots[column.symbol], sheet=plan.table, col=column.col)

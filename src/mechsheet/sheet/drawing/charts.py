@@ -23,6 +23,7 @@ from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.mechanism import CHARTS, ROW_HEIGHT
 from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.table.bands import HIGH, LOW, part_of
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
 
 GAP = 12
@@ -58,7 +59,10 @@ STILL = 1e-9
 
 def chart_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     """The charts that the description asks for, or those that suit any mechanism."""
-    return plan.mechanism.charts or _default_requests(plan)
+    requests = plan.mechanism.charts or _default_requests(plan)
+    shown = {symbol for request in requests for symbol in request.y}
+    banded = [symbol for symbol in plan.banded if symbol not in shown]
+    return (*requests, *(ChartRequest(x=across(plan), y=(symbol,)) for symbol in banded))
 
 
 def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
@@ -192,6 +196,7 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
         color = styles.SERIES[index % len(styles.SERIES)]
         dash: Literal["solid", "dash"] = "dash" if symbol in plan.efforts[1:] else "solid"
         curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color, dash=dash))
+        curves += _ends_of_band(plan, request.x, symbol, color)
         y = _at_position(plan, drawing, symbol)
         if x and y:
             markers.append(marker(plain(symbol), x, y, color))
@@ -201,8 +206,21 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
     return Chart(
         title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x),
         Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
-        legend="right" if len(curves) > 1 else "", alt_text=title,
+        legend="right" if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
     )  # fmt: skip
+
+
+def _ends_of_band(plan: Plan, across: str, symbol: str, color: str) -> list[Series]:
+    """Dashed, the worst case on both sides of a quantity that has a band."""
+    if symbol not in plan.banded:
+        return []
+    return [
+        Series(
+            plan.text(f"chart.band.{key}", symbol=plain(symbol)), _column(plan, across),
+            _column(plan, part_of(symbol, part)), line=color, width=1.0, dash="dash", in_legend=False,
+        )
+        for key, part in (("low", LOW), ("high", HIGH))
+    ]  # fmt: skip
 
 
 def chart_title(plan: Plan, request: ChartRequest) -> str:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
+from mechsheet.sheet.first.bands import band_here, write_bands
 from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
 from mechsheet.sheet.first.given import given_words, words_of
 from mechsheet.sheet.first.inputs import gated_tolerance
@@ -28,8 +29,10 @@ from mechsheet.sheet.plan import (
 )
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.bands import tolerance_symbol
 from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import places_of
+from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
@@ -59,7 +62,12 @@ LINE_HEIGHT = 34.0
 
 
 def mechanism_sheet(
-    plan: Plan, checks: Checks, extremes: Extremes, charts: tuple[Chart, ...] = (), controls: tuple[Control, ...] = ()
+    plan: Plan,
+    checks: Checks,
+    extremes: Extremes,
+    tolerance: Tolerance,
+    charts: tuple[Chart, ...] = (),
+    controls: tuple[Control, ...] = (),
 ) -> Sheet:
     """The sheet, with the charts and controls that others have made for it."""
     writer = Writer(plan)
@@ -76,6 +84,7 @@ def mechanism_sheet(
     _assembly(writer)
     _variables(writer)
     write_summaries(writer)
+    write_bands(writer, tolerance)
     merges = write_verdicts(writer, checks, extremes)
     _derived(writer)
     return Sheet(
@@ -142,8 +151,20 @@ def _dimensions(writer: Writer) -> None:
         writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim))
         value = dim.shown if dim.shown is not None else dim.unit.written(dim.value)
         writer.put(row, VALUE, value, styles.INPUT)
-        writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
+        read = tolerance_symbol(dim.symbol) in plan.at.spots
+        writer.put(row, TOLERANCE, dim.tolerance, styles.INPUT if read else styles.UNIT)
+        if read:
+            writer.validations.append(_tolerance_validation(plan, row))
         writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
+
+
+def _tolerance_validation(plan: Plan, row: int) -> Validation:
+    """A tolerance is not negative."""
+    title, message = plan.text("hint.tolerance.title"), plan.text("hint.tolerance")
+    return Validation(
+        Area(row, TOLERANCE, row, TOLERANCE), "decimal", ">=", Number(0.0), error_title=title, error_message=message,
+        input_title=title, input_message=message,
+    )  # fmt: skip
 
 
 def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
@@ -347,14 +368,18 @@ def _position(writer: Writer) -> None:
 
 def _variables(writer: Writer) -> None:
     plan = writer.plan
-    writer.heading("variables")
+    writer.heading("variables", plan.text("head.tolerance") if plan.banded else None)
     for symbol, row in plan.blocks["variables"].rows.items():
         unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
         writer.line(row, rich(symbol), shown_unit(plan, symbol), words_of(plan, symbol))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
         rate = styles.decimals(styles.RESULT, places_of(plan, unit))
         as_is = unit.per or symbol in plan.shown_forces
-        writer.formula(row, VALUE, node, rate if as_is else value_style(plan, unit.kind))
+        style = rate if as_is else value_style(plan, unit.kind)
+        if symbol in plan.band_places:
+            style = styles.decimals(styles.RESULT, plan.band_places[symbol])
+        writer.formula(row, VALUE, node, style)
+        band_here(writer, symbol, row)
 
 
 def _motion_controls(plan: Plan) -> tuple[Control, ...]:

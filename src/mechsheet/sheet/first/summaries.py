@@ -46,6 +46,8 @@ def _write(writer: Writer, summary: Summary) -> None:
     writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
     style = styles.decimals(styles.RESULT, places_of(plan, unit)) if unit.per else value_style(plan, unit.kind)
+    if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_places:
+        style = styles.decimals(styles.RESULT, plan.band_places[summary.of])
     value, where = _of(plan, summary)
     # over nothing: no number, and no 0 that somebody who looks for the smallest would take
     found = formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=closed, value=value)

@@ -6,7 +6,7 @@ import math
 
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.references import cell_name, column_letters
-from mechsheet.kinematics.equations import FORCES, RATES
+from mechsheet.kinematics.equations import BANDS, FORCES, RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.given import words_of
@@ -35,6 +35,7 @@ PARAGRAPHS = (
     "positions",
     "rates",
     "forces",
+    "tolerance",
     "arrows",
     "charts",
     "tables",
@@ -139,6 +140,7 @@ class _Page:
             "table": plan.text("sheet.table"),
             "rates": titles.get("rates", ""),
             "forces": titles.get("forces", ""),
+            "tolerance": titles.get("tolerance", ""),
             "speed": plain(plan.mechanism.driver_rates[0]),
             "acceleration": plain(plan.mechanism.driver_rates[1]),
         }
@@ -165,6 +167,8 @@ class _Page:
             left_out.add("rates")
         if not plan.forces:
             left_out.add("forces")
+        if not plan.bands:
+            left_out.add("tolerance")
         if not plan.arrows:
             left_out.add("arrows")
         self.list_of("use", tuple(entry for entry in PARAGRAPHS if entry not in left_out))
@@ -257,7 +261,7 @@ class _Page:
         for equation in self.plan.equations.constants:
             self._equation(equation, self.plan.mechanism.shown(equation.unit).text)
         self._driver()
-        columns = self.plan.equations.columns
+        columns = [equation for equation in self.plan.equations.columns if equation.role not in BANDS]
         self._groups(
             [equation for equation in columns if equation.role not in (*RATES, *FORCES) and equation.group >= 0]
         )

@@ -211,7 +211,8 @@ class _Lowering:
         fits = ITERATED.format(symbol=FITS if equation.group == 1 else f"{FITS}_{equation.group}")
         if equation.symbol == system.variables[0]:
             test = formula(
-                "AND(residual<=closed,det*first>0)", residual=Symbol(system.residual), closed=CLOSED,
+                "AND(MAX(residual,begun)<=closed,det*first>0)", residual=Symbol(system.residual), closed=CLOSED,
+                begun=Symbol(in_pass(system.residual, 0)),  # a start that leads nowhere is no sign of an assembly
                 det=Symbol(system.determinant), first=Symbol(in_pass(system.determinant, 0)),
             )  # fmt: skip
             own = replace(equation, symbol=fits, role="iteration", unit=NUMBER, label=phrase("newton_fits"))

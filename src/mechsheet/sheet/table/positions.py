@@ -29,6 +29,7 @@ from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.table.bands import HEADINGS, ROOT, WORST
 from mechsheet.sheet.workbook import (
     Area,
     Cell,
@@ -243,6 +244,9 @@ def heading(plan: Plan, column: TableColumn) -> Content:
     if column.kind in ("number", "status"):
         return plan.text(f"head.{column.kind}")
     unit = column_unit(plan, column)
+    word = HEADINGS.get(column.symbol.partition(":")[2])
+    if word is not None:
+        return plan.text(word) + (f" [{unit}]" if unit else "")
     return rich(column.symbol, f" [{unit}]" if unit else "")
 
 
@@ -296,9 +300,22 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     unit = column.equation.unit
     if column.symbol in plan.residuals:
         return styles.numbered(styles.INNER, styles.ERROR.number_format)
+    if column.equation.role == "band":
+        return _band_style(plan, column.symbol)
+    if column.symbol in plan.band_places:
+        return _decimals(styles.COLUMN, plan.band_places[column.symbol])
     if column.inner:
         return _decimals(styles.INNER, 4 if unit.kind == "angle" else places(plan, unit.kind))
     return _decimals(styles.COLUMN, places_of(plan, unit))
+
+
+def _band_style(plan: Plan, symbol: str) -> Style:
+    """A band has one digit more than what it is the band of; a derivative four decimals."""
+    quantity, _, part = symbol.partition(":")
+    if part not in HEADINGS:
+        return _decimals(styles.COLUMN, 4)
+    more = 1 if part in (WORST, ROOT) else 0
+    return _decimals(styles.COLUMN, plan.band_places.get(quantity, 4) + more)
 
 
 def places_of(plan: Plan, unit: Unit) -> int:

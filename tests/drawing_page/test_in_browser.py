@@ -61,6 +61,7 @@ def test_a_number_that_is_typed_moves_the_drawing(opening, four_bar):
     assert "value = 50" in opened.text()
 
 
+@pytest.mark.slow
 def test_a_four_bar_is_drawn_with_the_mouse_and_becomes_a_workbook(opening, tmp_path):
     """From an empty sheet: ground pins, links, a coupler point, the driver; `check` accepts the workbook."""
     opened = opening(None, tmp_path)
@@ -148,6 +149,7 @@ def test_undo_and_redo_take_drawing_and_text_along(opening, four_bar):
     opened.until("before => document.querySelector('#text').value === before", changed)
 
 
+@pytest.mark.slow
 def test_the_keyboard_draws_too(opening, tmp_path):
     """A ground pin and a link, by arrows and Enter; then the link's end is moved."""
     opened = opening(None, tmp_path)
@@ -187,6 +189,7 @@ def test_a_finger_drags(opening, four_bar):
     opened.until("document.querySelector('[data-name=a4]').value !== '56'")
 
 
+@pytest.mark.slow
 def test_a_picture_lies_behind_and_is_scaled_by_two_clicks(opening, four_bar):
     opened = opening(four_bar)
     page = opened.page
@@ -207,6 +210,7 @@ def test_a_picture_lies_behind_and_is_scaled_by_two_clicks(opening, four_bar):
     opened.until("document.querySelector('.layer-picture image') !== null")
 
 
+@pytest.mark.slow
 def test_a_reload_keeps_the_work(opening, four_bar):
     opened = opening(four_bar)
     opened.page.locator("[data-name=a4]").fill("58")
@@ -219,6 +223,7 @@ def test_a_reload_keeps_the_work(opening, four_bar):
     assert "a4 = { value = 56," in four_bar.read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_two_pages_at_once_ask_before_one_replaces_what_the_other_saved(opening, four_bar):
     first = opening(four_bar)
     second = opening(server=first.server)
@@ -239,6 +244,7 @@ def test_two_pages_at_once_ask_before_one_replaces_what_the_other_saved(opening,
     assert "a4 = { value = 58," in four_bar.read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_a_page_of_another_origin_gets_nothing(opening, four_bar, tmp_path):
     """Another site in the same browser, even one that knows the whole address: no answer that it could read, no page in a
     frame, no script taken over, nothing saved."""
@@ -282,6 +288,7 @@ def test_a_page_of_another_origin_gets_nothing(opening, four_bar, tmp_path):
     assert four_bar.read_bytes() == before
 
 
+@pytest.mark.slow
 def test_words_are_turkish_and_every_control_has_a_name(opening, four_bar):
     opened = opening(four_bar)
     opened.page.click("#language")
@@ -299,6 +306,25 @@ def test_words_are_turkish_and_every_control_has_a_name(opening, four_bar):
         assert nameless == []
 
 
+def test_a_link_that_is_dragged_moves_the_mechanism(opening, four_bar):
+    """With the tool Move: the text stays, the crank turns after the mouse, and the rocker with it."""
+    opened = opening(four_bar)
+    text = opened.text()
+    opened.page.keyboard.press("t")
+    rocker = opened.place("B")
+    opened.drag("A", (-35, -60))
+    angle = (
+        "async () => { const { state } = await import('./state.js'); return state.look.frames.driver[state.frame]; }"
+    )
+    assert 20 < opened.page.evaluate(angle) < 90
+    assert opened.place("B") != pytest.approx(rocker, abs=1)
+    assert opened.text() == text
+    opened.page.keyboard.press("v")
+    opened.drag("C", (20, 20))
+    opened.until("before => document.querySelector('#text').value !== before", text)
+    assert re.search(r"^at = \d", opened.text(), re.MULTILINE)  # the sketch is of the position that was shown
+
+
 def test_curves_follow_the_position(opening, four_bar):
     opened = opening(four_bar)
     opened.page.click("#tab-curves")
@@ -312,6 +338,7 @@ def test_curves_follow_the_position(opening, four_bar):
     opened.page.click("#play")
 
 
+@pytest.mark.slow
 def test_closing_the_page_ends_the_program(opening, four_bar):
     opened = opening(four_bar)
     opened.server.patience = 0.3

@@ -1,0 +1,114 @@
+"""[tolerance]: of which quantities and summaries bands are wanted; only of positions, and only where a dimension has a
+tolerance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from mechsheet.description.driving.rates import is_rate
+from mechsheet.description.index import Path
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, suggestion
+from mechsheet.description.results import check_column
+from mechsheet.description.scope import Scope
+from mechsheet.model import Dimension, Driver, FurtherDriver, Tolerances
+
+_PATH: Path = ("tolerance",)
+
+
+def read(
+    data: dict[str, Any],
+    dimensions: tuple[Dimension, ...],
+    driven: Sequence[Driver | FurtherDriver],
+    layout: str,
+    scope: Scope,
+) -> Tolerances | None:
+    """What is asked for; None without [tolerance]."""
+    if "tolerance" not in data or data["tolerance"] is BAD:
+        return None
+    _check_dimensions(dimensions, layout, scope)
+    named = data["tolerance"].get("of")
+    if named is BAD:
+        return None
+    given = {driver.symbol for driver in driven}
+    if named is None:
+        found = [name for name in (*scope.outputs, *scope.summaries) if _has_positions(name, given, scope)]
+        if not found:
+            message = "there is no output and no summary of positions to give a band to"
+            scope.report.at(_PATH, message, f'name what is wanted: of = ["{_example(given, scope)}"]')
+    else:
+        for number, name in enumerate(named):
+            _check(name, named[:number], given, (*_PATH, "of", number), scope)
+        found = [name for name in named if name is not BAD]
+    summaries = tuple(name for name in found if name in scope.summaries)
+    quantities = dict.fromkeys(scope.summaries.get(name, name) for name in found)
+    return Tolerances(tuple(quantities), summaries)
+
+
+def _check_dimensions(dimensions: tuple[Dimension, ...], layout: str, scope: Scope) -> None:
+    if layout == "page":
+        message = "bands need a sheet of their own, which the layout page does not have"
+        scope.report.at(_PATH, message, 'write layout = "sheets"')
+    own = [dim for dim in dimensions if dim.tolerance and not dim.place]
+    for dim in own:
+        if dim.derived:
+            message = f"{quoted(dim.symbol)} follows from other dimensions: its tolerance follows from theirs"
+            scope.report.at(("dimensions", dim.symbol, "tolerance"), message, "give those tolerances")
+    if not any(not dim.derived for dim in own):
+        example = next((dim.symbol for dim in dimensions if not dim.derived and not dim.place), "a2")
+        message = "no dimension has a tolerance: there is nothing that could spread"
+        scope.report.at(_PATH, message, f"write for example {example} = {{ value = 40, tolerance = 0.1 }}")
+
+
+def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Scope) -> None:
+    """One name: of a summary, or of something with a position in every row."""
+    if name is BAD:
+        return
+    if name in before:
+        scope.report.at(path, f"{quoted(name)} is listed twice")
+        return
+    of = scope.summaries.get(name, name)
+    if of is BAD:
+        return
+    if name not in scope.summaries and name not in scope.units and not _known(name, scope):
+        _report_unknown(name, path, scope)
+        return
+    if name not in scope.summaries:
+        check_column(name, path, scope)
+    if _reads_rates(of, scope):
+        message = (
+            f"{quoted(name)} is, or reads, a velocity, an acceleration or a force: bands are found of positions only"
+        )
+        scope.report.at(path, message)
+    elif of in given:
+        scope.report.at(path, f"{quoted(name)} is driven: no dimension changes it")
+    elif of.partition(".")[0] in scope.fixed:
+        scope.report.at(path, f"{quoted(name)} is of a point of the ground, which has no column of its own")
+
+
+def _known(name: str, scope: Scope) -> bool:
+    return (
+        name in scope.variables or name in scope.outputs or "." in name or is_rate(name, scope) or name in scope.forces
+    )
+
+
+def _report_unknown(name: str, path: Path, scope: Scope) -> None:
+    if scope.complete:
+        known = [*scope.outputs, *scope.summaries, *scope.variables]
+        message = f"no output, variable or summary is called {quoted(name)}"
+        scope.report.at(path, message, suggestion(name, known, "allowed"))
+
+
+def _reads_rates(name: str, scope: Scope) -> bool:
+    return is_rate(name, scope) or name in scope.forces or name in scope.of_rates
+
+
+def _has_positions(name: str, given: set[str], scope: Scope) -> bool:
+    """Whether an output or a summary is of positions."""
+    of = scope.summaries.get(name, name)
+    return of is not BAD and not _reads_rates(of, scope) and of not in given and of.partition(".")[0] not in scope.fixed
+
+
+def _example(given: set[str], scope: Scope) -> str:
+    return next((name for name in scope.variables if name not in given), "theta14")

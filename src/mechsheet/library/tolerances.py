@@ -1,0 +1,90 @@
+"""What the tolerances of a design come to: the bands of its outputs and summaries, as its workbook has them."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from typing import TypedDict
+
+from mechsheet.description.reader import with_tolerance
+from mechsheet.library.building import told
+from mechsheet.model import Mechanism
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.first.blocks import shown_unit
+from mechsheet.sheet.plan import MEANING
+from mechsheet.sheet.table.bands import ROOT, WORST
+from mechsheet.sheet.table.tolerance import lines_of
+
+
+class Band(TypedDict):
+    """Of one quantity or summary; None for no number (a dead centre, no position).
+
+    value       of a summary; None for a quantity, which has one in every row
+    worst, rss  the worst case and the root sum of squares, in `unit`; of a quantity where its band is largest
+    shares      by dimension (S t)^2 of the sum of squares, at most 1
+    words       what the first sheet says
+    """
+
+    value: float | None
+    worst: float | None
+    rss: float | None
+    unit: str
+    shares: dict[str, float | None]
+    words: str
+
+
+def bands_of(mechanism: Mechanism, file: str = "<text>") -> dict[str, Band]:
+    """The bands of a mechanism's [tolerance]; without one of all its outputs and summaries.
+
+    file  what messages call its description
+
+    Raises DescriptionError where no dimension has a tolerance or nothing can have a band, MechanismError where the mechanism
+    cannot be solved.
+    """
+    compiled = told(with_tolerance(mechanism, file))
+    plan = compiled.plan
+
+    def number(spot: Spot) -> float | None:
+        found = compiled.number(spot)
+        return None if math.isnan(found) else found
+
+    result: dict[str, Band] = {}
+    for line in lines_of(plan):
+        if line.kind == "shown":
+            continue
+        key = line.summary.symbol if line.summary else line.quantity
+        band, spot = plan.banded[line.quantity], plan.at.spots[f"#band {key}"]
+        title = plan.at.titles["tolerance"]
+        words = compiled.value(replace(spot, col=MEANING))
+        result[key] = Band(
+            value=number(plan.at.spots[f"#summary {key}"]) if line.summary else None,
+            worst=number(plan.at.spots[f"#{WORST} {line.key}"]),
+            rss=number(plan.at.spots[f"#{ROOT} {line.key}"]),
+            unit=shown_unit(plan, line.quantity),
+            shares={
+                name: number(Spot(title, line.row + 1, plan.at.spots[symbol].col))
+                for name, symbol in zip(band.dimensions, band.derivatives, strict=True)
+            },
+            words=words if isinstance(words, str) else "",
+        )
+    return result
+
+
+def bands_text(mechanism: Mechanism, file: str = "<text>") -> str:
+    """The same, one a line: `swing ± 0.28° (RSS 0.156°): a2 66%, a4 20%, a1 9%, a3 5%; 78.9° ± 0.3°; mostly a₂ (66 %)`."""
+    lines = []
+    for name, band in bands_of(mechanism, file).items():
+        unit = band["unit"] if band["unit"] in ("", "°") else f" {band['unit']}"
+        if band["worst"] is None or band["rss"] is None:
+            lines.append(f"{name}: {band['words']}")
+            continue
+        shares = sorted(band["shares"].items(), key=lambda pair: -(pair[1] or 0.0))
+        said = ", ".join(f"{dimension} {share:.0%}" for dimension, share in shares if share is not None)
+        lines.append(f"{name} ± {band['worst']:.3g}{unit} (RSS {band['rss']:.3g}{unit}): {said}; {band['words']}")
+    return "\n".join(lines)
+
+
+def bands_json(mechanism: Mechanism, file: str = "<text>") -> str:
+    """{"swing": {"value": 78.9, "worst": 0.28, "rss": 0.156, "unit": "°", "shares": {"a2": 0.66, ...}, "words": "..."}}."""
+    return json.dumps(bands_of(mechanism, file), ensure_ascii=False, indent=1)

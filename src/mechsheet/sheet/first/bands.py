@@ -1,0 +1,77 @@
+"""The block of tolerances on the first sheet: of each quantity and summary asked for its band, and what matters most."""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Call, Node, Symbol
+from mechsheet.sheet import styles
+from mechsheet.sheet.first.blocks import Writer, shown_unit
+from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE
+from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.bands import ROOT, WORST, part_of
+from mechsheet.sheet.table.tolerance import Line, Tolerance
+
+
+def write_bands(writer: Writer, tolerance: Tolerance) -> None:
+    """Fill the block in, where the description asks for tolerances."""
+    if "bands" not in writer.plan.blocks:
+        return
+    writer.heading("bands", writer.plan.text("bands.head.root"))
+    for line in tolerance.lines:
+        if line.kind != "shown":
+            _write(writer, tolerance, line)
+
+
+def _write(writer: Writer, tolerance: Tolerance, line: Line) -> None:
+    plan, summary = writer.plan, line.summary
+    key = summary.symbol if summary else line.quantity
+    row = plan.blocks["bands"].rows[key]
+    unit = shown_unit(plan, line.quantity)
+    writer.line(row, rich(key), unit, None)
+    style = styles.decimals(styles.RESULT, plan.band_places.get(line.quantity, 4) + 1)
+    for col, part in ((VALUE, WORST), (TOLERANCE, ROOT)):
+        value = formula("IFERROR(value,NA())", value=Symbol(f"#{part} {line.key}"))
+        writer.formula(row, col, plan.at.bind(value, plan.main), style)
+    words = formula("IFERROR(words,none)", words=_words(tolerance, line), none=plan.text("bands.none"))
+    writer.formula(row, MEANING, plan.at.bind(words, plan.main), styles.LABEL)
+
+
+def _words(tolerance: Tolerance, line: Line) -> Node:
+    """`78.9° ± 0.3°; mostly a2 (66 %)`; of a quantity where its band is largest."""
+    plan = tolerance.plan
+    shares, names = tolerance.shares(line)
+    most = formula("MAX(shares)", shares=shares)
+    name = formula("INDEX(names,MATCH(most,shares,0))", names=names, most=most, shares=shares)
+    before, between, after = plan.text("bands.mostly", name="#", share="#").split("#")
+    mostly = joined(before, name, between, formula("ROUND(100*most,0)", most=most), after)
+    if line.summary is not None:
+        value, band = Symbol(f"#summary {line.summary.symbol}"), Symbol(f"#{WORST} {line.key}")
+        return joined(_with_band(value, band, _behind(shown_unit(plan, line.quantity))), "; ", mostly)
+    driver = plan.mechanism.driver
+    worst, drivers = Symbol(ALL + part_of(line.quantity, WORST)), Symbol(ALL + driver.symbol)
+    where = formula(
+        "INDEX(drivers,MATCH(most,worst,0))", drivers=drivers, worst=worst, most=Symbol(f"#{WORST} {line.key}")
+    )
+    start, end = plan.text("bands.largest.at", driver=plain(driver.symbol), place="#").split("#")
+    return joined(start, formula("ROUND(where,4)", where=where), _behind(driver.unit.text) + end, "; ", mostly)
+
+
+def _behind(unit: str) -> str:
+    """A unit as it stands behind a number."""
+    return unit if unit in ("", "°") else f" {unit}"
+
+
+def _with_band(value: Node, band: Node, unit: str) -> Node:
+    """`26.2 ± 0.1 mm`: the last digit is the band's first."""
+    digits = formula("MAX(0,-INT(LOG10(band)))", band=band)
+    shown, wide = (Call("FIXED", (each, digits, formula("TRUE"))) for each in (value, band))
+    return joined(shown, f"{unit if unit == '°' else ''} ± ", wide, unit)
+
+
+def band_here(writer: Writer, symbol: str, row: int) -> None:
+    """Beside a quantity at the position shown its band there."""
+    plan = writer.plan
+    if symbol in plan.banded:
+        style = styles.decimals(styles.RESULT, plan.band_places.get(symbol, 4) + 1)
+        node = formula("IFERROR(value,NA())", value=Symbol(f"#{WORST} shown {symbol}"))
+        writer.formula(row, TOLERANCE, plan.at.bind(node, plan.main), style)

@@ -1,0 +1,184 @@
+"""The sheet of tolerances: in the rows of the positions derivatives by dimensions, worst case, root sum of squares.
+
+Below the table, in the columns of its quantity, a line for the position shown, one for the row with the largest band and
+one for each summary: the derivatives there, what they come to, and the share of each dimension, (S t)^2 of the sum of
+squares. An extreme changes with a dimension as the quantity does where the extreme is: that its place moves adds nothing
+to first order.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from mechsheet.model import Summary
+from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.over_rows import MOST, over_rows
+from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
+from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.bands import QUANTITIES, ROOT, WORST, Banded, part_of
+from mechsheet.sheet.table.positions import style_of
+from mechsheet.sheet.table.rates import sheet_beside
+from mechsheet.sheet.workbook import Cell, Fill, Sheet, Style
+
+GAP = 2
+"""Empty rows below the table; the dimensions' names stand in the second."""
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line below the table; the shares stand in the row below it.
+
+    kind  of a summary, of the row of the position shown, or of the row with the largest band
+    """
+
+    quantity: str
+    row: int
+    kind: Literal["summary", "shown", "largest"]
+    summary: Summary | None = None
+
+    @property
+    def key(self) -> str:
+        """What its results are called, behind `#worst case`."""
+        return f"of {self.summary.symbol}" if self.summary else f"{self.kind} {self.quantity}"
+
+
+def lines_of(plan: Plan) -> list[Line]:
+    """Those of all quantities, in the same rows; then those of the summaries."""
+    bands = plan.mechanism.bands
+    if bands is None:
+        return []
+    row = plan.at.last + GAP + 1
+    found = [Line(quantity, row, "shown") for quantity in bands.quantities]
+    row += 2
+    found += [Line(quantity, row, "largest") for quantity in bands.quantities]
+    for summary in plan.mechanism.summaries:
+        if summary.symbol in bands.summaries:
+            row += 2
+            found.append(Line(summary.of, row, "summary", summary))
+    return found
+
+
+class Tolerance:
+    """The sheet, planned before any formula that reads it is written."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.lines = lines_of(plan)
+        self.title = plan.at.titles.get("tolerance", "")
+        for line in self.lines:
+            for part in (WORST, ROOT):
+                spot = Spot(self.title, line.row, self._col(part_of(line.quantity, part)))
+                plan.at.spots[f"#{part} {line.key}"] = spot
+
+    def _col(self, symbol: str) -> int:
+        return self.plan.at.spots[symbol].col
+
+    def shares(self, line: Line) -> tuple[RangeRef, RangeRef]:
+        """The shares of a line, and the names of their dimensions, as another sheet reads them."""
+        cols = [self._col(name) for name in self.plan.banded[line.quantity].derivatives]
+        rows = (line.row + 1, self.plan.at.last + GAP)
+        shares, names = (
+            RangeRef(CellRef(row, cols[0], True, True, self.title), CellRef(row, cols[-1], True, True, self.title))
+            for row in rows
+        )
+        return shares, names
+
+    def sheet(self) -> Sheet:
+        """The finished sheet."""
+        plan = self.plan
+
+        def titled(number: int) -> str:
+            if number < QUANTITIES:
+                return plan.text("bands.groups")
+            quantity = plan.sensitivities.of[number - QUANTITIES].quantity
+            return plan.text("bands.of", symbol=plain(quantity))
+
+        made = sheet_beside(plan, "tolerance", plan.bands, self._status(), "0E7490", titled)
+        cells: list[Cell] = []
+        fills: list[Fill] = []
+        for band in plan.banded.values():
+            for name, symbol in zip(band.dimensions, band.derivatives, strict=True):
+                cells.append(Cell(plan.at.last + GAP, self._col(symbol), plain(name), styles.HEAD))
+        for line in self.lines:
+            if line.summary is not None or line.quantity == self.lines[0].quantity:  # others stand in the same rows
+                cells += self._words(line)
+            fills += self._line(line)
+        return replace(made, cells=made.cells + tuple(cells), fills=made.fills + tuple(fills))
+
+    def _status(self) -> Node:
+        """What the positions say; where they exist whether some group is at a dead centre."""
+        own = [column.symbol for column in self.plan.bands if column.group < QUANTITIES]
+        if not own:
+            return Symbol("#rates" if self.plan.rates else "#status")
+        all_there = formula("ISNUMBER(all)", all=al.total(Symbol(name) for name in own))
+        return formula(
+            "IF(_status=ok,IF(there,ok,dead),_status)",
+            ok=self.plan.text("status.ok"), there=all_there, dead=self.plan.text("bands.dead"),
+        )  # fmt: skip
+
+    def _words(self, line: Line) -> list[Cell]:
+        plan, summary = self.plan, line.summary
+        said = plan.text(f"bands.{line.kind}") if summary is None else rich(summary.symbol)
+        return [
+            Cell(line.row, RATES_DRIVER, said, styles.LABEL),
+            Cell(line.row, RATES_STATUS, plan.text("bands.derivative"), styles.STATUS),
+            Cell(line.row + 1, RATES_STATUS, plan.text("bands.share"), styles.STATUS),
+        ]
+
+    def _line(self, line: Line) -> list[Fill]:
+        """The derivatives, what they come to by the same formulas as in the table, and the shares."""
+        plan, band = self.plan, self.plan.banded[line.quantity]
+        found = []
+        for symbol in band.derivatives:
+            value = plan.at.bind(self._derivative(line, band, symbol), self.title)
+            found.append(Fill(line.row, self._col(symbol), value, self._style(symbol)))
+        root = part_of(line.quantity, ROOT)
+        for symbol in (part_of(line.quantity, WORST), root):
+            value = plan.at.bind(plan.equations.of(symbol).expression, self.title, line.row)
+            found.append(Fill(line.row, self._col(symbol), value, self._style(symbol)))
+        for symbol, part in zip(band.derivatives, band.parts, strict=True):
+            share = formula("(part/root)^2", part=part, root=Symbol(root))
+            value = plan.at.bind(share, self.title, line.row)
+            found.append(Fill(line.row + 1, self._col(symbol), value, styles.numbered(styles.RESULT, "0 %")))
+        return found
+
+    def _style(self, symbol: str) -> Style:
+        column = next(column for column in self.plan.bands if column.symbol == symbol)
+        return styles.numbered(styles.RESULT, style_of(self.plan, column).number_format)
+
+    def _derivative(self, line: Line, band: Banded, symbol: str) -> Node:
+        """Of a summary, in the position shown, or in the row with the largest band."""
+        column, summary = Symbol(ALL + symbol), line.summary
+        if line.kind == "shown":
+            return formula("INDEX(column,_position+1)", column=column)
+        if summary is None:
+            worst = Symbol(ALL + part_of(line.quantity, WORST))
+            return formula("INDEX(column,MATCH(most,worst,0))", column=column, worst=worst, most=over_rows(MOST, worst))
+        match summary.take:
+            case "min" | "max" as way:
+                return self._of_extreme(line.quantity, way, symbol)
+            case "range":
+                high, low = (self._of_extreme(line.quantity, way, symbol) for way in ("max", "min"))
+                return formula("high-low", high=high, low=low)
+            case "first":
+                return formula("INDEX(column,_first_1)", column=column)
+            case "last":
+                ends = [self.plan.at.cell(f"#last_{number}", self.title, None) for number in (1, STRETCHES)]
+                return formula("INDEX(column,MAX(top:bottom))", column=column, top=ends[0], bottom=ends[1])
+            case "mean":
+                said, ok = Symbol(f"{ALL}#status"), self.plan.text("status.ok")
+                return formula("AVERAGEIF(said,ok,column)", said=said, ok=ok, column=column)
+
+    def _of_extreme(self, quantity: str, way: Literal["min", "max"], symbol: str) -> Node:
+        """Where the quantity is smallest or largest: by a probe, or in the row where nothing is known between rows."""
+        if f"#{way} {symbol}" in self.plan.at.spots:
+            return Symbol(f"#{way} {symbol}")
+        drivers = Symbol(ALL + self.plan.mechanism.driver.symbol)
+        return formula("INDEX(column,MATCH(at,drivers,0))", column=Symbol(ALL + symbol), drivers=drivers,
+                       at=Symbol(f"#{way}_at_{quantity}"))  # fmt: skip
