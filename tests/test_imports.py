@@ -71,6 +71,7 @@ ALLOWED["homework"] = {
     "kinematics.solve",
     "kinematics.equations",
     "kinematics.numeric",
+    "kinematics.sweep",
     "compiled",
     "formats",
     "sheet.workbook",

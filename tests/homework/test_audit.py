@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -239,3 +240,56 @@ def test_the_angle_of_a_slider_is_not_asked():
     """It cannot turn: a student would be asked for a column of zeros, which no audit counts."""
     mechanism = description.load(Path(__file__).parents[2] / "templates" / "slider-crank.toml")
     assert list(asked_of(mechanism).marks) == ["theta13", "s14", "mu"]
+
+
+@pytest.mark.ci
+@pytest.mark.parametrize("headings", [True, False])
+def test_lengths_that_a_task_gives_may_be_typed_or_computed(headings):
+    """The description finds them; the sheet holds the numbers, and which assembly is meant says the task."""
+    mechanism = mechsheet.template("function-generator")
+    found = audited(upright(plain_book(mechanism, headings)), mechanism, asked_of(mechanism), "book")
+    assert set(verdicts(found).values()) == {"right"}
+    assert found.faults == ()
+
+
+@pytest.mark.ci
+@pytest.mark.parametrize("damaged", ["DEGREES({deg})", "{deg}"])
+def test_a_fault_does_not_hide_the_rows_at_a_limit(damaged):
+    """Chebyshev's linkage ends at limits, where rounding decides whether a formula has a value: the mend is found."""
+    mechanism = mechsheet.template("chebyshev")
+    book = plain_book(mechanism)
+    (sheet,) = book.sheets
+    place = next(n for n, block in enumerate(sheet.blocks) if block.rows > 3)
+    turned = sheet.blocks[place].formula
+    wrong = turned.args[0] if damaged == "{deg}" else replace(turned, name="DEGREES")
+    sheet.blocks[place] = replace(sheet.blocks[place], formula=wrong)
+    found = audited(upright(book), mechanism, asked_of(mechanism), "book")
+    assert [fault.mend for fault in found.faults] == ["RADIANS($A14)"]
+    assert set(verdicts(found).values()) == {"follows"}
+
+
+@pytest.mark.ci
+def test_rates_are_asked_and_mended(tmp_path):
+    """The lever's angular velocity in rad/s, with the speed in its cell; a sine in place of a cosine is found."""
+    text = mechsheet.template("four-bar").text.replace(
+        "step = 15\n", 'step = 15\nspeed = { value = 60, unit = "rpm" }\n', 1
+    )
+    mechanism = description.loads(text + "\n[exercise]\nasked = { omega13 = 1, omega14 = 1 }\n", "rates")
+    rates = {
+        "w13": "{w}*{a2}*SIN({t14}-{fi})/({a3}*SIN({t13}-{t14}))",
+        "w14": "{w}*{a2}*SIN({t13}-{fi})/({a4}*SIN({t13}-{t14}))",
+    }
+    given = [*FOUR_BAR, ("n [rpm]", "n", 60.0), ("omega12", "w", "{n}*PI()/30")]
+
+    def table(**changes):
+        columns = [(name, name, changes.get(name, formula)) for name, formula in rates.items()]
+        return Table(given, [*four_bar(), *columns])
+
+    right = audit(table().save(tmp_path / "right.xlsx"), mechanism)
+    assert verdicts(right) == {"omega13": "right", "omega14": "right"}
+    assert right.faults == ()
+    wrong = audit(
+        table(w14=rates["w14"].replace("SIN({t13}-{fi})", "COS({t13}-{fi})")).save(tmp_path / "b.xlsx"), mechanism
+    )
+    assert verdicts(wrong) == {"omega13": "right", "omega14": "wrong"}
+    assert wrong.faults[0].mend.count("SIN") == 2

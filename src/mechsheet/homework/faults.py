@@ -134,11 +134,11 @@ class Search:
 
     @cached_property
     def known(self) -> set[int]:
-        """Strips that are plainly something of the mechanism, or a single cell; not what is to be something else."""
+        """Strips that are plainly something of the mechanism, or beside no table; not what is to be something else."""
         words = vocabulary(self.truth)
         work = self.graph.work
         by_main = {strip: number for number, strip in enumerate(work.strips)}
-        found = {number for number, strip in enumerate(work.strips) if strip.length == 1 and not self._beside(strip)}
+        found = {number for number, strip in enumerate(work.strips) if not self._beside(strip)}
         computed = [series for series in self.found.series if series.main is not None]
         columns = np.array([self.sheet.column(series) for series in computed]).reshape(
             len(computed), self.found.driver.length

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from mechsheet import reference
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.solve import solve
+from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.model import Mechanism
 
 Array: TypeAlias = NDArray[np.float64]
@@ -72,6 +74,8 @@ def truth_of(
 ) -> Truth | None:
     """The mechanism at these driver values; None where it cannot be assembled anywhere, or has no places."""
     try:
+        if start is None and mechanism.synthesis is not None:
+            start = rough_poses(mechanism, {}, solve(mechanism))  # the task says which assembly is meant, not a sketch
         solution = reference.solve(mechanism, dimensions, start=start, values=driver)
         columns = reference.variables(solution)
     except (MechanismError, FloatingPointError, np.linalg.LinAlgError):
