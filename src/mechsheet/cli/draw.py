@@ -10,8 +10,10 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
+from .helping import Explained
 
-@click.command()
+
+@click.command(cls=Explained, short_help="Draw a mechanism with the mouse, in the browser.")
 @click.argument("description", required=False, type=click.Path(path_type=Path))
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the page.  [default: the browser's]")
 @click.option("--no-browser", is_flag=True, help="Print the address and open nothing.")

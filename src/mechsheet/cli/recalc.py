@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mechsheet.arguments.outputs import folder_ready, names_folder
-from mechsheet.checking.remark_lines import cell_text, remark_lines, stored_lines
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
 from .common import JSON, output_file, output_option, progress, settings_of
@@ -105,6 +104,8 @@ def _recalculate(
 
 def _check(files: Sequence[Path], gate: Gate, as_json: bool) -> None:
     """The stored values of each file."""
+    from mechsheet.checking.remark_lines import stored_lines
+
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
     reports = of_each(files, faults, lambda file, say: _judged(file, say, rules, baseline))
@@ -134,12 +135,15 @@ def _judged(file: Path, say: Callable[[str], None], rules: Rules, baseline: Base
 
 def _print_notes(head: str, remarks: Iterable[Fault]) -> None:
     """What cannot be computed as it is meant: a line for each function, not for each cell."""
+    from mechsheet.checking.remark_lines import remark_lines
+
     for line in remark_lines(remarks):
         click.echo(f"note: {head}{line}", err=True)
 
 
 def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
     """The cells of some ranges: JSON as for the whole workbook, or tables with an empty line between them."""
+    from mechsheet.checking.remark_lines import cell_text
     from mechsheet.formula.references import cell_name
     from mechsheet.library.recalculation import plain
 
