@@ -206,7 +206,7 @@ def _ironcalc(path: Path) -> Answers:
         import ironcalc
     except ImportError:
         raise MissingProgramError(
-            Fault("the package ironcalc is not installed", hint="pip install 'mechsheet[ironcalc]'")
+            Fault("the package ironcalc is not installed", hint='pip install "mechsheet[ironcalc]"')
         ) from None
     _only_xlsx(path, "ironcalc")
     model = ironcalc.load_from_xlsx(str(path), "en", "UTC", "en")
@@ -247,7 +247,7 @@ where formulas look a text up), so it is told how.
 def _onlyoffice(path: Path) -> Answers:
     _only_xlsx(path, "onlyoffice")
     if importlib.util.find_spec("docbuilder") is None:
-        hint = "pip install 'mechsheet[onlyoffice]' (100 MB, AGPL, runs as a program of its own)"
+        hint = 'pip install "mechsheet[onlyoffice]" (100 MB, AGPL, runs as a program of its own)'
         raise MissingProgramError(Fault("ONLYOFFICE's document-builder is not installed", hint=hint))
     with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
         result = Path(folder) / "answers.xlsx"

@@ -32,7 +32,7 @@ def plot(
     mechsheet plot four-bar.toml -o fb.html            one page: slider, play button, curves
     mechsheet plot engine.toml --at 60 --vectors       velocities and forces as arrows
 
-    Pictures and animations need matplotlib: pip install 'mechsheet[plot]'
+    Pictures and animations need matplotlib: pip install "mechsheet[plot]"
     """
     from mechsheet.plotting import plot as draw
 

@@ -37,7 +37,7 @@ def _ezdxf() -> Iterator[None]:
         import ezdxf
     except ImportError as error:
         raise MissingProgramError(
-            Fault("ezdxf is not installed: it writes DXF files", hint="pip install 'mechsheet[dxf]'")
+            Fault("ezdxf is not installed: it writes DXF files", hint='pip install "mechsheet[dxf]"')
         ) from error
     before = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True

@@ -46,7 +46,7 @@ PROGRAMS = {
 def installed() -> list[Part]:
     """Every extra and every program that this one can use."""
     extras = [
-        Part(f"mechsheet[{extra}]", use, _versions(packages), f"pip install 'mechsheet[{extra}]'")
+        Part(f"mechsheet[{extra}]", use, _versions(packages), f'pip install "mechsheet[{extra}]"')
         for extra, (packages, use) in EXTRAS.items()
     ]
     get = PROGRAMS.get(sys.platform, PROGRAMS["linux"])

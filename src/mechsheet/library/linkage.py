@@ -150,7 +150,7 @@ class Linkage(Mechanism):
 
 def _missing(package: str) -> MissingProgramError:
     return MissingProgramError(
-        Fault(f"{package} is not installed", hint="pip install 'mechsheet[notebook]'", key=package)
+        Fault(f"{package} is not installed", hint='pip install "mechsheet[notebook]"', key=package)
     )
 
 

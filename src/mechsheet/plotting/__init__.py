@@ -37,7 +37,7 @@ def plot(
 
     Raises MechsheetError for another ending and for a position that an animation does not have, MechanismError when
     the mechanism cannot be solved or has no position at `at`, MissingProgramError when a picture is wanted and
-    matplotlib (`pip install 'mechsheet[plot]'`) is not there, OutputError when the file cannot be written.
+    matplotlib (`pip install "mechsheet[plot]"`) is not there, OutputError when the file cannot be written.
     """
     path = file_in(path, f"{mechanism.stem}.svg")
     kind = path.suffix.lower().removeprefix(".")

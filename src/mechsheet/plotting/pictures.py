@@ -53,7 +53,7 @@ def _settings() -> Iterator[None]:
         import matplotlib as mpl
     except ImportError as error:
         raise MissingProgramError(
-            Fault("matplotlib is not installed: it draws the pictures", hint="pip install 'mechsheet[plot]'")
+            Fault("matplotlib is not installed: it draws the pictures", hint='pip install "mechsheet[plot]"')
         ) from error
     with mpl.rc_context():
         mpl.rcdefaults()

@@ -29,7 +29,7 @@ def _package(name: str, extra: str) -> Any:
     try:
         return import_module(name)
     except ImportError as problem:
-        hint = f"pip install 'mechsheet[{extra}]'"
+        hint = f'pip install "mechsheet[{extra}]"'
         raise MissingProgramError(Fault(f"{name} is not installed", hint=hint, key=name)) from problem
 
 
