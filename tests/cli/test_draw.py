@@ -1,5 +1,6 @@
 """`mechsheet draw`: the address, the end, and what is refused before a page is opened."""
 
+import functools
 import http.client
 import os
 import signal
@@ -20,7 +21,9 @@ def test_it_serves_until_ctrl_c(tmp_path):
     command = [sys.executable, "-m", "mechsheet", "draw", "mine.toml", "--no-browser"]
     environment = os.environ | {"PYTHONUNBUFFERED": "1"}
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    running = subprocess.Popen(command, cwd=tmp_path, text=True, env=environment, **pipes)
+    # a shell that runs tests in the background ignores SIGINT, and what it starts does so too
+    heard = functools.partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
+    running = subprocess.Popen(command, cwd=tmp_path, text=True, env=environment, preexec_fn=heard, **pipes)
     try:
         address = running.stdout.readline().strip()
         host, _, path = address.removeprefix("http://").partition("/")
