@@ -1,6 +1,5 @@
 """`mechsheet draw`: the address, the end, and what is refused before a page is opened."""
 
-import functools
 import http.client
 import os
 import signal
@@ -14,16 +13,21 @@ from click.testing import CliRunner
 import mechsheet
 from mechsheet.cli import main
 
+HEARING = """
+import signal
+from mechsheet.cli import main
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell starts what runs in the background deaf to it
+main()
+"""
+
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are another matter there")
 def test_it_serves_until_ctrl_c(tmp_path):
     (tmp_path / "mine.toml").write_text(mechsheet.template("four-bar").text, encoding="utf-8")
-    command = [sys.executable, "-m", "mechsheet", "draw", "mine.toml", "--no-browser"]
+    command = [sys.executable, "-c", HEARING, "draw", "mine.toml", "--no-browser"]
     environment = os.environ | {"PYTHONUNBUFFERED": "1"}
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    # a shell that runs tests in the background ignores SIGINT, and what it starts does so too
-    heard = functools.partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    running = subprocess.Popen(command, cwd=tmp_path, text=True, env=environment, preexec_fn=heard, **pipes)
+    running = subprocess.Popen(command, cwd=tmp_path, text=True, env=environment, **pipes)
     try:
         address = running.stdout.readline().strip()
         host, _, path = address.removeprefix("http://").partition("/")
