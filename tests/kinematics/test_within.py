@@ -69,6 +69,16 @@ def test_the_platform_of_the_lift_is_level_and_as_high_as_its_angle_says():
     assert np.allclose(rate[2:-2], found["gain"][2:-2], rtol=5e-3)
 
 
+def test_strokes_of_an_excavator_turn_dipper_and_bucket_as_published():
+    """Strokes and angles that the source states of its machine, to its 0.1 mrad."""
+    path = TEMPLATES / "excavator.toml"
+    found = linkage.load(path).solve()
+    assert np.allclose(np.radians(found["gamma"][[0, -1]]), [0.7839, -2.8659], rtol=0, atol=1e-4)
+    for length, turned in ((1046, -0.5103), (1556, -2.5848)):
+        dipper = linkage.load(path, {"l": length}).solve()["theta14"]
+        assert np.allclose(np.radians(dipper + 10), turned, rtol=0, atol=1e-4)
+
+
 def test_either_side_of_the_cylinder_as_the_sketch_has_it():
     """Crank and coupler mirrored at the cylinder: the other assembly, another motion."""
     sizes = {"a1": 70, "a2": 35, "a3": 60, "a4": 56, "closed": 32, "p": 16, "q": 38, "aside": 0}

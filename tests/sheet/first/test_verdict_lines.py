@@ -76,3 +76,12 @@ def test_less_than_a_turn():
 def test_link_that_turns_on():
     assert Laid(template_text("oldham")).words("swing_theta14") == "crank: turns fully"
     assert Laid(template_text("watt-ii")).words("swing_theta16") == "rocker: swings by this much"
+
+
+def test_what_stands_still_beside_a_driver_set_by_hand_is_not_judged():
+    """The dipper's cylinder keeps its length while the bucket's moves: its angle of transmission would be called good."""
+    laid = Laid(template_text("excavator"))
+    lines = laid.plan.blocks["verdicts"].rows
+    assert {"transmission_2", "transmission_3"} <= set(lines)
+    assert not {"transmission_1", "swing_theta12", "swing_theta14"} & set(lines)
+    assert "poor below 40°" in laid.verdict

@@ -48,10 +48,10 @@ class FourBar:
 class Classification:
     """All that can be said.
 
-    swings        links pivoted to the ground, without the driven one
+    swings        links pivoted to the ground that the sweep moves, without the driven one
     strokes       sliding joints on the ground, without the driven one
     returning     symbols of those swings and strokes that move nothing further; they have a time ratio if the driver turns
-    transmission  groups that have an angle of transmission
+    transmission  groups that have an angle of transmission, and that the sweep moves
     limits        True where some group can come apart
     rates         True where there are velocities
     forces        True where there are masses or loads
@@ -107,10 +107,10 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
     pivoted = [link for link in mechanism.links[1:] if any(point in ground.points for point in link.points)]
     driver = mechanism.driver
     loops = (_four_bar(mechanism, group, pivoted) for group in equations.groups if group.kind == "RRR")
-    names = {equation.symbol for equation in equations.columns}
     driven = mechanism.driven_symbols
     turning = [link for link in pivoted if link.name != driver.link and link.angle_symbol not in driven]
-    swings = tuple(link for link in turning if equations.of(link.angle_symbol).reads)
+    names, still = {equation.symbol for equation in equations.columns}, _still(mechanism, equations)
+    swings = tuple(link for link in turning if link.angle_symbol not in still)
     on_ground = (joint for joint in mechanism.joints if ground.name in (joint.on, joint.link))
     strokes = tuple(joint for joint in on_ground if joint.symbol not in driven)
     return Classification(
@@ -118,13 +118,25 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         swings,
         strokes,
         _returning(mechanism, equations, swings, strokes),
-        tuple(group for group in equations.groups if group.transmission in names),
+        tuple(group for group in equations.groups if group.transmission in names - still),
         bool(equations.margins),
         mechanism.driver.speed is not None and bool(equations.groups),
         bool(equations.equations.efforts),
         mechanism.flywheel is not None,
         any(group.system is not None for group in equations.groups),
     )
+
+
+def _still(mechanism: Mechanism, equations: Assignments) -> frozenset[str]:
+    """Columns that are the same in every row, because they follow from dimensions alone: a driver that is set by hand."""
+    given = {dimension.symbol for dimension in mechanism.dimensions} | {each.symbol for each in equations.constants}
+    given |= {group.mode for group in equations.groups}
+    still: set[str] = set()
+    for column in equations.columns:
+        before = set(column.reads_previous) - {column.symbol}  # an angle reads its own, to go on without a jump
+        if (given | still).issuperset(before.union(column.reads)):
+            still.add(column.symbol)
+    return frozenset(still)
 
 
 def _returning(
