@@ -75,8 +75,10 @@ def test_strokes_of_an_excavator_turn_dipper_and_bucket_as_published():
     found = linkage.load(path).solve()
     assert np.allclose(np.radians(found["gamma"][[0, -1]]), [0.7839, -2.8659], rtol=0, atol=1e-4)
     for length, turned in ((1046, -0.5103), (1556, -2.5848)):
-        dipper = linkage.load(path, {"l": length}).solve()["theta14"]
-        assert np.allclose(np.radians(dipper + 10), turned, rtol=0, atol=1e-4)
+        assembly = {"mode_1": 1, "mode_2": 1, "mode_3": 1}  # the sketch shows another length
+        dipper = linkage.load(path, {"l": length, **assembly}).solve()["theta14"]
+        against_boom = np.radians(dipper + 10)
+        assert np.allclose(np.exp(1j * against_boom), np.exp(1j * turned), rtol=0, atol=1e-4)
 
 
 def test_either_side_of_the_cylinder_as_the_sketch_has_it():
