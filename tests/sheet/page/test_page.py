@@ -170,7 +170,8 @@ def test_formulas_are_short(name, language):
     longest = 450 if name in LOADED else 160
     for fill in page.sheet.fills:
         length = len(print_formula(fill.formula))
-        assert length <= (longest if fill.row >= page.plan.at.first and fill.col < len(page.plan.columns) else 480), (
+        # elsewhere the longest asks whether every yellow cell holds what it can be: 22 of an excavator
+        assert length <= (longest if fill.row >= page.plan.at.first and fill.col < len(page.plan.columns) else 490), (
             fill
         )
 
