@@ -15,7 +15,7 @@ The text's lengths for that lam, put into cos(mu) where crank and ground are in 
 
 Towards the lam from which the dead centres lie on both assemblies mu_min goes down to 0, so the best is always below it: the
 bounds are those of `best`, 1 and `LONGEST`.
-Sources: H. Alt, Werkstattstechnik 26 (1932); E. Soeylemez, Mechanisms, section 7.1; Freudenstein and Primrose (1972).
+Sources: E. Soeylemez, Mechanisms, section 7.1; F. Freudenstein and E. J. F. Primrose (1972). Such charts go back to H. Alt.
 """
 
 from __future__ import annotations
