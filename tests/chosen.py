@@ -29,6 +29,12 @@ LOADED = ("engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms
 LISTED = ("five-bar-robot",)
 """Templates whose two drivers are listed row by row: there is nothing between the rows."""
 
+STEPWISE = ("crank-rocker-swing", "function-generator", "rigid-body-guidance")
+"""Templates whose task takes more steps than fit on a page."""
+
+TASKS = (*STEPWISE, "quick-return-lever", "quick-return-slider")
+"""Templates whose dimensions a task finds: there are no functions of these."""
+
 Case = TypeVar("Case", str, Path)
 
 

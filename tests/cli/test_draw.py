@@ -13,11 +13,18 @@ from click.testing import CliRunner
 import mechsheet
 from mechsheet.cli import main
 
+HEARING = """
+import signal
+from mechsheet.cli import main
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell starts what runs in the background deaf to it
+main()
+"""
+
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are another matter there")
 def test_it_serves_until_ctrl_c(tmp_path):
     (tmp_path / "mine.toml").write_text(mechsheet.template("four-bar").text, encoding="utf-8")
-    command = [sys.executable, "-m", "mechsheet", "draw", "mine.toml", "--no-browser"]
+    command = [sys.executable, "-c", HEARING, "draw", "mine.toml", "--no-browser"]
     environment = os.environ | {"PYTHONUNBUFFERED": "1"}
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     running = subprocess.Popen(command, cwd=tmp_path, text=True, env=environment, **pipes)

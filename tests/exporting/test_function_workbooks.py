@@ -164,8 +164,9 @@ def test_matches(pattern, node, found):
 # --- LAMBDA ---------------------------------------------------------------------------------------------------------
 
 
-SEARCHED = ("Mechanism", "Mekanizma", "Drawing", "Çizim", "Extremes", "Uç değerler")
-"""Sheets that read ranges like INDEX(…):INDEX(…), which IronCalc does not know."""
+SEARCHED = ("Mechanism", "Mekanizma", "Drawing", "Çizim", "Extremes", "Uç değerler", "Checks", "Denetim")
+"""Sheets that read ranges like INDEX(…):INDEX(…), which IronCalc does not know; and Checks, which says in which row the
+largest rounding is: another program's last digits put it elsewhere."""
 
 
 def compared(one, other, left_out=()) -> tuple[int, float]:

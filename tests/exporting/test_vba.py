@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chosen import ITERATED, LISTED, but
+from chosen import ITERATED, LISTED, TASKS, but
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
@@ -45,7 +45,7 @@ def module_of(mechanism) -> bytes:
     return content
 
 
-@pytest.mark.parametrize("path", but(TEMPLATES, *ITERATED, *LISTED), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", but(TEMPLATES, *ITERATED, *LISTED, *TASKS), ids=lambda path: path.stem)
 def test_every_template_is_ascii_with_dos_lines_and_declares_what_it_uses(path):
     content = module_of(load(path))
     text = content.decode("ascii")
@@ -199,7 +199,7 @@ def test_functions_in_libreoffice_give_what_the_workbook_has():
         Office(module=module_of(mechanism), formulas=formulas)
         for mechanism, (formulas, _, _) in zip(mechanisms, calls, strict=True)
     ]
-    others = [load(path) for path in but(TEMPLATES, *ITERATED, *LISTED) if path.stem not in VALUED]
+    others = [load(path) for path in but(TEMPLATES, *ITERATED, *LISTED, *TASKS) if path.stem not in VALUED]
     for mechanism in others:
         formulas, _ = formulas_of(mechanism, (1,))
         jobs.append(Office(module=module_of(mechanism), formulas=[formulas[0], formulas[-1]]))

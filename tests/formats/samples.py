@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from mechsheet import portable
 from mechsheet.formula.nodes import (
     Binary,
     Boolean,
@@ -140,7 +141,7 @@ def points() -> list[tuple[float | None, float | None]]:
     for i in range(STEPS + 1):
         angle = math.radians(5.0 * i)
         gone = LEFT_OUT <= i < LEFT_OUT + 10
-        made.append((None, None) if gone else (math.cos(angle), math.sin(angle)))
+        made.append((None, None) if gone else (portable.cos(angle), portable.sin(angle)))
     return made
 
 

@@ -13,7 +13,7 @@ from mechsheet import reference
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
 from mechsheet.diagnostics import MechanismError, MechsheetError
-from mechsheet.engine import evaluate
+from mechsheet.engine import PORTABLE, evaluate
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.plotting.sampling import LEAST, MOST, resampled, sample, with_value
@@ -98,7 +98,7 @@ def test_what_follows_the_position_is_all_that_changes():
     """The small book gives what the whole workbook gives, for every series of every chart."""
     stage = Stage(sample(template("adjustable-pump"), None, None))
     spot = stage.sample.plan.at.spots["#position"]
-    whole = evaluate(book_of(stage.sample.workbook), {(spot.sheet, spot.row, spot.col): 37.0})
+    whole = evaluate(book_of(stage.sample.workbook), {(spot.sheet, spot.row, spot.col): 37.0}, PORTABLE)
     for chart, scene in zip(stage.charts, stage.at(37, stage.charts), strict=True):
         for piece in scene:
             for axis, ref in enumerate((piece.series.x, piece.series.y)):

@@ -27,7 +27,7 @@ FOUR_BAR = {("sheets", "names"): 1_595, ("sheets", "anchors"): 1_620, ("page", "
 """Formulas of a four-bar of 25 rows. Its template has anchors: there a constant is a cell, a named one is typed in."""
 
 FOUR_BAR_COLUMNS = {"sheets": 19, "page": 15}
-ALL = 165_000
+ALL = 175_000
 """Formulas of all templates together, as they are described."""
 
 BESIDE, SHARE = 500, 2.5
@@ -55,7 +55,7 @@ IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anch
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
 
 ELSEWHERE = {"sheets": 460, "page": 400}
-LONGER = {"scissor-lift-between-arms": 545, "planar-3rpr": 490}
+LONGER = {"scissor-lift-between-arms": 545, "planar-3rpr": 530}
 """The window of a drawing whose frame moves; the fit of the accelerations of four links and a cylinder at once."""
 KILOBYTES = {"four-bar.xlsx": 74, "four-bar-page.xlsx": 30}
 """Of the files in generated/."""

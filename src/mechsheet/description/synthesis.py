@@ -68,10 +68,9 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
             message = "there is no part [synthesis] whose result it could be"
             scope.report.at(("dimensions", symbol, "synthesis"), message)
         return None
-    before = len(scope.report.faults)
     task = _task(data, given, scope)
-    if task is None or len(scope.report.faults) > before or any(value is BAD for value in data.values()):
-        return None
+    if task is None or any(f"{fault.key}.".startswith("synthesis.") for fault in scope.report.faults):
+        return None  # also what was told before: it is not among the data
     units = Units(unit_of(scope.length_unit, scope.length_unit), scope.angle_unit, NUMBER)
     plain = [symbol for symbol, entry in given.items() if _is_plain(entry)]
     writer = written(data["kind"], task, units, frozenset((*given, *others)), plain)

@@ -77,10 +77,17 @@ class Result:
         }
 
     def write(self, output: Path) -> None:
-        """Write the workbook with all its values refreshed and nothing else changed."""
+        """Write the workbook with all its values refreshed and nothing else changed.
+
+        They are computed once more, by functions that have the same bits on every machine; where a volatile function
+        would give another value then, the values are those that were looked at.
+        """
+        from mechsheet.engine import PORTABLE, evaluate
         from mechsheet.formats import update_values
 
-        update_values(self.path, output, self.book, self.values, self.changes)
+        settled = not any(fault.about == "volatile" for fault in self.remarks)
+        values = evaluate(self.book, self.changes, PORTABLE) if settled else self.values
+        update_values(self.path, output, self.book, values, self.changes)
 
 
 def plain(value: Scalar) -> object:

@@ -5,6 +5,7 @@ Everything that is read by a formula gets its address here; the writers of the s
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -12,6 +13,7 @@ from typing import Literal
 
 import numpy as np
 
+from mechsheet import portable
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.driving import given_values
@@ -151,7 +153,7 @@ class Plan:
         for name, column in sizes(self.mechanism, self.sensitivities, self.equations, self.nominal).items():
             there = column[np.isfinite(column) & (column > 0)]
             if len(there):
-                found[name] = min(10, max(0, int(np.ceil(-np.log10(np.median(there)) - 1e-9))))
+                found[name] = min(10, max(0, math.ceil(-float(portable.log10(np.median(there))) - 1e-9)))
         return found
 
     @cached_property

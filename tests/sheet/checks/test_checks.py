@@ -7,9 +7,9 @@ from laid import ROOT, TEMPLATES, Laid, template_text
 
 from chosen import some
 from mechsheet.compiled.evaluation import book_of
+from mechsheet.dynamics.solve import solve
 from mechsheet.engine import evaluate
 from mechsheet.formula.nodes import Binary, Call, Number, transform
-from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.plan import plan_of
 from mechsheet.sheet.workbook import Cell

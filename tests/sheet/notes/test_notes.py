@@ -80,7 +80,7 @@ EMPTY = ("verdict.line.positions", "page.verdict.positions")
 
 
 def test_every_word_in_both_languages():
-    same = {"±", "Grashof", "", "No.", "12.5", "rad"}
+    same = {"±", "Grashof", "", "No.", "12.5", "rad", "RSS", "± RSS"}
     for key, (english, turkish) in WORDS.items():
         assert (english == "") == (turkish == "") or key in EMPTY, key
         assert english != turkish or english in same or not re.search(r"[^\W\d]{3}", re.sub(r"{\w+}", "", english)), key
@@ -126,7 +126,9 @@ def test_turkish_throughout(name):
         "residual",
         "turn",
         "motor",
+        "sign",
     }  # symbols of equations and words that are the same in both
+    given |= {load.name or "" for load in own.dynamics.loads} if own.dynamics else set()
     given |= {summary.symbol for summary in own.summaries} | {dim.cell or "" for dim in own.dimensions}
     english = english_words() - {word for text in given for word in re.findall(r"[^\W\d_]{3,}", text.lower())}
     for title, text in texts(laid):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import mechsheet
-from chosen import ITERATED, LOADED, but, part
+from chosen import ITERATED, LOADED, STEPWISE, but, part
 from mechsheet.checking import check
 from mechsheet.checking.cells import compare_cells
 from mechsheet.compiled import Compiled
@@ -25,7 +25,7 @@ from published.printed_numbers import dimensions, table
 from random_mechanisms import Grower
 
 ROOT = Path(__file__).parents[3]
-TEMPLATES = but(sorted(path.stem for path in (ROOT / "templates").glob("*.toml")), *ITERATED)
+TEMPLATES = but(sorted(path.stem for path in (ROOT / "templates").glob("*.toml")), *ITERATED, *STEPWISE)
 DISTANT = 1e-9
 """Of the size, or rad: what the rounding of cosines leaves where no triangle is within 0.03 degrees of a dead centre."""
 

@@ -64,6 +64,15 @@ def test_where_the_links_do_not_meet_the_table_says_so(sheet):
     assert "closes in no position" in sheet.verdict
 
 
+def test_behind_a_start_that_leads_nowhere_no_row_shows_a_position_by_chance(sheet):
+    """Rows further down would close, in whichever assembly Newton's method happens to fall into."""
+    for start, step in ((10.0, -1.2), (10.0, -2.2), (10.5, -1.6), (11.0, -1.2)):
+        sheet.change(_start=start, _step=step)
+        assert not any(sheet.exists), (start, step)
+    sheet.change(_start=9.2, _step=-0.4)  # a start that is reached leads on
+    assert all(sheet.exists)
+
+
 def test_steps_that_leap_are_red(sheet):
     """A leg that runs through the end of an assembly and back: what stands behind the gap may be another."""
     sheet.change(_start=7.0, _step=2.5)
