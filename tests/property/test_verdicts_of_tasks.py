@@ -43,7 +43,9 @@ def verdicts(kind, seed):
         if key.startswith("#") and spot.sheet == spots[mechanism.synthesis.inputs[0]].sheet and spot.col == VALUE:
             mark = session.get(cell_address(spot.sheet, spot.row, ROUNDED))
             found[key[1:]] = mark, session.get(cell_address(spot.sheet, spot.row, VALUE))
-    assert found.keys() >= set(verdicts_of(mechanism.synthesis)), "a name of another sheet's has taken one"
+    assert found.keys() >= set(verdicts_of(mechanism.synthesis, four_bar=True)), (
+        "a name of another sheet's has taken one"
+    )
     return found, mechanism, values
 
 
@@ -83,6 +85,7 @@ def test_of_function_generators(seed):
         assert found["transmission_used"][1] == pytest.approx(least, abs=0.1)
     at = bar.a2 * np.exp(1j * (theta + bar.theta_offset))
     dead = [transmission(at[n : n + 1], bar.a1, bar.a3, bar.a4) for n in range(len(at))]
+    assert found["grashof"][1] == pytest.approx(excess(bar.a1, bar.a2, bar.a3, bar.a4), abs=1e-6)
     if np.all(np.isfinite(dead)):
         assert found["at_dead_centre"][1] == pytest.approx(min(dead), abs=1e-6)
 
@@ -117,7 +120,8 @@ def test_of_guided_bodies(seed):
     ]
     one, other = (crank_of(given, poses, name) for name in ("A", "B"))
     a, b = (np.array(guidance.carried(poses, crank.moving)) for crank in (one, other))
-    sides = sides_of(a, b, other.fixed)
+    a0, b0 = one.fixed, other.fixed
+    sides = sides_of(a, b, b0)
     assert (found["assemblies"][1] == 1) == bool(np.all(sides == sides[0]))
     second, third = one.turns
     assert found["order"][1] == float(second * third > 0 and abs(third) > abs(second))
@@ -128,6 +132,14 @@ def test_of_guided_bodies(seed):
     if not math.isnan(least):
         assert found["transmission_used"][1] == pytest.approx(least, abs=0.1)
     assert found["meets"][1] < 1e-6
+    at_poses = [transmission(a[n : n + 1], b0, np.abs(b[n] - a[n]), other.length) for n in range(3)]
+    assert found["at_dead_centre"][1] == pytest.approx(min(at_poses), abs=1e-5)
+    assert found["grashof"][1] == pytest.approx(excess(one.length, abs(b[0] - a[0]), other.length, abs(b0 - a0)))
+
+
+def excess(*lengths):
+    """Shortest and longest less the other two: below 0 a link turns fully."""
+    return 2 * (min(lengths) + max(lengths)) - sum(lengths)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

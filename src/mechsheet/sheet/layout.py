@@ -12,6 +12,7 @@ from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes.notes import notes_sheet
 from mechsheet.sheet.plan import Plan, plan_of
+from mechsheet.sheet.synthesis.alt import alt_sheet
 from mechsheet.sheet.synthesis.sheet import synthesis_sheet
 from mechsheet.sheet.table.forces import forces_sheet
 from mechsheet.sheet.table.iterations import iterations_sheet
@@ -39,6 +40,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
             mechanism_sheet(plan, checks, extremes, tolerance, charts_of(plan, requests, drawing), controls(plan))
         ),
         *((synthesis_sheet(plan),) if plan.synthesis else ()),
+        *((alt_sheet(plan),) if "alt" in plan.at.titles else ()),
         positions_sheet(plan),
         *((rates_sheet(plan),) if plan.rates else ()),
         *((forces_sheet(plan),) if plan.forces else ()),

@@ -261,6 +261,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     ]
     further += ["tolerance"] if mechanism.bands else []
     further += ["synthesis"] if mechanism.synthesis else []
+    further += ["alt"] if mechanism.synthesis and mechanism.synthesis.kind == "dead-centres" else []
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
@@ -388,7 +389,7 @@ def _place_synthesis(plan: Plan, taken: set[str]) -> None:
         plan.at.spots[symbol] = Spot(title, row, col, degrees=degrees, name=name)
         plan.names.append(Name(name, title, row, col))
 
-    plan.synthesis = plan_rows(plan.mechanism, task, place)
+    plan.synthesis = plan_rows(plan.mechanism, task, bool(plan.found.four_bars), place)
 
 
 def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str], col: int = VALUE) -> None:

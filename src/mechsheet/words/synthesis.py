@@ -200,6 +200,7 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.does.transmission_used": ("least μ", "en küçük μ"),
     "synthesis.does.transmission_least": ("least μ", "en küçük μ"),
     "synthesis.does.at_dead_centre": ("dead centre", "ölü konum"),
+    "synthesis.does.grashof": ("Grashof", "Grashof"),
     "synthesis.does.sensitivity": ("sensitivity", "duyarlık"),
     "synthesis.does.together": ("dead centres", "ölü konumlar"),
     "synthesis.does.turns": ("full turn", "tam dönme"),
@@ -227,7 +228,7 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.turns.not": ("the crank does not turn fully", "krank tam dönmez"),
     "synthesis.sensitivity.about": (
         "0.1° (or 0.1 %) in an input changes a length by up to ",
-        "bir girdide 0,1° (ya da %0,1) bir boyu en çok şu kadar değiştirir: ",
+        "girdide 0,1° (ya da %0,1) bir boyu değiştirir, en çok: ",
     ),
     "synthesis.asked": ("What is asked", "İstenenler"),
     "synthesis.wanted": ("wanted", "istenen"),
@@ -277,6 +278,29 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.solved": ("the task has a solution", "görevin çözümü var"),
     "synthesis.nothing": ("no solution", "çözüm yok"),
     "synthesis.from": ("from the synthesis", "sentezden"),
+    "sheet.alt": ("Alt’s chart", "Alt diyagramı"),
+    "alt.title": (
+        "Alt’s chart: the best least transmission angle of crank-rockers",
+        "Alt diyagramı: krank-sarkaçların en iyi en küçük bağlama açısı",
+    ),
+    "alt.hint": (
+        "Over the swing ψ of the rocker and the turn φ of the crank meanwhile; last row and column: the task’s. "
+        "Green: 40° or more. Grey: no best λ (at φ = 180° μ min rises with λ towards 90° − ψ/4), or no crank-rocker.",
+        "Sarkacın salınım açısı ψ ile krankın bu sırada dönmesi φ üzerinden; son satır ve sütun görevinkiler. "
+        "Yeşil: 40° ve üstü. Gri: en iyi λ yok (φ = 180°'de λ büyüdükçe μ min 90° − ψ/4'e doğru artar) "
+        "ya da krank-sarkaç yok.",
+    ),
+    "alt.angles": ("μ min [°]", "μ min [°]"),
+    "alt.ratios": ("λ = a3/a2", "λ = a3/a2"),
+    "alt.swing": ("ψ [°] →", "ψ [°] →"),
+    "alt.turn": ("φ [°] ↓", "φ [°] ↓"),
+    "alt.task": ("φ of the task", "görevin φ'si"),
+    "alt.own": ("this mechanism", "bu mekanizma"),
+    "alt.line.best": ("The best for this task: μ min = ", "Bu görev için en iyisi: μ min = "),
+    "alt.line.own": ("; this mechanism: ", "; bu mekanizma: "),
+    "alt.line.none": (
+        "no best λ for the swing ψ and the turn φ of this task", "bu görevin ψ ve φ açıları için en iyi λ yok"
+    ),
 }  # fmt: skip
 """The words of the sheet, likewise."""
 

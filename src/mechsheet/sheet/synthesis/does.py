@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
+from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED, verdicts_of
+from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
 from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import largest
@@ -47,6 +48,7 @@ class Does:
 
     def __init__(self, page: Page) -> None:
         self.page = page
+        self.verdicts = [key for block, key in page.rows.of if block == "does"]
 
     def write(self) -> None:
         """Every verdict, and the line under the title."""
@@ -54,7 +56,7 @@ class Does:
         page.heading("does")
         self._inputs()
         self._unsolved()
-        for key in verdicts_of(page.given)[2:]:
+        for key in self.verdicts[2:]:
             getattr(self, f"_{key}")(key)
         self._line()
 
@@ -219,13 +221,39 @@ class Does:
     def _at_dead_centre(self, key: str) -> None:
         """How near a point is to a dead centre."""
         page = self.page
-        column = self._column("asked", MU)
-        half = 180.0 if page.degrees else al.PI
-        value = formula("MIN(low,half-high)", low=_least(column), half=half, high=_most(column))
+        value = self._least_at_points() if page.given.kind == "function" else self._least_at_poses()
         near = DEAD if page.degrees else formula("RADIANS(dead)", dead=DEAD)
         self._entry(
             key, value, page.unit_text("angle"), [("value<near", page.text("at_dead_centre.yes"))],
             page.text("at_dead_centre.no"), amber="value<near", near=near,
+        )  # fmt: skip
+
+    def _least_at_points(self) -> Node:
+        """The least angle between the lines of coupler and output at a function generator's points."""
+        column = self._column("asked", MU)
+        half = 180.0 if self.page.degrees else al.PI
+        return formula("MIN(low,half-high)", low=_least(column), half=half, high=_most(column))
+
+    def _least_at_poses(self) -> Node:
+        """The same at the poses of a guided body: of A→B and B0→B, their product's share of the two lengths'."""
+        across = [
+            f"abs((x_B{n} - x_A{n})*(y_B{n} - y_B0) - (y_B{n} - y_A{n})*(x_B{n} - x_B0))" for n in ("", "_2", "_3")
+        ]
+        sine = f"min({', '.join(across)})/(a3*a4)"
+        return self.page.shown(self.page.tree(f"asin(min(1, {sine}))"), "angle")
+
+    def _grashof(self, key: str) -> None:
+        """What the first sheet says of the loop: red where it cannot be closed, amber at a change point."""
+        page, plan = self.page, self.page.plan
+        loop = plan.found.four_bars[0]
+        excess = plan.at.cell(f"#grashof_{loop.group}", page.title, None)
+        row = plan.blocks["verdicts"].rows[f"grashof_{loop.group}"]
+        said = CellRef(row, FIRST_SHEET_WORDS, True, True, plan.main)
+        opened = Text(f"{loop.name}: {plan.text('verdict.grashof.open')}")
+        rounding = plan.at.bind(Symbol(plan.equations.tolerance), page.title)
+        self._entry(
+            key, excess, page.unit_text("length"), [], said, red="said=opened", amber="ABS(value)<=rounding",
+            said=said, opened=opened, rounding=rounding,
         )  # fmt: skip
 
     def _sensitivity(self, key: str) -> None:
@@ -249,7 +277,7 @@ class Does:
     def _line(self) -> None:
         """The words of the first red verdict, else those of the first amber one, else that all is well."""
         page = self.page
-        rows = [page.rows.of["does", key] for key in verdicts_of(page.given)]
+        rows = [page.rows.of["does", key] for key in self.verdicts]
         marks, words = (
             RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True)) for col in (ROUNDED, USED)
         )

@@ -2,28 +2,39 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, RangeRef
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
 from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.synthesis.curves import curve_of
 from mechsheet.sheet.synthesis.figures import Line, lines_of
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import WINDOW
 from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, SYMBOL, UNIT, USED, VALUE
-from mechsheet.sheet.synthesis.tables import curve_columns
+from mechsheet.sheet.synthesis.tables import MU, curve_columns
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
 
-SIZE, LEGEND, WIDTH, GAP = 330, 70, 460, 12
-"""Pixels: the side of the figure, what its title and legend take, the width of the curve, what is between them."""
+SIZE, LEGEND, HEIGHT, GAP = 286, 72, 240, 12
+"""Pixels: the side of the figure, what its title and legend take, the height of the curve below it, the space around."""
 
 INNER = (0.02, 34 / (SIZE + LEGEND), 0.96, 0.96 * SIZE / (SIZE + LEGEND))
 """Square, so that a circle is round."""
 
-MARGIN = 1.12
-"""The figure's window is larger than what it shows."""
+MARGIN = 1.2
+"""The figure's window is larger than what it shows, by the names of its points."""
+
+
+SIDES: dict[str, Literal["right", "left", "above", "below"]] = {"0": "below", "1": "right", "2": "above", "3": "left"}
+"""Where a point's name stands, by its number: places of one point that lie close together would cover each other's names."""
+
+
+BESIDE = "\N{EN SPACE}"
+"""Between a point's mark and its name to the right or left of it."""
 
 
 def write_figure(page: Page) -> None:
@@ -65,14 +76,13 @@ def _window(page: Page, key: str, node: Node) -> None:
 
 
 def _figure(page: Page, lines: list[Line], first: int) -> Chart:
-    series, row, named = [], first, set()
+    series, row = [], first
     for line in lines:
         last = row + len(line.vertices) - 1
         color = styles.SERIES[line.color % len(styles.SERIES)]
         x, y = (SeriesRef(page.title, Area(row, col, last, col)) for col in (USED, MEANING))
         name = page.text(line.key, number=line.number)
-        legend = name not in named
-        named.add(name)
+        legend = line.pins or not line.number  # what belongs to a position is told by the names of its points
         width, marker = (2.0, "circle") if line.pins else (1.25, "")
         series.append(
             Series(
@@ -85,7 +95,7 @@ def _figure(page: Page, lines: list[Line], first: int) -> Chart:
     return Chart(
         title,
         Anchor(FIRST_ROW, CHARTS, SIZE, SIZE + LEGEND, dx=GAP),
-        tuple(series),
+        (*series, *_named_points(page, lines, first)),
         HIDDEN_AXIS,
         HIDDEN_AXIS,
         legend="bottom",
@@ -93,6 +103,21 @@ def _figure(page: Page, lines: list[Line], first: int) -> Chart:
         name="synthesis figure",
         alt_text=title,
     )
+
+
+def _named_points(page: Page, lines: list[Line], first: int) -> list[Series]:
+    """A label at each point that has a name; one that several lines share is named once."""
+    named: dict[str, int] = {}
+    for row, (name, _, _) in enumerate((vertex for line in lines for vertex in line.vertices), first):
+        if name:
+            named.setdefault(name, row)
+    series = []
+    for name, row in named.items():
+        x, y = (SeriesRef(page.title, Area(row, col, row, col)) for col in (USED, MEANING))
+        side = SIDES.get(name[1:], "above")
+        shown = {"right": f"{BESIDE}{plain(name)}", "left": f"{plain(name)}{BESIDE}"}.get(side, plain(name))
+        series.append(Series(shown, x, y, show_name=True, label_side=side, in_legend=False))
+    return series
 
 
 def write_curve_chart(page: Page) -> None:
@@ -120,7 +145,7 @@ def write_curve_chart(page: Page) -> None:
         series.append(_here(page))
         x_axis = Axis(page.text("curve.axis.lam"), low=1.0, high=10.0, step=1.0)
     title = page.text(f"curve.title.{page.given.kind}")
-    anchor = Anchor(FIRST_ROW, CHARTS, WIDTH, SIZE + LEGEND, dx=SIZE + 2 * GAP)
+    anchor = Anchor(FIRST_ROW, CHARTS, SIZE, HEIGHT, dx=GAP, dy=SIZE + LEGEND + GAP)
     page.charts.append(
         Chart(
             title, anchor, tuple(series), x_axis, Axis(page.text(f"curve.axis.{curve.y}")), legend="bottom",
@@ -145,7 +170,7 @@ def _points(page: Page) -> Series:
     )
 
 
-_THETA = 8
+_THETA = MU + 1
 """The column beside the table of what is asked in which the points have their input angle."""
 
 

@@ -8,13 +8,16 @@ from mechsheet.model import Dimension, Mechanism, Synthesis
 from mechsheet.sheet.synthesis.curves import curve_of
 from mechsheet.sheet.synthesis.figures import lines_of
 from mechsheet.sheet.synthesis.requirements import requirements
-from mechsheet.sheet.synthesis.rows import CHART_ROWS, FIRST_ROW, LINE_ROW, SYMBOL, VALUE, Rows
+from mechsheet.sheet.synthesis.rows import BOTH_CHARTS, CHART_ROWS, FIRST_ROW, LINE_ROW, SYMBOL, VALUE, Rows
 
 INPUTS = "task_inputs"
 """The first verdict: the number of the first input that cannot be, 0 where all can."""
 
 UNSOLVED = "unsolved"
 """The second: 0 where the task has a solution, 1 where an input is none, 2 where there is no solution."""
+
+GRASHOF = "grashof"
+"""What kind of four-bar it is and which link turns: where the mechanism has one, as the first sheet says it."""
 
 VERDICTS: dict[str, tuple[str, ...]] = {
     "function": (
@@ -24,10 +27,20 @@ VERDICTS: dict[str, tuple[str, ...]] = {
         "closes_throughout",
         "transmission_used",
         "at_dead_centre",
+        GRASHOF,
         "sensitivity",
     ),
     "dead-centres": ("meets", "together", "turns", "transmission_least", "sensitivity"),
-    "guidance": ("meets", "assemblies", "order", "closes_throughout", "transmission_used", "sensitivity"),
+    "guidance": (
+        "meets",
+        "assemblies",
+        "order",
+        "closes_throughout",
+        "transmission_used",
+        "at_dead_centre",
+        GRASHOF,
+        "sensitivity",
+    ),
     "quick-return-slider": ("meets", "together", "turns", "transmission_least", "sensitivity"),
     "quick-return-lever": ("meets", "sensitivity"),
 }
@@ -40,23 +53,27 @@ Place = Callable[[str, int, int, bool, str], None]
 """Gives a symbol its cell: (symbol, row, column, in degrees, wanted name)."""
 
 
-def verdicts_of(task: Synthesis) -> tuple[str, ...]:
+def verdicts_of(task: Synthesis, four_bar: bool) -> tuple[str, ...]:
     """Names of what is said about the mechanism that comes out, in order."""
-    return (INPUTS, UNSOLVED, *VERDICTS[task.kind])
+    return (INPUTS, UNSOLVED, *(key for key in VERDICTS[task.kind] if four_bar or key != GRASHOF))
 
 
-def plan_rows(mechanism: Mechanism, task: Synthesis, place: Place) -> Rows:
-    """The rows of the sheet; every input and step of the task, and what is said of it, gets its cell."""
+def plan_rows(mechanism: Mechanism, task: Synthesis, four_bar: bool, place: Place) -> Rows:
+    """The rows of the sheet; every input and step of the task, and what is said of it, gets its cell.
+
+    four_bar  whether the first sheet says of a loop what kind of four-bar it is
+    """
+    verdicts = verdicts_of(task, four_bar)
     rows = Rows()
     by_symbol: dict[str, Dimension] = {dim.symbol: dim for dim in mechanism.dimensions}
     rows.block("task", task.inputs)
     rows.block("result", tuple(task.results))
-    rows.block("does", verdicts_of(task))
-    rows.not_before(FIRST_ROW + CHART_ROWS)
+    rows.block("does", verdicts)
+    curve = curve_of(task)
+    rows.not_before(FIRST_ROW + (CHART_ROWS if curve is None else BOTH_CHARTS))
     rows.block("solution", task.steps)
     rows.block("asked", _numbers(len(requirements(task))))
     rows.block("figure", (*WINDOW, *_numbers(sum(len(line.vertices) for line in lines_of(task)))))
-    curve = curve_of(task)
     if curve is not None:
         rows.block("curve", _numbers(curve.rows))
     for block, symbols in (("task", task.inputs), ("solution", task.steps)):
@@ -64,7 +81,7 @@ def plan_rows(mechanism: Mechanism, task: Synthesis, place: Place) -> Rows:
             dim = by_symbol[symbol]
             place(symbol, rows.of[block, symbol], VALUE, dim.unit.in_degrees, dim.cell or symbol)
     place("#synthesis", LINE_ROW, SYMBOL, False, "synthesis")
-    for key in verdicts_of(task):
+    for key in verdicts:
         place(f"#{key}", rows.of["does", key], VALUE, False, key)
     return rows
 

@@ -13,10 +13,10 @@ SYMBOL, VALUE, UNIT, ROUNDED, USED, MEANING, REMARK = range(7)
 """Columns. Equations stand across ROUNDED to MEANING; the remarks beside them, under the charts."""
 
 CHARTS = REMARK
-"""The first column of the charts, which stand beside the task."""
+"""The column of the charts, which stand beside the task, one below the other: so the sheet is as wide as a page."""
 
-CHART_ROWS = 21
-"""Rows that a chart covers."""
+CHART_ROWS, BOTH_CHARTS = 19, 32
+"""Rows that the figure covers, and it with the curve below it."""
 
 
 @dataclass

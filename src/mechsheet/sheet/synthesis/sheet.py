@@ -24,7 +24,7 @@ from mechsheet.sheet.synthesis.rows import (
     USED,
     VALUE,
 )
-from mechsheet.sheet.synthesis.tables import write_asked, write_changes, write_curve
+from mechsheet.sheet.synthesis.tables import sensitivity_columns, write_asked, write_changes, write_curve
 from mechsheet.sheet.workbook import Area, Column, Conditional, PrintSetup, Sheet
 from mechsheet.synthesis.writing import says
 
@@ -68,7 +68,11 @@ def synthesis_sheet(plan: Plan) -> Sheet:
         selected=(rows.heads["task"] + 1, VALUE),
         gridlines=False,
         tab_color="B8860B",
-        print_setup=PrintSetup(footer=plan.footer),
+        print_setup=PrintSetup(
+            # what the charts show is not printed as numbers once more
+            area=Area(TITLE_ROW, SYMBOL, rows.heads["figure"] - 2, sensitivity_columns(task)[0] - 1),
+            footer=plan.footer,
+        ),
     )
 
 

@@ -17,8 +17,8 @@ from mechsheet.sheet.workbook import Column
 from mechsheet.words.synthesis import step_words
 
 MU = REMARK + 1
-"""The column beside the table of what is asked in which a function generator's points have their transmission angle; the
-first of the changes beside the solution."""
+"""The column beside the table of what is asked in which a function generator's points have their transmission angle;
+their input angle stands in the next."""
 
 CURVE_COLUMNS = (VALUE, ROUNDED, USED, MEANING, REMARK)
 
@@ -30,8 +30,9 @@ def curve_columns(task: Synthesis) -> dict[str, int]:
 
 
 def sensitivity_columns(task: Synthesis) -> tuple[int, int]:
-    """First and last column of the changes, beside the solution."""
-    return MU, MU + sum(1 for symbol in task.inputs if symbol != task.rounding) - 1
+    """First and last column of the changes: beside the solution, behind all that is printed."""
+    first = MU + (2 if task.kind == "function" else 0)
+    return first, first + sum(1 for symbol in task.inputs if symbol != task.rounding) - 1
 
 
 # --- what is asked -------------------------------------------------------------------------------------------------

@@ -1,0 +1,63 @@
+"""The sheet of synthesis on paper: wide enough for its charts, narrow enough to be read; figures name their points."""
+
+from pathlib import Path
+
+import pytest
+
+from mechsheet.compiled import Compiled
+from mechsheet.description import loads
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.synthesis.figures import lines_of
+
+TEMPLATES = Path(__file__).parents[3] / "templates"
+NAMES = (
+    "function-generator",
+    "crank-rocker-swing",
+    "rigid-body-guidance",
+    "quick-return-slider",
+    "quick-return-lever",
+)
+PAPER = 1_050
+"""Pixels across A4, landscape, at full size."""
+LEGIBLE = 0.75
+"""A scale at which 10 points are still 7.5."""
+WIDE, PAD = 7, 5
+"""Pixels of a character, and of what a column has beside its characters."""
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def laid_out(request):
+    compiled = Compiled(loads((TEMPLATES / f"{request.param}.toml").read_text(encoding="utf-8")))
+    title = compiled.plan.at.titles["synthesis"]
+    return compiled.plan, next(sheet for sheet in compiled.layout.sheets if sheet.title == title)
+
+
+def pixels(sheet, columns):
+    widths = {col: each.width for each in sheet.columns for col in range(each.first, each.last + 1)}
+    return sum(widths.get(col, 8.43) * WIDE + PAD for col in columns)
+
+
+def test_its_print_can_be_read(laid_out):
+    _, sheet = laid_out
+    area = sheet.print_setup.area
+    assert PAPER / pixels(sheet, range(area.last_col + 1)) >= LEGIBLE
+
+
+def test_charts_stand_in_the_print_and_not_on_each_other(laid_out):
+    _, sheet = laid_out
+    area = sheet.print_setup.area
+    below = 0
+    for chart in sheet.charts:
+        at = chart.anchor
+        assert pixels(sheet, range(at.col)) + at.dx + at.width <= pixels(sheet, range(area.last_col + 1))
+        assert at.dy >= below
+        below = at.dy + at.height
+
+
+def test_each_point_with_a_name_is_named_once(laid_out):
+    plan, sheet = laid_out
+    figure = sheet.charts[0]
+    shown = [series.name.strip() for series in figure.series if series.show_name]
+    names = {name for line in lines_of(plan.mechanism.synthesis) for name, _, _ in line.vertices if name}
+    assert sorted(shown) == sorted(map(plain, names))
+    assert {"A₀", "A₁", "B₁", "A₂", "B₂"} <= set(shown)
