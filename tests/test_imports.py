@@ -75,6 +75,8 @@ ALLOWED["homework"] = {
     "compiled",
     "formats",
     "sheet.workbook",
+    "sheet.styles",
+    "sheet.wrapping",
     "arguments",
 }
 # designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says

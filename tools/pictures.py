@@ -11,16 +11,22 @@ import io
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
+import openpyxl
+from openpyxl.utils import get_column_letter
 from PIL import Image, ImageChops, ImageOps
 from screenshot import screenshot
 
 import mechsheet
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.description import load
+from mechsheet.description import load, loads
+from mechsheet.formats import write
+from mechsheet.homework.exercise import KEY, exercise
+from mechsheet.homework.marks import mark
+from mechsheet.homework.marks_book import marks_workbook
 from mechsheet.library.building import build
 from mechsheet.plotting import plot
 from mechsheet.plotting.pictures import few_colors
@@ -128,6 +134,49 @@ class Prints:
         return screenshot(build(load(TEMPLATES / "four-bar.toml"), target)[0], clicks=5)
 
 
+CLASS = ("Ayşe Yılmaz", "Bora Kaya", "Can Demir", "Deniz Arslan", "Ece Şahin")
+SOLVED = (
+    ("fi", "RADIANS({crank})"), ("xA", "{a2}*COS({fi})"), ("yA", "{a2}*SIN({fi})"), ("s", "SQRT(({a1}-{xA})^2+{yA}^2)"),
+    ("beta", "ATAN2({a1}-{xA},-{yA})"), ("gamma", "ACOS(({a3}^2+{s}^2-{a4}^2)/(2*{a3}*{s}))"), ("theta13", "{beta}+{gamma}"),
+    ("xB", "{xA}+{a3}*COS({theta13})"), ("yB", "{yA}+{a3}*SIN({theta13})"), ("theta14", "ATAN2({xB}-{a1},{yB})"),
+)  # fmt: skip
+"""A student's columns, the four-bar by its diagonal."""
+SLIPS: tuple[dict[str, str], ...] = ({}, {"fi": "{crank}"}, {}, {"beta": "ATAN2(-{yA},{a1}-{xA})"})
+"""What each student has otherwise; the last hands nothing in."""
+
+
+def marked(folder: Path) -> Image.Image:
+    """The marks of a small class, whose workbooks are filled in here as students do."""
+    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+    asked = "[exercise]\nasked = { theta13 = 2, theta14 = 2 }\nvary = { a2 = [30, 38, 0.5], a3 = [60, 66, 0.5] }"
+    mechanism = loads(f"{text}\n{asked}\n", "four-bar.toml", language="en")
+    people = folder / "class.csv"
+    people.write_text("\n".join(["id,name", *(f"{1001 + n},{name}" for n, name in enumerate(CLASS))]), encoding="utf-8")
+    made = exercise(mechanism, people, folder / "week")
+    for student, slips in zip(made.students, SLIPS, strict=False):
+        filled(folder / "week" / "student" / f"{student.file}.xlsx", folder / "in" / f"{student.file}.xlsx", slips)
+    target = folder / "marks.xlsx"
+    write(marks_workbook(mark(folder / "in", folder / "week" / KEY)), target)
+    return page(convert_with_libreoffice([target], "pdf", folder)[0], 1, 120)
+
+
+def filled(task: Path, target: Path, slips: Mapping[str, str]) -> None:
+    """A student's sheet with columns to the right of it."""
+    book = openpyxl.load_workbook(task)
+    sheet = book.active
+    places = {str(sheet.cell(row, 1).value).split(" ")[0]: row for row in range(1, sheet.max_row + 1)}
+    cells = {name: f"$B${places[name]}" for name in ("a1", "a2", "a3", "a4")}
+    top = places["theta12"]
+    letters = {"crank": "A"} | {name: get_column_letter(col) for col, (name, _) in enumerate(SOLVED, 5)}
+    for name, formula in SOLVED:
+        sheet[f"{letters[name]}{top}"] = name
+        for row in range(top + 1, sheet.max_row + 1):
+            here = cells | {other: f"{letter}{row}" for other, letter in letters.items()}
+            sheet[f"{letters[name]}{row}"] = "=" + slips.get(name, formula).format(**here)
+    target.parent.mkdir(exist_ok=True)
+    book.save(target)
+
+
 def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
     """Every picture: its name, and what makes it."""
     for template in sorted(TEMPLATES.glob("*.toml")):
@@ -139,6 +188,7 @@ def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
     yield "workbook-checks", lambda: prints.sheet("Checks", 110)
     yield "workbook-notes", lambda: prints.sheet("Notes", 110)
     yield "workbook-table", lambda: prints.sheet("Table s15", 100, name="adjustable-pump")
+    yield "marks", lambda: marked(prints.folder)
     for theme in ("light", "dark"):
         yield f"draw-{theme}", lambda theme=theme: drawn_page(theme)  # type: ignore[misc]
     yield "workbook-page", lambda: page(prints.pdf("four-bar", "page"), 1, 120)

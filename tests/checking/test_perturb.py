@@ -8,10 +8,12 @@ from edited import TEMPLATES, edited, laid_out, saved
 import mechsheet
 from chosen import IN_CI, part
 from mechsheet.checking import check, perturb
+from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.perturb import drawn
 from mechsheet.checking.programs import PROGRAMS, stored_values
-from mechsheet.compiled.evaluation import computed
+from mechsheet.compiled.evaluation import book_of, computed
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
+from mechsheet.engine import compile_book
 from mechsheet.formats import read, write
 from mechsheet.formula.nodes import Unary
 
@@ -150,3 +152,29 @@ def test_a_number_shown_from_a_dimension_that_does_not_exist_is_seen(tmp_path):
     cells = {f"Mechanism_B{plan.at.spots['c3'].row + 1}": 250.0}
     report = check(saved(edited(wrong, **cells), tmp_path / "c3.xlsx"))
     assert not next(item for item in report.comparisons if item.judge == "reference").agrees
+
+
+def test_behind_a_gap_any_assembly_may_be_found_with_the_rates_that_it_has():
+    """Typed lengths with which rows 13 to 26 cannot be joined: behind them sheet and reference stand in two assemblies."""
+    layout, plan = laid_out("stephenson-ii-class-iv")
+    book = book_of(layout)
+    typed = {"r": 1.14997, "d": 6.40928, "b": 2.55182, "c": 2.69559, "gamma": 39.4888, "e": 3.72715, "g": 2.3147,
+             "delta": 24.2808, "u": 3.12829, "v": 3.19686, "mode_1": 2.0}  # fmt: skip
+    places = {symbol: plan.at.spots[symbol] for symbol in typed}
+    changes = {(places[symbol].sheet, places[symbol].row, places[symbol].col): value for symbol, value in typed.items()}
+    values = compile_book(book).evaluate(changes)
+    assert against_plan(book, values, plan, "typed")[0].agrees
+    spot = plan.at.spots["omega13"]
+    for row, told in ((2, True), (34, False)):
+
+        class Damaged:
+            """A rate of one row is another."""
+
+            def get(self, sheet, at, col, row=row):
+                found = values.get(sheet, at, col)
+                return found * 1.5 if (sheet, at, col) == (spot.sheet, plan.at.first + row, spot.col) else found
+
+            def column(self, sheet, col, first, last):
+                return [self.get(sheet, at, col) for at in range(first, last + 1)]
+
+        assert against_plan(book, Damaged(), plan, "damaged")[0].agrees is not told

@@ -293,3 +293,69 @@ def test_rates_are_asked_and_mended(tmp_path):
     )
     assert verdicts(wrong) == {"omega13": "right", "omega14": "wrong"}
     assert wrong.faults[0].mend.count("SIN") == 2
+
+
+FORCES = {
+    "along": "-1000*{M}/({a4}*SIN({t13}-{t14}))",
+    "T": "-{M}*{a2}*SIN({t13}-{fi})/({a4}*SIN({t13}-{t14}))-{K}",
+    "F": "ABS({along})",
+    "Fx": "{along}*COS({t13})",
+}
+"""Torques M on the rocker, K on the crank, no masses: the coupler carries one force along itself [N]; T by virtual work."""
+
+ALL_FORCES = dict.fromkeys(("T", "F", "Fx"), "right")
+
+FORCE_SLIPS = {
+    "the crank's torque added": ("T", "-{K}", "+{K}"),
+    "a sum of angles": ("T", "{t13}-{fi}", "{t13}+{fi}"),
+    "a sum of angles below": ("along", "{t13}-{t14}", "{t13}+{t14}"),
+}
+
+
+@pytest.fixture(scope="module")
+def loaded():
+    loads = "".join(
+        f'[[loads]]\nlink = "{link}"\ntorque = {torque}\n\n' for link, torque in (("rocker", 20), ("crank", 5))
+    )
+    outputs = "".join(
+        f'{name} = {{ formula = "{of}" }}\n' for name, of in (("T", "T12"), ("F", "F34"), ("Fx", "F34.x"))
+    )
+    text = mechsheet.template("four-bar").text.replace("[driver]\n", f"{loads}[driver]\n", 1)
+    text = text.replace("[outputs]\n", f"[outputs]\n{outputs}", 1)
+    return description.loads(text + "\n[exercise]\nasked = { T = 1, F = 1, Fx = 1 }\n", "forces")
+
+
+def forces(tmp_path, loaded, **changes):
+    given = [*FOUR_BAR, ("M14 [N m]", "M", 20.0), ("M12 [N m]", "K", 5.0)]
+    columns = [(name, name, changes.get(name, formula)) for name, formula in FORCES.items()]
+    found = audit(Table(given, [*four_bar(), *columns]).save(tmp_path / "book.xlsx"), loaded)
+    return verdicts(found), found
+
+
+def test_a_joint_force_and_the_driving_torque_are_right(tmp_path, loaded):
+    got, found = forces(tmp_path, loaded)
+    assert got == ALL_FORCES
+    assert found.faults == ()
+    assert not any("direction" in remark for remark in found.remarks)
+
+
+@pytest.mark.parametrize("slip", first(list(FORCE_SLIPS), 1))
+def test_a_wrong_sign_in_a_force_is_found(tmp_path, loaded, slip):
+    column, old, new = FORCE_SLIPS[slip]
+    got, found = forces(tmp_path, loaded, **{column: FORCES[column].replace(old, new)})
+    (fault,) = found.faults
+    letter = {"along": "M", "T": "N"}[column]
+    assert fault.cells == f"Sayfa1!{letter}11:{letter}35"
+    assert fault.mend == (
+        "-1000*$B$6/($B$5*SIN(H11-K11))" if column == "along" else "-$B$6*$B$3*SIN(H11-B11)/($B$5*SIN(H11-K11))-$B$7"
+    )
+    assert got == (
+        {"T": "right", "F": "follows", "Fx": "follows"} if column == "along" else ALL_FORCES | {"T": "wrong"}
+    )
+
+
+def test_the_force_of_the_other_link_is_right_and_said_so(tmp_path, loaded):
+    """F43 in place of F34 is a choice, as an angle counted clockwise is: right, with a remark."""
+    got, found = forces(tmp_path, loaded, along=FORCES["along"][1:])
+    assert got == ALL_FORCES
+    assert "Fx is counted in the other direction" in found.remarks

@@ -13,6 +13,7 @@ from click.testing import CliRunner
 import mechsheet
 from homework.handmade import STEPS, Table, four_bar
 from mechsheet.cli import main
+from mechsheet.homework.marks import lines_of
 from mechsheet.homework.marks_book import page
 
 EXERCISE = """
@@ -110,6 +111,24 @@ def test_an_appeal_is_settled_in_the_sheet(week):
     assert book["Faults!B2"] == 1.0
 
 
+def test_remarks_stay_inside_their_frame_and_rows_are_high_enough(week):
+    """A row of one line's height would lay its remarks over the next student's."""
+    if not (week / "marks.xlsx").exists():
+        pytest.skip("marks are made by a test before")
+    sheet = openpyxl.load_workbook(week / "marks.xlsx")["Class"]
+    width = sheet.column_dimensions["K"].width
+    heights = []
+    for row in (5, 6, 7):
+        cell = sheet.cell(row, 11)
+        lines = sum(-(-len(line) // int(width * 1.2)) for line in str(cell.value or "").split("\n"))
+        assert cell.alignment.wrap_text
+        heights.append(sheet.row_dimensions[row].height)
+        assert heights[-1] >= 12.75 * lines
+    assert heights[1] > heights[2]
+    assert [sheet.cell(row, 3).value for row in (5, 6)] == ["101.xlsx", "homework_102.xlsx"]
+    assert sheet.print_title_rows == "$4:$4"
+
+
 def test_anothers_dimensions_are_named(week):
     other = week / "copied"
     other.mkdir()
@@ -117,6 +136,7 @@ def test_anothers_dimensions_are_named(week):
     found = mechsheet.mark(other, week / "week" / "key.json")
     line = next(one for one in found.students if one.id == "103")
     assert {fault.kind for fault in line.audit.faults} == {"other dimension"}
+    assert any(text.startswith("Sayfa1!B") and text.endswith(" is wanted") for text in lines_of(line))
     assert line.private == ("the dimensions are those of 101",)
     assert "101" not in page(found, line)  # a student's page says nothing of another
 

@@ -197,6 +197,67 @@ def test_a_sketch_between_two_assemblies_is_refused():
         solve(replace(mechanism, sketch=Sketch(middle)))
 
 
+def test_the_reference_starts_in_the_stretch_that_the_sheet_begins_in():
+    """Behind a gap Newton's method may land on any assembly: its rows say nothing of the one that is meant.
+
+    At 9.262 m, near the end of leg 2, the platform's two assemblies lie close together; 9.6 m is out of reach; behind it
+    they lie far apart, and on one that is not there at 9.262 m.
+    """
+    mechanism = replace(platform(values=(9.262,), speed=None), sketch=Sketch(), dynamics=None)
+    equations = solve(mechanism, {"mode_1": 2})
+    mechanism = replace(mechanism, driver=replace(mechanism.driver, values=(9.262, 9.6, 6.75, 6.85)))
+    _, values = swept(mechanism, equations)
+    assert np.isfinite(values["theta16"]).tolist() == [True, False, True, True]
+    turns = math.remainder(values["theta16"][2] - values["theta16"][0], math.tau)
+    assert abs(turns) > 1.0  # another assembly
+    _, _, angle = rough_poses(mechanism, {"mode_1": 2}, equations)["platform"]
+    assert math.remainder(angle - values["theta16"][0], math.tau) == pytest.approx(0, abs=1e-3)
+
+
+PLATES = """\
+[links.plate1]
+points = { G = [0, 0], A = [2.4, 3.1], B = [-0.6, 4] }
+[links.plate2]
+points = { A = [0, 0], C = [4.1, 1.1], D = [1.6, 4.5] }
+[links.plate3]
+points = { C = [0, 0], E = [3.8, -0.9], F = [2.2, 2.8] }
+[links.plate4]
+points = { E = [0, 0], H = [2.7, -3.3], I = [2.9, 1.7] }
+[links.bar1]
+points = { B = [0, 0], F = [9.3, 3] }
+[links.bar2]
+points = { D = [0, 0], I = [9.2, -2.6] }
+"""
+
+TURNING = """\
+[links.crank]
+points = { O = [0, 0], H = [-1.6, 1.4] }
+"""
+
+
+def test_a_pin_on_a_link_that_is_known_already_is_closed_wherever_that_link_stands():
+    """Four plates in a row from the ground at G to the crank at H, and two bars across.
+
+    The pin H is asked for last, of a plate that was reached from the other end: whether the crank is described before
+    the plates or after them, the plates stand where they were drawn, and move alike.
+    """
+    drawn = {"A": (2.4, 3.1), "C": (6.5, 4.2), "E": (10.3, 3.3), "I": (13.2, 5.0)}
+    found = []
+    for links in (TURNING + PLATES, PLATES + TURNING):
+        mechanism = loads(
+            'format = 1\n[mechanism]\nname = "row"\n[links.ground]\npoints = { G = [0, 0], O = [14.6, -1.4] }\n'
+            + links
+            + '[driver]\nlink = "crank"\nstart = 0\nstop = 3\nstep = 1\n[assembly]\n'
+            + "".join(f"{point} = [{x}, {y}]\n" for point, (x, y) in drawn.items())
+        )
+        _, values = swept(mechanism)
+        places = np.array([[values[f"{point}.x"], values[f"{point}.y"]] for point in drawn])
+        assert places[:, :, 0] == pytest.approx(np.array(list(drawn.values())), abs=1e-9)
+        found.append(places)
+    assert np.abs(found[0][:, :, -1] - found[0][:, :, 0]).max() > 0.01  # it moves
+    assert np.abs(found[1] - found[0]).max() < 1e-12 * 14
+
+
 def test_what_needs_a_closed_form_says_so():
     from mechsheet.compiled import Compiled
     from mechsheet.exporting import KINDS, Job

@@ -76,11 +76,12 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     placed = {symbol: known[symbol] for symbol in theirs if symbol in plan.at.spots or symbol in plan.plain}
     closed = _closed_rows(mechanism, solution, ours | placed)
     _judge_status(plan, tally, opened, solution.exists)
+    elsewhere = beyond & closed & _elsewhere(plan, ours, theirs, solution.size)
     for symbol, column in ours.items():
         if symbol == ENERGY:
             _compare_energy(plan, tally, column, theirs, solution, steep)
         elif steep.concerns(symbol):
-            _compare_rate(plan, tally, symbol, column, theirs, solution, steep)
+            _compare_rate(plan, tally, symbol, column, theirs, solution, steep, elsewhere)
         else:
             _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol), beyond)
     if plan.bands and book.sheet(plan.at.titles["tolerance"]) is not None:  # that it is missing is told as an edit
@@ -228,6 +229,19 @@ def _closed_rows(mechanism: Mechanism, solution: Any, ours: Mapping[str, Array])
     return closed
 
 
+def _elsewhere(plan: Plan, ours: Mapping[str, Array], theirs: Mapping[str, Array], size: float) -> NDArray[np.bool_]:
+    """Rows in which something lies farther from where the reference has it than a dead centre makes uncertain."""
+    found = np.zeros(plan.rows, dtype=bool)
+    for symbol in ours.keys() & {each.symbol for each in plan.equations.columns if each.role in ("variable", "point")}:
+        gap = ours[symbol] - np.asarray(theirs[symbol], float)
+        if plan.equations.of(symbol).unit.kind == "angle":
+            gap = np.remainder(gap + math.pi, math.tau) - math.pi
+        else:
+            gap = gap / max(size, 1e-300)
+        found |= np.abs(gap) > DEAD_CENTRE
+    return found
+
+
 def _compare_column(
     plan: Plan,
     tally: Tally,
@@ -272,14 +286,18 @@ def _compare_rate(
     found: Mapping[str, Array],
     solution: reference.Solution,
     steep: Steepness,
+    elsewhere: NDArray[np.bool_],
 ) -> None:
-    """A velocity or an acceleration, or an output of them: beside a dead centre it grows, and loses digits."""
+    """A velocity or an acceleration, or an output of them: beside a dead centre it grows, and loses digits.
+
+    elsewhere  rows in which sheet and reference stand in two assemblies, both right: nothing can be compared
+    """
     theirs = np.asarray(found[symbol], float)
     with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
         apart = np.abs(ours - theirs) / (steep.scale(symbol, solution, found) + np.abs(theirs)) * steep.sine**2
     missing = np.isnan(ours)
     fine = missing & (~solution.exists | np.isnan(theirs) | (steep.sine < DEAD * (1 + EDGE)))
-    fine |= ~solution.exists  # what does not depend on the group that comes apart goes on
+    fine |= ~solution.exists | elsewhere  # what does not depend on the group that comes apart goes on
     fine |= ~missing & (ours == theirs)
     wrong = np.isnan(apart) | (~missing & (steep.sine < DEAD * (1 - EDGE)) & steep.at_all(symbol))
     apart = np.where(fine, 0.0, np.where(wrong, math.inf, apart))

@@ -250,14 +250,23 @@ def _asked(wanted: AskedFor, students: Sequence[Marked]) -> dict[str, float]:
     return {symbol: marks for symbol, marks in wanted.marks.items() if any(symbol in audit.asked for audit in judged)}
 
 
-def words_of(one: Marked) -> str:
-    """A student's line in words, for that student: what is not right, the faults, the remarks."""
+def lines_of(one: Marked) -> list[str]:
+    """A student's line in words, for that student, a statement each: what is not right, the faults, the remarks."""
     if one.audit is None:
-        return one.why
+        return [one.why]
     language = one.audit.language
-    parts = [f"{s}: {said(language, r.verdict)}" for s, r in one.audit.asked.items() if r.verdict != "right"]
+    alike: dict[str, list[str]] = {}
+    for symbol, result in one.audit.asked.items():
+        if result.verdict != "right":
+            alike.setdefault(result.verdict, []).append(symbol)
+    parts = [f"{', '.join(symbols)}: {said(language, verdict)}" for verdict, symbols in alike.items()]
     parts += [fault_line(fault, language) for fault in one.audit.faults]
-    return "; ".join([*parts, *one.remarks, *one.audit.remarks])
+    return [*parts, *one.remarks, *one.audit.remarks]
+
+
+def words_of(one: Marked) -> str:
+    """The same in one line."""
+    return "; ".join(lines_of(one))
 
 
 def as_dict(marks: Marks) -> dict[str, Any]:

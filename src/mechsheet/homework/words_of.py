@@ -27,7 +27,8 @@ def fault_line(fault: FaultFound, language: str) -> str:
     """`Sayfa1!B13:B31  RADIANS(A13)-Alfa1: a term too many; RADIANS(A13) makes theta13, theta15 right`."""
     text = said(language, "fault", cells=fault.cells, formula=fault.formula, kind=kind_words(fault.kind, language))
     if fault.mend:
-        text += "; " + said(language, "mend", mend=fault.mend, rights=", ".join(fault.rights))
+        key = "mend" if fault.rights else "mend.wanted"
+        text += "; " + said(language, key, mend=fault.mend, rights=", ".join(fault.rights))
     return text
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.references import cell_name, column_letters
 from mechsheet.kinematics.equations import BANDS, FORCES, RATES
@@ -17,6 +15,7 @@ from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.lowering import Assignment
 from mechsheet.sheet.table.positions import column_unit, group_title, mathematics
 from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
+from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.units import DEG, NUMBER
 from mechsheet.words.equations import body_words, link_words
 
@@ -100,7 +99,7 @@ class _Page:
         lines = 1
         for col, content in contents.items():
             self.cells.append(Cell(self.row, col, content, style))
-            lines = max(lines, _lines(content, WIDTHS[col]))
+            lines = max(lines, wrapped_lines(content, WIDTHS[col]))
         if lines > 1:
             self.heights[self.row] = LINE * lines + 4
         self.row += 1
@@ -109,7 +108,7 @@ class _Page:
         """A text over all columns."""
         self.cells.append(Cell(self.row, SYMBOL, text, style))
         self.merges.append(Merge(Area(self.row, SYMBOL, self.row, PLACE)))
-        lines = _lines(text, sum(WIDTHS))
+        lines = wrapped_lines(text, sum(WIDTHS))
         self.heights[self.row] = max(LINE * lines + (4 if lines > 1 else 0), style.size * 1.6)
         self.row += 1
 
@@ -386,11 +385,3 @@ class _Page:
 
     def _column(self, col: int) -> str:
         return f"{self.plan.table} {column_letters(col)}"
-
-
-def _lines(content: Content, width: float) -> int:
-    """How many lines a text takes in a column, generously: words break early, and capitals are wide."""
-    if content is None or isinstance(content, bool | float):
-        return 1
-    text = content.plain if isinstance(content, Rich) else content
-    return max(1, sum(math.ceil(len(line) / (width * 1.05)) for line in text.split("\n")))
