@@ -118,7 +118,7 @@ def test_no_position(tmp_path):
 
 def test_without_ezdxf_the_extra_is_named(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "ezdxf", None)
-    with pytest.raises(MissingProgramError, match=r"pip install 'mechsheet\[dxf\]'"):
+    with pytest.raises(MissingProgramError, match=r'pip install "mechsheet\[dxf\]"'):
         export(load(BY_NAME["four-bar"]), "dxf", tmp_path / "it.dxf")
     assert not list(tmp_path.iterdir())
 

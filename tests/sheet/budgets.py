@@ -54,7 +54,8 @@ LARGE_BESIDE_FEW_ROWS = {
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
 
-ELSEWHERE = {"sheets": 460, "page": 400}
+ELSEWHERE = {"names": 460, "anchors": 520}
+"""Characters of the longest formula beside the table of several sheets."""
 LONGER = {"scissor-lift-between-arms": 545, "planar-3rpr": 530, "excavator": 545}
 """The window of a drawing whose frame moves; the fit of the accelerations of four links and a cylinder at once."""
 KILOBYTES = {"four-bar.xlsx": 74, "four-bar-page.xlsx": 30}
