@@ -41,7 +41,8 @@ def _words(tolerance: Tolerance, line: Line) -> Node:
     plan = tolerance.plan
     shares, names = tolerance.shares(line)
     most = formula("MAX(shares)", shares=shares)
-    name = formula("INDEX(names,MATCH(most,shares,0))", names=names, most=most, shares=shares)
+    # the row is said, too: of a range of one row gnumeric takes a single number as the row's
+    name = formula("INDEX(names,1,MATCH(most,shares,0))", names=names, most=most, shares=shares)
     before, between, after = plan.text("bands.mostly", name="#", share="#").split("#")
     mostly = joined(before, name, between, formula("ROUND(100*most,0)", most=most), after)
     if line.summary is not None:
