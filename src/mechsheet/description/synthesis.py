@@ -44,7 +44,6 @@ class Found:
 
     dimensions  inputs of the task, and the steps of its solution
     units       of the mechanism's dimensions that are results;  trees: what these are
-    results     name of a result -> its unit
     """
 
     synthesis: Synthesis
