@@ -10,7 +10,7 @@ Rows and columns count from 0 everywhere inside the program; only text says A1.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias
 
@@ -401,6 +401,11 @@ def rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
             return ArrayLiteral(tuple(tuple(next(items) for _ in row) for row in rows))
         case _:
             return node
+
+
+def with_symbols(node: Node, values: Mapping[str, Node]) -> Node:
+    """The tree with other expressions in place of some of its symbols; what they hold themselves stays."""
+    return transform(node, lambda part: values.get(part.name, part) if isinstance(part, Symbol) else part)
 
 
 def symbols(node: Node) -> tuple[str, ...]:

@@ -26,7 +26,7 @@ LONGEST = "400"
 def write(w: Writer) -> None:
     """Inputs, steps and results."""
     w.length("a1", positive=True)
-    w.given_result("a1")
+    w.also("a1")
     w.angle("psi", words="swing_given")
     _turn(w)
     domain = "min(min(psi, pi - psi), min(phi - (pi + psi)/2, (3*pi + psi)/2 - phi))"
@@ -41,11 +41,11 @@ def _turn(w: Writer) -> None:
     """The crank's turn on the slow way, given or from the time ratio."""
     if w.task.has("phi"):
         w.angle("phi", words="turn")
-        w.given_result("phi")
+        w.also("phi")
         w.result("time_ratio", "phi/(2*pi - phi)", w.units.number, "time_ratio", "2*pi - phi")
     else:
         w.number("time_ratio", positive=True)
-        w.given_result("time_ratio")
+        w.also("time_ratio")
         w.result("phi", "pi + pi*(time_ratio - 1)/(time_ratio + 1)", w.units.angle, "turn")
 
 
@@ -56,7 +56,7 @@ def _ratio(w: Writer) -> None:
     w.step("B", "1 + cos(phi - psi)", plain, "more_cosine", "domain")
     if w.task.has("lam"):
         w.number("lam", positive=True, words="lam")
-        w.given_result("lam")
+        w.also("lam")
     elif w.task.has("a2"):
         w.length("a2", positive=True)
         w.step("lam_squared", "(2*(sin(psi/2)*a1/a2)^2 - A)/B", plain, "lam_squared")
@@ -77,7 +77,7 @@ def _lengths(w: Writer) -> None:
     length = w.units.length
     w.step("D", "sqrt(A + B*lam^2)", w.units.number, "D", "lam - 1")
     if w.task.has("a2"):
-        w.given_result("a2")
+        w.also("a2")
     else:
         w.result("a2", "a1*sqrt(2)*sin(psi/2)/D", length, "crank")
     w.result("a3", "lam*a2", length, "a3", "D")

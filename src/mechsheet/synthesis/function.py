@@ -10,7 +10,7 @@ Source: F. Freudenstein, Approximate synthesis of four-bar linkages, Trans. ASME
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node, Symbol, transform
+from mechsheet.formula.nodes import Symbol, with_symbols
 from mechsheet.synthesis.writing import DETERMINED, Writer
 from mechsheet.words.synthesis import ENDS
 
@@ -18,7 +18,7 @@ from mechsheet.words.synthesis import ENDS
 def write(w: Writer) -> None:
     """Inputs, steps and results."""
     w.length("a1", positive=True)
-    w.given_result("a1")
+    w.also("a1")
     count = w.task.points
     if w.task.function is None:
         for number in range(1, count + 1):
@@ -60,12 +60,7 @@ def _points_of_function(w: Writer, count: int) -> None:
 
 def _value_of_function(w: Writer, name: str, x: str, words: str, **parts: object) -> None:
     assert w.task.function is not None
-    w.node(name, at(w.task.function, Symbol(w.names[x])), w.units.number, words, **parts)
-
-
-def at(function: Node, x: Node) -> Node:
-    """The function with its variable replaced."""
-    return transform(function, lambda part: x if part == Symbol("x") else part)
+    w.node(name, with_symbols(w.task.function, {"x": Symbol(w.names[x])}), w.units.number, words, **parts)
 
 
 def _three(w: Writer) -> None:

@@ -6,7 +6,7 @@ Each of the two cranks holds a point of the body at a constant distance from a f
     fixed    the fixed pivot: seen from the body it lies on a circle about the point of the body (inversion)
     turns    by how much the crank turns: W (e^(i beta_j) - 1) + Z (e^(i alpha_j) - 1) = P_j - P_1, j = 2, 3
 
-Sources: Soeylemez, Mechanisms, section 7.4; R. L. Norton, Design of Machinery, sections 5.3 to 5.8.
+Source: R. L. Norton, Design of Machinery, sections 5.3 to 5.8.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def _by_moving(w: Writer, s: str) -> None:
     """The fixed pivot of a point of the body."""
     for place, axis in enumerate("xy"):
         w.length(f"{axis}_{s}", s, "moving", place, words="moving", axis=axis, point=s)
-        w.given_result(f"{axis}_{s}")
+        w.also(f"{axis}_{s}")
     _places(w, s)
     _centre(w, s, f"{s}0", [f"{s}", f"{s}_2", f"{s}_3"], "fixed_pivot")
 
@@ -61,7 +61,7 @@ def _by_fixed(w: Writer, s: str) -> None:
     fixed, length = f"{s}0", w.units.length
     for place, axis in enumerate("xy"):
         w.length(f"{axis}_{fixed}", s, "fixed", place, words="fixed", axis=axis, point=fixed)
-        w.given_result(f"{axis}_{fixed}")
+        w.also(f"{axis}_{fixed}")
     for n in (2, 3):
         dx, dy = f"(x_{fixed} - x_p{n})", f"(y_{fixed} - y_p{n})"
         c, sine = f"cos(delta_{n})", f"sin(delta_{n})"
@@ -172,7 +172,7 @@ def _turns(w: Writer, s: str) -> None:
     """By how much the crank turns from the first pose, within half a turn either way."""
     if w.task.has(s, "turns", 0):
         for n in (2, 3):
-            w.given_result(f"beta_{s}{n}")
+            w.also(f"beta_{s}{n}")
         return
     for n in (2, 3):
         ax, ay = f"(x_{s} - x_{s}0)", f"(y_{s} - y_{s}0)"

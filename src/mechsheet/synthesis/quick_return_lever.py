@@ -19,7 +19,7 @@ def write(w: Writer) -> None:
     w.length("stroke", positive=True)
     w.number("time_ratio", positive=True)
     w.length("crank", positive=True)
-    w.given_result("crank")
+    w.also("crank")
     w.step("turn_back", "2*pi/(1 + time_ratio)", angle, "turn_back")
     w.step("half_swing", "pi/2 - turn_back/2", angle, "half_swing")
     w.also("half_swing")

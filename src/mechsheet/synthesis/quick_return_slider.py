@@ -29,12 +29,12 @@ def write(w: Writer) -> None:
     w.step("q", "2*(1 + cos(alpha))", plain, "more_cosine")
     _ratio(w)
     if w.task.has("a2"):
-        w.given_result("a2")
+        w.also("a2")
     else:
         w.result("a2", "stroke/sqrt(p*lam^2 + q)", length, "crank", "lam - 1")
     w.result("a3", "lam*a2", length, "rod", "lam - 1")
     if w.task.has("c"):
-        w.given_result("c")
+        w.also("c")
     else:
         w.result("c", "(a3^2 - a2^2)*sin(alpha)/stroke", length, "eccentricity")
     w.step("together", "q - p*lam", plain, "slider_together")
@@ -47,7 +47,7 @@ def _ratio(w: Writer) -> None:
     plain = w.units.number
     if w.task.has("lam"):
         w.number("lam", positive=True, words="lam")
-        w.given_result("lam")
+        w.also("lam")
         return
     words = "lam_from_crank"
     if w.task.has("a2"):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, transform
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, with_symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import Dimension, TaskPlace, Words
 from mechsheet.units import Unit
@@ -111,25 +111,20 @@ class Writer:
         needs  what must be greater than 0 for it to exist: else it is #N/A
         """
         self._derived(self._named(name, "step"), self.parsed(text), unit, words, needs, parts)
-        self.names[name] = self.dimensions[-1].symbol
 
     def result(self, name: str, text: str, unit: Unit, words: str, needs: str = "", **parts: object) -> None:
         """A step that the mechanism may take as a dimension."""
         symbol = self._named(name, "exact")
         self._derived(symbol, self.parsed(text), unit, words, needs, parts)
-        self.results[name] = self.names[name] = symbol
+        self.results[name] = symbol
 
-    def given_result(self, name: str) -> None:
-        """An input that is a result as it is."""
+    def also(self, name: str) -> None:
+        """An input or a step that is a result as it is, too."""
         self.results[name] = self.names[name]
 
     def node(self, name: str, node: Node, unit: Unit, words: str, **parts: object) -> None:
         """A step whose expression is given as a tree."""
         self._derived(self._named(name, "step"), node, unit, words, "", parts)
-
-    def also(self, name: str) -> None:
-        """A step of that name is a result, too."""
-        self.results[name] = self.names[name]
 
     def rounding(self, symbol: str) -> Dimension:
         """What lengths are rounded to."""
@@ -153,11 +148,7 @@ class Writer:
 
     def parsed(self, text: str) -> Node:
         """The tree of an expression over the kind's own names."""
-
-        def renamed(part: Node) -> Node:
-            return Symbol(self.names.get(part.name, part.name)) if isinstance(part, Symbol) else part
-
-        return transform(parse_description(text), renamed)
+        return with_symbols(parse_description(text), {name: Symbol(symbol) for name, symbol in self.names.items()})
 
 
 def where(margin: Node, node: Node) -> Node:

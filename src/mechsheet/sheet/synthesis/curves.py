@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.formula.nodes import Node, Symbol, transform
+from mechsheet.formula.nodes import Node, with_symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import Synthesis
-from mechsheet.sheet.synthesis.requirements import output_angle
+from mechsheet.sheet.synthesis.requirements import output_angle, transmission_angle
 
 Columns = dict[str, tuple[str | Node, str]]
 
@@ -57,25 +57,19 @@ def _of_function(task: Synthesis) -> Curve:
     if task.function is not None:
         x = parse_description(_part("x_first", "x_last", RANGE_ROWS))
         risen = parse_description("psi_first + (psi_last - psi_first)*(f - f_first)/(f_last - f_first)")
-        columns["wanted"] = (_with(risen, "f", _with(task.function, "x", x)), "angle")
+        columns["wanted"] = (with_symbols(risen, {"f": with_symbols(task.function, {"x": x})}), "angle")
     columns["raw"] = (output_angle("(theta + theta_offset)"), "angle")
     middle = f"psi_p{(count + 1) // 2}"
     columns["got"] = (f"{middle} + atan2(sin(raw - {middle}), cos(raw - {middle}))", "angle")
-    squared = "a1^2 + a2^2 - 2*a1*a2*cos(theta + theta_offset)"
-    columns["mu"] = (f"acos((a3^2 + a4^2 - ({squared}))/(2*a3*a4))", "angle")
+    columns["mu"] = (transmission_angle("(theta + theta_offset)"), "angle")
     return Curve(RANGE_ROWS, columns, "theta", "got", "wanted" if task.function is not None else "")
-
-
-def _with(node: Node, name: str, value: Node) -> Node:
-    """The expression with a value in place of a symbol."""
-    return transform(node, lambda part: value if part == Symbol(name) else part)
 
 
 def _of_guidance() -> Curve:
     toward = "atan2(y_B0 - y_A0, x_B0 - x_A0)"
     columns: Columns = {
         "theta": (_part("theta_1", "(theta_1 + beta_A3)", RANGE_ROWS), "angle"),
-        "mu": (f"acos((a3^2 + a4^2 - (a1^2 + a2^2 - 2*a1*a2*cos(theta - {toward})))/(2*a3*a4))", "angle"),
+        "mu": (transmission_angle(f"(theta - {toward})"), "angle"),
     }
     return Curve(RANGE_ROWS, columns, "theta", "mu")
 

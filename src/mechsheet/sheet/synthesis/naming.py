@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from mechsheet.formula.nodes import Node, Symbol, transform
+from mechsheet.formula.nodes import Node, Symbol, with_symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import Synthesis
 
@@ -19,8 +19,5 @@ class Naming:
 
     def tree(self, text: str | Node) -> Node:
         """The tree of an expression in the description's notation."""
-
-        def named(part: Node) -> Node:
-            return Symbol(self.used.get(part.name, part.name)) if isinstance(part, Symbol) else part
-
-        return transform(parse_description(text) if isinstance(text, str) else text, named)
+        tree = parse_description(text) if isinstance(text, str) else text
+        return with_symbols(tree, {name: Symbol(symbol) for name, symbol in self.used.items()})

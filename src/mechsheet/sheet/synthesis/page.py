@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef, Node, Symbol, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, with_symbols
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Dimension, Synthesis
 from mechsheet.sheet import styles
@@ -50,11 +50,7 @@ class Page:
 
     def tree(self, text: str | Node, **cells: Node) -> Node:
         """An expression over names of the task, with some of its names standing for cells of this sheet."""
-
-        def placed(part: Node) -> Node:
-            return cells.get(part.name, part) if isinstance(part, Symbol) else part
-
-        return transform(self.naming.tree(text), placed)
+        return with_symbols(self.naming.tree(text), cells)
 
     @property
     def degrees(self) -> bool:

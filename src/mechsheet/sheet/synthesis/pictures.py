@@ -16,7 +16,7 @@ from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import WINDOW
 from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, SYMBOL, UNIT, USED, VALUE
-from mechsheet.sheet.synthesis.tables import MU, curve_columns
+from mechsheet.sheet.synthesis.tables import THETA, curve_columns
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
 
 SIZE, LEGEND, HEIGHT, GAP = 286, 72, 240, 12
@@ -158,20 +158,12 @@ def _points(page: Page) -> Series:
     """The precision points: angles of the input beside those of the output, in the rows of what is asked."""
     count = len(requirements(page.given))
     first = page.rows.of["asked", "0"]
-    x = SeriesRef(page.title, Area(first, _THETA, first + count - 1, _THETA))
+    x = SeriesRef(page.title, Area(first, THETA, first + count - 1, THETA))
     y = SeriesRef(page.title, Area(first, VALUE, first + count - 1, VALUE))
-    for number in range(count):
-        theta = page.shown(page.tree(f"theta_p{number + 1}"), "angle")
-        page.formula(first + number, _THETA, theta, page.number_style("angle", styles.RESULT))
-    page.put(first - 1, _THETA, "θ", styles.SECTION)
     color = styles.SERIES[1]
     return Series(
         page.text("figure.points"), x, y, marker="circle", marker_size=8, marker_line=color, marker_fill=color
     )
-
-
-_THETA = MU + 1
-"""The column beside the table of what is asked in which the points have their input angle."""
 
 
 def _here(page: Page) -> Series:

@@ -16,7 +16,7 @@ class Requirement:
     """One row.
 
     key     of its words, with `parts`
-    wanted  an expression;  got  an expression, or what it is found from (`raw`) less whole turns
+    wanted  an expression;  got  another, of an angle but for whole turns
     kind    "angle", "length" or "number"
     """
 
@@ -37,10 +37,23 @@ def _of_function(task: Synthesis) -> list[Requirement]:
 
 
 def output_angle(theta: str) -> str:
-    """ψ where the input link stands at `theta`: direction B0→A less or plus the angle of the triangle AB0B."""
-    squared = f"(a1^2 + a2^2 - 2*a1*a2*cos{theta})"
+    """ψ where the input link stands at `theta` from A0B0: direction B0→A less or plus the angle of the triangle AB0B.
+
+    theta  an expression in parentheses
+    """
+    squared = _diagonal_squared(theta)
     triangle = f"acos(({squared} + a4^2 - a3^2)/(2*a4*sqrt{squared}))"
     return f"atan2(a2*sin{theta}, a2*cos{theta} - a1) - mode*{triangle} - psi_offset"
+
+
+def transmission_angle(theta: str) -> str:
+    """Angle of coupler and output there, `theta` likewise."""
+    return f"acos((a3^2 + a4^2 - {_diagonal_squared(theta)})/(2*a3*a4))"
+
+
+def _diagonal_squared(theta: str) -> str:
+    """Of A and B0."""
+    return f"(a1^2 + a2^2 - 2*a1*a2*cos{theta})"
 
 
 def _of_dead_centres(_: Synthesis) -> list[Requirement]:

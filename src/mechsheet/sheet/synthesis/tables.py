@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import CellRef, Node, Symbol, transform
+from mechsheet.formula.nodes import CellRef, Node, Symbol, with_symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import Synthesis
 from mechsheet.sheet import styles
@@ -10,15 +10,15 @@ from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.synthesis.curves import curve_of
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.requirements import Requirement, requirements
+from mechsheet.sheet.synthesis.requirements import Requirement, requirements, transmission_angle
 from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import changes, mark
 from mechsheet.sheet.workbook import Column
 from mechsheet.words.synthesis import step_words
 
-MU = REMARK + 1
-"""The column beside the table of what is asked in which a function generator's points have their transmission angle;
-their input angle stands in the next."""
+MU, THETA = REMARK + 1, REMARK + 2
+"""The columns beside the table of what is asked in which a function generator's points have their transmission angle and
+their input angle."""
 
 CURVE_COLUMNS = (VALUE, ROUNDED, USED, MEANING, REMARK)
 
@@ -43,7 +43,8 @@ def write_asked(page: Page) -> None:
     text = page.text
     page.heading("asked", REMARK, value=text("wanted"), rounded=text("got"), used=text("error"))
     if page.given.kind == "function":
-        page.put(page.rows.heads["asked"], MU, "μ", styles.SECTION)
+        for col, over in ((MU, "μ"), (THETA, "θ")):
+            page.put(page.rows.heads["asked"], col, over, styles.SECTION)
     for number, asked in enumerate(requirements(page.given)):
         _asked(page, page.rows.of["asked", str(number)], number + 1, asked)
 
@@ -69,9 +70,9 @@ def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
     words = step_words(asked.key, **dict(asked.parts))
     page.put(row, MEANING, words.of(page.plan.language), styles.LABEL)
     if page.given.kind == "function":
-        squared = f"(a1^2 + a2^2 - 2*a1*a2*cos(theta_p{number} + theta_offset))"
-        mu = page.tree(f"acos((a3^2 + a4^2 - {squared})/(2*a3*a4))")
+        mu = page.tree(transmission_angle(f"(theta_p{number} + theta_offset)"))
         page.formula(row, MU, page.shown(mu, "angle"), style)
+        page.formula(row, THETA, page.shown(page.tree(f"theta_p{number}"), "angle"), style)
 
 
 # --- the curve -----------------------------------------------------------------------------------------------------
@@ -101,11 +102,8 @@ def write_curve(page: Page) -> None:
 def _in_row(page: Page, text: str | Node, cells: dict[str, Node]) -> Node:
     """An expression over names of the task and columns of the row; the columns come first."""
     marked = {key: f"# {key}" for key in cells}
-
-    def own(part: Node) -> Node:
-        return Symbol(marked[part.name]) if isinstance(part, Symbol) and part.name in marked else part
-
-    tree = transform(parse_description(text) if isinstance(text, str) else text, own)
+    parsed = parse_description(text) if isinstance(text, str) else text
+    tree = with_symbols(parsed, {key: Symbol(name) for key, name in marked.items()})
     return page.tree(tree, **{name: cells[key] for key, name in marked.items()})
 
 
@@ -127,8 +125,7 @@ def write_changes(page: Page) -> tuple[Column, ...]:
 
     places = {mark(step, column): cell(step, column) for step, column in found}
     for (step, column), node in found.items():
-        bound = transform(node, lambda part: places.get(part.name, part) if isinstance(part, Symbol) else part)
-        value = formula("IFERROR(value,NA())", value=bound)
+        value = formula("IFERROR(value,NA())", value=with_symbols(node, places))
         at = cell(step, column)
         page.formula(at.row, at.col, value, styles.numbered(styles.RESULT, "0.0E+00"))
     return (Column(first, last, 14, level=1),)
