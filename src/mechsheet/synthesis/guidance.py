@@ -82,24 +82,10 @@ def _centre(w: Writer, s: str, centre: str, points: list[str], words: str) -> No
         w.step(f"h_{s}{n}", f"(u_{s}{n}^2 + v_{s}{n}^2)/2", plain, "half_square", point=s, number=n)
     w.step(f"det_{s}", f"u_{s}2*v_{s}3 - v_{s}2*u_{s}3", plain, "circle_determinant", point=s)
     needs = f"abs(det_{s}) - {DETERMINED}*max(h_{s}2, h_{s}3)"
-    w.result(
-        f"x_{centre}",
-        f"x_{first} + (h_{s}2*v_{s}3 - h_{s}3*v_{s}2)/det_{s}",
-        length,
-        words,
-        needs,
-        point=centre,
-        axis="x",
-    )
-    w.result(
-        f"y_{centre}",
-        f"y_{first} + (u_{s}2*h_{s}3 - u_{s}3*h_{s}2)/det_{s}",
-        length,
-        words,
-        needs,
-        point=centre,
-        axis="y",
-    )
+    x = f"x_{first} + (h_{s}2*v_{s}3 - h_{s}3*v_{s}2)/det_{s}"
+    y = f"y_{first} + (u_{s}2*h_{s}3 - u_{s}3*h_{s}2)/det_{s}"
+    for axis, text in (("x", x), ("y", y)):
+        w.result(f"{axis}_{centre}", text, length, words, needs, point=centre, axis=axis)
 
 
 def _by_turns(w: Writer, s: str) -> None:
@@ -112,25 +98,17 @@ def _by_turns(w: Writer, s: str) -> None:
             w.step(f"{letter}x_{s}{n}", f"cos({angle}) - 1", plain, key, number=n, axis="x")
             w.step(f"{letter}y_{s}{n}", f"sin({angle})", plain, key, number=n, axis="y")
     # det = E2 F3 - E3 F2, in the complex plane
-    w.step(
-        f"detx_{s}",
-        _product("E", 2, "F", 3, s, "x") + " - " + _product("E", 3, "F", 2, s, "x"),
-        plain,
-        "turns_det",
-        axis="x",
-    )
-    w.step(
-        f"dety_{s}",
-        _product("E", 2, "F", 3, s, "y") + " - " + _product("E", 3, "F", 2, s, "y"),
-        plain,
-        "turns_det",
-        axis="y",
-    )
+    vector = {f"{key}{n}": (f"{key}x_{s}{n}", f"{key}y_{s}{n}") for key in "EF" for n in (2, 3)}
+    way = {n: (f"(x_p{n} - x_p1)", f"(y_p{n} - y_p1)") for n in (2, 3)}
+    for axis in "xy":
+        text = f"{_product(vector['E2'], vector['F3'], axis)} - {_product(vector['E3'], vector['F2'], axis)}"
+        w.step(f"det{axis}_{s}", text, plain, "turns_det", axis=axis)
     w.step(f"det_{s}", f"detx_{s}^2 + dety_{s}^2", plain, "turns_square", point=s)
     # W = (d2 F3 - d3 F2)/det,  Z = (E2 d3 - E3 d2)/det
     for letter, other, sign, key in (("W", "F", 1, "arm"), ("Z", "E", -1, "rest")):
         for axis in "xy":
-            two, three = _of_way(2, other, 3, s, axis), _of_way(3, other, 2, s, axis)
+            two = _product(way[2], vector[f"{other}3"], axis)
+            three = _product(way[3], vector[f"{other}2"], axis)
             text = f"{two} - {three}" if sign > 0 else f"{three} - {two}"
             w.step(f"N{letter}{axis}_{s}", text, length, "turns_numerator", vector=letter, axis=axis)
         x, y, needs = f"N{letter}x_{s}", f"N{letter}y_{s}", f"det_{s} - 1e-24"
@@ -142,17 +120,9 @@ def _by_turns(w: Writer, s: str) -> None:
     _places(w, s)
 
 
-def _product(one: str, n: int, other: str, m: int, s: str, axis: str) -> str:
+def _product(one: tuple[str, str], other: tuple[str, str], axis: str) -> str:
     """A part of the complex product of two vectors; in parentheses."""
-    a, b = f"{one}x_{s}{n}", f"{one}y_{s}{n}"
-    c, d = f"{other}x_{s}{m}", f"{other}y_{s}{m}"
-    return f"({a}*{c} - {b}*{d})" if axis == "x" else f"({a}*{d} + {b}*{c})"
-
-
-def _of_way(n: int, other: str, m: int, s: str, axis: str) -> str:
-    """A part of the product of the body's way to pose n and a vector."""
-    a, b = f"(x_p{n} - x_p1)", f"(y_p{n} - y_p1)"
-    c, d = f"{other}x_{s}{m}", f"{other}y_{s}{m}"
+    (a, b), (c, d) = one, other
     return f"({a}*{c} - {b}*{d})" if axis == "x" else f"({a}*{d} + {b}*{c})"
 
 
@@ -186,11 +156,6 @@ def _assembly(w: Writer) -> None:
     plain = w.units.number
     for n, end in ((1, ""), (2, "_2"), (3, "_3")):
         ax, ay, bx, by = f"x_A{end}", f"y_A{end}", f"x_B{end}", f"y_B{end}"
-        w.step(
-            f"side_p{n}",
-            f"sign((x_B0 - {ax})*({by} - {ay}) - (y_B0 - {ay})*({bx} - {ax}))",
-            plain,
-            "side_pose",
-            number=n,
-        )
+        side = f"sign((x_B0 - {ax})*({by} - {ay}) - (y_B0 - {ay})*({bx} - {ax}))"
+        w.step(f"side_p{n}", side, plain, "side_pose", number=n)
     w.result("mode", "where(0.5 + side_p1 + side_p2 + side_p3, 1, -1)", plain, "mode_poses")

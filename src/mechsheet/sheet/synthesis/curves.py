@@ -8,13 +8,14 @@ from mechsheet.formula.nodes import Node, with_symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import Synthesis
 from mechsheet.sheet.synthesis.requirements import output_angle, transmission_angle
+from mechsheet.synthesis.dead_centres import LONGEST
 
 Columns = dict[str, tuple[str | Node, str]]
 
 RANGE_ROWS, RATIO_ROWS = 81, 121
 
-FIRST_RATIO, LAST_RATIO = "1.0005", "400"
-"""Of the table over λ."""
+FIRST_RATIO = "1.0005"
+"""Of the table over λ; the last is `LONGEST`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,9 +41,9 @@ def curve_of(task: Synthesis) -> Curve | None:
         case "guidance":
             return _of_guidance()
         case "dead-centres":
-            return _of_ratio(_CRANK_ROCKER)
+            return _of_crank_rocker()
         case "quick-return-slider":
-            return _of_ratio(_SLIDER)
+            return _of_slider()
     return None
 
 
@@ -74,30 +75,40 @@ def _of_guidance() -> Curve:
     return Curve(RANGE_ROWS, columns, "theta", "mu")
 
 
-_CRANK_ROCKER = {
-    "lam": f"exp(ln({FIRST_RATIO}) + ln({LAST_RATIO}/{FIRST_RATIO})*n/{RATIO_ROWS - 1})",
-    "crank": "sqrt(1 - cos(psi))/sqrt(A + B*lam^2)",
-    "rocker": "sqrt((1 - cos(phi)) + (1 + cos(phi))*lam^2)/sqrt(A + B*lam^2)",
-    "least": "max(abs((lam*crank)^2 + rocker^2 - (1 - crank)^2), abs((lam*crank)^2 + rocker^2 - (1 + crank)^2))",
-}
-
-_SLIDER = {
-    "lam": _CRANK_ROCKER["lam"],
-    "crank": "1/sqrt(p*lam^2 + q)",
-    "rocker": "(lam^2 - 1)*crank^2*abs(sin(alpha))",
-    "least": "crank + rocker",
-}
-
-
-def _of_ratio(parts: dict[str, str]) -> Curve:
-    """The least transmission angle over λ; nothing where no assembly has both dead centres."""
-    columns: Columns = {key: (text, "number") for key, text in parts.items()}
+def _of_crank_rocker() -> Curve:
     u = "(-cos(phi - psi/2)/cos(psi/2))"
-    if parts is _SLIDER:
-        limit = "q - p*lam"
-        cosine = "least/(lam*crank)"
-    else:
-        limit = f"1 + min({u}, 1/{u}) - lam*(1 - min({u}, 1/{u}))"
-        cosine = "least/(2*lam*crank*rocker)"
-    columns["mu"] = (f"where({limit}, acos({cosine}), acos(2))", "angle")
+    near, far = (f"abs((lam*crank)^2 + rocker^2 - (1 {sign} crank)^2)" for sign in "-+")
+    return _of_ratio(
+        crank="sqrt(1 - cos(psi))/sqrt(A + B*lam^2)",
+        rocker="sqrt((1 - cos(phi)) + (1 + cos(phi))*lam^2)/sqrt(A + B*lam^2)",
+        least=f"max({near}, {far})",
+        cosine="least/(2*lam*crank*rocker)",
+        together=f"1 + min({u}, 1/{u}) - lam*(1 - min({u}, 1/{u}))",
+    )
+
+
+def _of_slider() -> Curve:
+    return _of_ratio(
+        crank="1/sqrt(p*lam^2 + q)",
+        rocker="(lam^2 - 1)*crank^2*abs(sin(alpha))",
+        least="crank + rocker",
+        cosine="least/(lam*crank)",
+        together="q - p*lam",
+    )
+
+
+def _of_ratio(crank: str, rocker: str, least: str, cosine: str, together: str) -> Curve:
+    """The least transmission angle over λ, in equal steps of its logarithm.
+
+    crank, rocker  lengths in parts of a1, or of the stroke; of a slider-crank `rocker` is the eccentricity
+    least, cosine  of the least transmission angle: what its cosine is found from, and the cosine
+    together       above 0 where one assembly has both dead centres; else there is no angle
+    """
+    columns: Columns = {
+        "lam": (f"exp(ln({FIRST_RATIO}) + ln({LONGEST}/{FIRST_RATIO})*n/{RATIO_ROWS - 1})", "number"),
+        "crank": (crank, "number"),
+        "rocker": (rocker, "number"),
+        "least": (least, "number"),
+        "mu": (f"where({together}, acos({cosine}), acos(2))", "angle"),
+    }
     return Curve(RATIO_ROWS, columns, "lam", "mu")

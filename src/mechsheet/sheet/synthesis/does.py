@@ -184,11 +184,13 @@ class Does:
 
     def _transmission_used(self, key: str) -> None:
         """The least transmission angle over the range."""
-        column = self._column("curve", self._curve_col("mu"))
+        self._transmits(key, self._nearest_to_line(self._column("curve", self._curve_col("mu"))))
+
+    def _nearest_to_line(self, column: RangeRef) -> Node:
+        """The least angle between two lines: one above 90 degrees counts from the other side."""
         half = 180.0 if self.page.degrees else al.PI
-        # folded: what is above 90 degrees counts from the other side
-        value = formula("MIN(low,half-high)", low=_least(column), half=half, high=_most(column))
-        self._transmits(key, value)
+        low, high = (over_rows(which, column) for which in (LEAST, MOST))
+        return formula("MIN(low,half-high)", low=low, half=half, high=high)
 
     def _transmits(self, key: str, value: Node) -> None:
         page = self.page
@@ -221,21 +223,19 @@ class Does:
     def _at_dead_centre(self, key: str) -> None:
         """How near a point is to a dead centre."""
         page = self.page
-        value = self._least_at_points() if page.given.kind == "function" else self._least_at_poses()
+        at_points = page.given.kind == "function"
+        value = self._nearest_to_line(self._column("asked", MU)) if at_points else self._least_at_poses()
         near = DEAD if page.degrees else formula("RADIANS(dead)", dead=DEAD)
         self._entry(
             key, value, page.unit_text("angle"), [("value<near", page.text("at_dead_centre.yes"))],
             page.text("at_dead_centre.no"), amber="value<near", near=near,
         )  # fmt: skip
 
-    def _least_at_points(self) -> Node:
-        """The least angle between the lines of coupler and output at a function generator's points."""
-        column = self._column("asked", MU)
-        half = 180.0 if self.page.degrees else al.PI
-        return formula("MIN(low,half-high)", low=_least(column), half=half, high=_most(column))
-
     def _least_at_poses(self) -> Node:
-        """The same at the poses of a guided body: of A→B and B0→B, their product's share of the two lengths'."""
+        """The least angle between coupler and output at the poses of a guided body.
+
+        Of A→B and B0→B: their product's share of the two lengths'.
+        """
         across = [
             f"abs((x_B{n} - x_A{n})*(y_B{n} - y_B0) - (y_B{n} - y_A{n})*(x_B{n} - x_B0))" for n in ("", "_2", "_3")
         ]
@@ -277,28 +277,17 @@ class Does:
     def _line(self) -> None:
         """The words of the first red verdict, else those of the first amber one, else that all is well."""
         page = self.page
-        rows = [page.rows.of["does", key] for key in self.verdicts]
-        marks, words = (
-            RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True)) for col in (ROUNDED, USED)
-        )
+        marks, words = (self._column("does", col) for col in (ROUNDED, USED))
         said: Node = Text(page.text("does.all"))
         for mark in (DOUBT, NO):
             found = formula("INDEX(words,MATCH(mark,marks,0))", words=words, mark=mark, marks=marks)
             said = formula("IFERROR(found,said)", found=found, said=said)
         page.formula_across(LINE_ROW, SYMBOL, MEANING, said, styles.LINE)
         area = Area(LINE_ROW, SYMBOL, LINE_ROW, MEANING)
-        for test, style in (
-            ("COUNTIF(marks,no)>0", styles.BAD),
-            ("AND(COUNTIF(marks,no)=0,COUNTIF(marks,doubt)>0)", styles.WARN),
-            ("COUNTIF(marks,no)+COUNTIF(marks,doubt)=0", styles.GOOD),
+        red, amber = (formula("COUNTIF(marks,mark)", marks=marks, mark=mark) for mark in (NO, DOUBT))
+        for condition, style in (
+            (formula("red>0", red=red), styles.BAD),
+            (formula("AND(red=0,amber>0)", red=red, amber=amber), styles.WARN),
+            (formula("red+amber=0", red=red, amber=amber), styles.GOOD),
         ):
-            condition = formula(test, marks=marks, **{"no": NO, "doubt": DOUBT} if "doubt" in test else {"no": NO})
             page.conditionals.append(Conditional(area, condition, style))
-
-
-def _least(column: RangeRef) -> Node:
-    return over_rows(LEAST, column)
-
-
-def _most(column: RangeRef) -> Node:
-    return over_rows(MOST, column)

@@ -37,17 +37,21 @@ def _arc(key: str, x: str, y: str, radius: str, first: str, turn: str, color: in
     return Line(key, vertices, color, "dash", False)
 
 
+def _four_bar(key: str, n: int, theta: str, psi: str) -> Line:
+    """The four-bar on A0B0 at its position `n`, by the angles of input and output."""
+    vertices = (
+        ("A0", "0", "0"),
+        (f"A{n}", f"a2*cos({theta})", f"a2*sin({theta})"),
+        (f"B{n}", f"a1 + a4*cos({psi})", f"a4*sin({psi})"),
+        ("B0", "a1", "0"),
+    )
+    return Line(key, vertices, n - 1, number=n)
+
+
 def _of_dead_centres(_: Synthesis) -> list[Line]:
-    lines = []
-    for n, theta, psi in ((1, "theta_1", "psi_1"), (2, "(theta_1 + phi)", "(psi_1 + psi)")):
-        vertices = (
-            ("A0", "0", "0"),
-            (f"A{n}", f"a2*cos({theta})", f"a2*sin({theta})"),
-            (f"B{n}", f"a1 + a4*cos({psi})", f"a4*sin({psi})"),
-            ("B0", "a1", "0"),
-        )
-        lines.append(Line("figure.dead", vertices, n - 1, number=n))
-    return [*lines, _arc("figure.swing", "a1", "0", "a4", "psi_1", "psi", 4)]
+    first = _four_bar("figure.dead", 1, "theta_1", "psi_1")
+    second = _four_bar("figure.dead", 2, "theta_1 + phi", "psi_1 + psi")
+    return [first, second, _arc("figure.swing", "a1", "0", "a4", "psi_1", "psi", 4)]
 
 
 def _of_slider(_: Synthesis) -> list[Line]:
@@ -84,17 +88,10 @@ def _of_guidance(_: Synthesis) -> list[Line]:
 
 
 def _of_function(task: Synthesis) -> list[Line]:
-    lines = []
-    for n in range(1, int(task.chosen["points"]) + 1):
-        theta, psi = f"(theta_p{n} + theta_offset)", f"(psi_p{n} + psi_offset)"
-        vertices = (
-            ("A0", "0", "0"),
-            (f"A{n}", f"a2*cos{theta}", f"a2*sin{theta}"),
-            (f"B{n}", f"a1 + a4*cos{psi}", f"a4*sin{psi}"),
-            ("B0", "a1", "0"),
-        )
-        lines.append(Line("figure.point", vertices, n - 1, number=n))
-    return lines
+    return [
+        _four_bar("figure.point", n, f"theta_p{n} + theta_offset", f"psi_p{n} + psi_offset")
+        for n in range(1, int(task.chosen["points"]) + 1)
+    ]
 
 
 FIGURES: dict[str, Callable[[Synthesis], list[Line]]] = {

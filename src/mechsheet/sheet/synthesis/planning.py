@@ -19,29 +19,26 @@ UNSOLVED = "unsolved"
 GRASHOF = "grashof"
 """What kind of four-bar it is and which link turns: where the mechanism has one, as the first sheet says it."""
 
+THROUGH_POINTS = (
+    "meets",
+    "assemblies",
+    "order",
+    "closes_throughout",
+    "transmission_used",
+    "at_dead_centre",
+    GRASHOF,
+    "sensitivity",
+)
+"""Verdicts on a mechanism that has to pass points, or poses."""
+
+BETWEEN_DEAD_CENTRES = ("meets", "together", "turns", "transmission_least", "sensitivity")
+"""Verdicts on one whose dead centres are asked for."""
+
 VERDICTS: dict[str, tuple[str, ...]] = {
-    "function": (
-        "meets",
-        "assemblies",
-        "order",
-        "closes_throughout",
-        "transmission_used",
-        "at_dead_centre",
-        GRASHOF,
-        "sensitivity",
-    ),
-    "dead-centres": ("meets", "together", "turns", "transmission_least", "sensitivity"),
-    "guidance": (
-        "meets",
-        "assemblies",
-        "order",
-        "closes_throughout",
-        "transmission_used",
-        "at_dead_centre",
-        GRASHOF,
-        "sensitivity",
-    ),
-    "quick-return-slider": ("meets", "together", "turns", "transmission_least", "sensitivity"),
+    "function": THROUGH_POINTS,
+    "dead-centres": BETWEEN_DEAD_CENTRES,
+    "guidance": THROUGH_POINTS,
+    "quick-return-slider": BETWEEN_DEAD_CENTRES,
     "quick-return-lever": ("meets", "sensitivity"),
 }
 """Names of what is said of the mechanism that comes out, after `unsolved`."""
