@@ -46,6 +46,20 @@ def workbook(form):
     raise AssertionError(f"no task of this form has a solution: {form}")
 
 
+def typed(asked, mechanism):
+    """The session of the task's workbook with the task typed into its cells, and where its cells are."""
+    session, spots = workbook(form_of(asked))
+    shown = {dim.symbol: dim.shown for dim in mechanism.dimensions}
+    session.reset()
+    session.update({address(spots[symbol]): shown[symbol] for symbol in mechanism.synthesis.inputs})
+    return session, spots
+
+
+def address(spot):
+    """Of a cell of the session."""
+    return cell_address(spot.sheet, spot.row, spot.col)
+
+
 def compare(found, expected, names, tolerance):
     """Both have no number, or both have the same but for rounding of the largest of them."""
     lengths = [abs(expected[name]) for name in names if math.isfinite(expected[name])]
@@ -69,20 +83,14 @@ def test_the_equations_find_what_the_reference_finds(kind, seed):
 def test_tasks_typed_into_the_workbook_give_the_same(kind, seed):
     asked = task(kind, seed)
     mechanism = loads(description(asked))
-    session, spots = workbook(form_of(asked))
+    session, spots = typed(asked, mechanism)
     dimensions = {dim.symbol: dim for dim in mechanism.dimensions}
-
-    def cell(symbol):
-        return cell_address(spots[symbol].sheet, spots[symbol].row, spots[symbol].col)
-
-    session.reset()
-    session.update({cell(symbol): dimensions[symbol].shown for symbol in mechanism.synthesis.inputs})
     expected, found = of_reference(mechanism), {}
     results, taken = mechanism.synthesis.results.values(), mechanism.synthesis.taken
     if not all(math.isfinite(expected[symbol]) for symbol in mechanism.synthesis.ends):
         expected |= dict.fromkeys(taken, math.nan)  # no dimension follows then, also none that the task gives itself
     for symbol in dict.fromkeys((*results, *taken)):
-        value = session.get(cell(symbol))
+        value = session.get(address(spots[symbol]))
         assert isinstance(value, float | ErrorValue), symbol
         found[symbol] = dimensions[symbol].unit.to_internal(value) if isinstance(value, float) else math.nan
     compare(found, expected, found, FLAT if "best" in asked else EXACT)

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from test_random_tasks import form_of, workbook
+from test_random_tasks import address, typed
 
 from chosen import first
 from mechsheet.description import loads
@@ -32,17 +32,12 @@ def verdicts(kind, seed):
     values = dimension_values(mechanism)
     if not all(math.isfinite(values[symbol]) for symbol in mechanism.synthesis.ends):
         return None
-    session, spots = workbook(form_of(asked))
-    shown = {dim.symbol: dim.shown for dim in mechanism.dimensions}
-    session.reset()
-    session.update(
-        {cell_address(spots[s].sheet, spots[s].row, spots[s].col): shown[s] for s in mechanism.synthesis.inputs}
-    )
+    session, spots = typed(asked, mechanism)
     found = {}
     for key, spot in spots.items():
         if key.startswith("#") and spot.sheet == spots[mechanism.synthesis.inputs[0]].sheet and spot.col == VALUE:
             mark = session.get(cell_address(spot.sheet, spot.row, ROUNDED))
-            found[key[1:]] = mark, session.get(cell_address(spot.sheet, spot.row, VALUE))
+            found[key[1:]] = mark, session.get(address(spot))
     assert found.keys() >= set(verdicts_of(mechanism.synthesis, four_bar=True)), (
         "a name of another sheet's has taken one"
     )

@@ -54,6 +54,27 @@ def slider_crank_of(asked):
     return quick_return.best(*given)
 
 
+def check_swing(ends, psi, phi):
+    """That a rocker swings by psi between its two dead centres while the crank turns by phi, or back by the rest."""
+    (first_at, low), (second_at, high) = ends
+    turn = abs(second_at - first_at)
+    assert abs(high - low) == pytest.approx(psi, abs=1e-10)
+    assert min(abs(turn - phi), abs(FULL - turn - phi)) < 1e-10
+
+
+def check_time_ratio(ends, time_ratio):
+    """That the crank turns in this ratio between two dead centres, on the slow way and on the quick one."""
+    (first_at, _), (second_at, _) = ends
+    turn = abs(second_at - first_at)
+    assert max(turn, FULL - turn) / min(turn, FULL - turn) == pytest.approx(time_ratio, rel=1e-9)
+
+
+def check_chord(ends, lever, stroke):
+    """That the end of a lever is so far away from one dead centre at the other."""
+    (_, one), (_, other) = ends
+    assert abs(cmath.exp(1j * one) - cmath.exp(1j * other)) * lever == pytest.approx(stroke, rel=1e-10)
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_function_generator_meets_its_points(seed):
     asked = task("function", seed)
@@ -98,12 +119,10 @@ def test_a_crank_rocker_has_its_swing_and_time_ratio_between_its_dead_centres(se
         return
     ends = rests(four_bar(found.a1, found.a2, found.a3, found.a4, complex(found.a1, found.a4), 1.0), "theta14")
     assert len(ends) == 2
-    (first_at, low), (second_at, high) = ends
-    turn = abs(second_at - first_at)
     if math.isfinite(found.mu_min):
-        assert abs(high - low) == pytest.approx(psi, abs=1e-10)
-        assert min(abs(turn - phi), abs(FULL - turn - phi)) < 1e-10
+        check_swing(ends, psi, phi)
     else:
+        (_, low), (_, high) = ends
         assert abs(high - low) != pytest.approx(psi, abs=1e-6)
 
 
@@ -135,11 +154,10 @@ def test_a_slider_crank_has_its_stroke_and_time_ratio(seed):
         return
     ends = rests(slider_crank(found.a2, found.a3, found.c), "s14")
     assert len(ends) == 2
-    (first_at, one), (second_at, other) = ends
-    turn = abs(second_at - first_at)
+    (_, one), (_, other) = ends
     if math.isfinite(found.mu_min):
         assert abs(one - other) == pytest.approx(asked["stroke"], rel=1e-10)
-        assert max(turn, FULL - turn) / min(turn, FULL - turn) == pytest.approx(asked["time_ratio"], rel=1e-9)
+        check_time_ratio(ends, asked["time_ratio"])
     else:
         assert abs(one - other) != pytest.approx(asked["stroke"], rel=1e-6)
 
@@ -153,10 +171,8 @@ def test_a_slotted_lever_has_its_stroke_and_time_ratio(seed):
         return
     ends = rests(slotted_lever(found.centre, found.lever, asked["crank"]), "theta13")
     assert len(ends) == 2
-    (first_at, one), (second_at, other) = ends
-    assert abs(cmath.exp(1j * one) - cmath.exp(1j * other)) * found.lever == pytest.approx(asked["stroke"], rel=1e-10)
-    turn = abs(second_at - first_at)
-    assert max(turn, FULL - turn) / min(turn, FULL - turn) == pytest.approx(asked["time_ratio"], rel=1e-9)
+    check_chord(ends, found.lever, asked["stroke"])
+    check_time_ratio(ends, asked["time_ratio"])
 
 
 def named(asked):
@@ -328,10 +344,7 @@ def test_a_described_crank_rocker_has_its_swing(seed):
     whole, values, solved = described("dead-centres", seed)
     if not solved or not math.isfinite(values["mu_min"]):
         return
-    (first_at, low), (second_at, high) = rests(whole, "theta14")
-    assert abs(high - low) == pytest.approx(values["psi"], abs=1e-10)
-    turn = abs(second_at - first_at)
-    assert min(abs(turn - values["phi"]), abs(FULL - turn - values["phi"])) < 1e-10
+    check_swing(rests(whole, "theta14"), values["psi"], values["phi"])
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -356,10 +369,10 @@ def test_a_described_slider_crank_has_its_stroke(seed):
     whole, values, solved = described("quick-return-slider", seed)
     if not solved or not math.isfinite(values["mu_min"]):
         return
-    (first_at, one), (second_at, other) = rests(whole, "s")
+    ends = rests(whole, "s")
+    (_, one), (_, other) = ends
     assert abs(one - other) == pytest.approx(values["stroke"], rel=1e-10)
-    turn = abs(second_at - first_at)
-    assert max(turn, FULL - turn) / min(turn, FULL - turn) == pytest.approx(values["time_ratio"], rel=1e-9)
+    check_time_ratio(ends, values["time_ratio"])
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -367,8 +380,6 @@ def test_a_described_slotted_lever_has_its_stroke(seed):
     whole, values, solved = described("quick-return-lever", seed)
     if not solved:
         return
-    (first_at, one), (second_at, other) = rests(whole, "theta13")
-    chord = abs(cmath.exp(1j * one) - cmath.exp(1j * other)) * values["lever"]
-    assert chord == pytest.approx(task("quick-return-lever", seed)["stroke"], rel=1e-10)
-    turn = abs(second_at - first_at)
-    assert max(turn, FULL - turn) / min(turn, FULL - turn) == pytest.approx(values["time_ratio"], rel=1e-9)
+    ends = rests(whole, "theta13")
+    check_chord(ends, values["lever"], task("quick-return-lever", seed)["stroke"])
+    check_time_ratio(ends, values["time_ratio"])
