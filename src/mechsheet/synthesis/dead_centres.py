@@ -80,7 +80,7 @@ def _lengths(w: Writer) -> None:
         w.also("a2")
     else:
         w.result("a2", "a1*sqrt(2)*sin(psi/2)/D", length, "crank")
-    w.result("a3", "lam*a2", length, "a3", "D")
+    w.result("a3", "lam*a2", length, "coupler", "D")
     w.result("a4", "a1*sqrt((1 - cos(phi)) + (1 + cos(phi))*lam^2)/D", length, "rocker")
 
 

@@ -123,8 +123,10 @@ class Writer:
         self.results[name] = self.names[name]
 
     def node(self, name: str, node: Node, unit: Unit, words: str, **parts: object) -> None:
-        """A step whose expression is given as a tree."""
-        self._derived(self._named(name, "step"), node, unit, words, "", parts)
+        """A step whose expression is given as a tree; it need not have a value."""
+        symbol = self._named(name, "step")
+        self._derived(symbol, node, unit, words, "", parts)
+        self._reason(symbol, words)
 
     def rounding(self, symbol: str) -> Dimension:
         """What lengths are rounded to."""
@@ -136,10 +138,14 @@ class Writer:
     ) -> None:
         if needs:
             node = where(self.parsed(needs), node)
-        if f"none.{words}" in STEPS:
-            self.reasons.append((symbol, step_words(f"none.{words}")))
+            self._reason(symbol, words)
         self.dimensions.append(Dimension(symbol, node, unit, step_words(words, **parts), place=PLACE))
         self.steps.append(symbol)
+
+    def _reason(self, symbol: str, words: str) -> None:
+        """Why the step has no value, where there are words for it."""
+        if f"none.{words}" in STEPS:
+            self.reasons.append((symbol, step_words(f"none.{words}")))
 
     def _named(self, name: str, kind: str) -> str:
         symbol = f"{name}_{kind}" if name in self.own else name

@@ -68,6 +68,7 @@ STEPS: dict[str, tuple[str, str]] = {
     "cubic_newton": ("the same to the last digit, by Newton", "aynısı, Newton adımıyla son basamağa kadar"),
     "D": ("D", "D"),
     "crank": ("crank A0A", "krank A0A"),
+    "coupler": ("coupler AB", "biyel AB"),
     "rocker": ("rocker B0B", "sarkaç B0B"),
     "kappa": ("(1 − λ)/(1 + λ)", "(1 − λ)/(1 + λ)"),
     "numerator": ("for the first dead centre", "birinci ölü konum için"),
