@@ -64,14 +64,16 @@ class Does:
 
     def _entry(
         self, key: str, value: Node, unit: str, words: Sequence[tuple[str, Node | str]], otherwise: Node | str,
-        red: str = "FALSE", amber: str = "FALSE", **holes: Node | float,
+        red: str = "FALSE", amber: str = "FALSE", counted: bool = False, **holes: Node | float,
     ) -> None:  # fmt: skip
-        """A number and what it says: the words of the first test that holds. Tests are over `value` and the holes."""
+        """A number and what it says: the words of the first test that holds. Tests are over `value` and the holes.
+
+        counted  the number is a whole one
+        """
         page, row = self.page, self.page.rows.of["does", key]
         number = CellRef(row, VALUE, True, True)
         page.put(row, SYMBOL, page.text(f"does.{key}"), styles.SYMBOL)
-        whole = not unit and key not in ("together",)
-        style = styles.decimals(styles.RESULT, 0 if whole else 4)
+        style = styles.decimals(styles.RESULT, 0 if counted else 4)
         page.formula(row, VALUE, formula("IFERROR(value,NA())", value=value), style)
         page.put(row, UNIT, unit, styles.UNIT)
         said: Node = Text(otherwise) if isinstance(otherwise, str) else otherwise
@@ -105,7 +107,7 @@ class Does:
         before, after = page.plan.text("verdict.inputs.wrong", symbol="#").split("#")
         number = CellRef(page.rows.of["does", INPUTS], VALUE, True, True)
         wrong = joined(before, formula("INDEX(names,number)", names=names, number=number), after)
-        self._entry(INPUTS, first, "", [("value>0", wrong)], page.text("inputs.fine"), red="value>0")
+        self._entry(INPUTS, first, "", [("value>0", wrong)], page.text("inputs.fine"), red="value>0", counted=True)
 
     def _unsolved(self) -> None:
         page = self.page
@@ -113,7 +115,8 @@ class Does:
         solved = al.all_of([formula("ISNUMBER(step)", step=page.cell(symbol)) for symbol in page.given.ends])
         state = formula("IF(wrong>0,input,IF(solved,yes,none))", wrong=wrong, solved=solved, yes=SOLVED,
                         none=NO_SOLUTION, input=WRONG_INPUT)  # fmt: skip
-        self._entry(UNSOLVED, state, "", [(f"value={NO_SOLUTION}", self._why())], page.text("solved"), red="value>0")
+        none = [(f"value={NO_SOLUTION}", self._why())]
+        self._entry(UNSOLVED, state, "", none, page.text("solved"), red="value>0", counted=True)
 
     def _why(self) -> Node:
         """Why there is no solution: what the first step without a value says of it."""
@@ -140,7 +143,7 @@ class Does:
         largest_error = joined(page.text("meets.about"), formula("ROUND(number,4)", number=CellRef(
             page.rows.of["does", key], VALUE, True, True)), f" {unit}" if unit not in ("", "°") else unit)  # fmt: skip
         self._entry(
-            key, formula("IF(missing,NA(),value)", missing=missing, value=value), unit or " ",
+            key, formula("IF(missing,NA(),value)", missing=missing, value=value), unit,
             [("ISNA(value)", page.text("meets.not")), (f"value>{EXACT}", largest_error)], page.text("meets.exactly"),
             red="ISNA(value)", amber=f"value>{EXACT}",
         )  # fmt: skip
@@ -155,7 +158,8 @@ class Does:
         for number, side in enumerate(sides, 1):
             listed.append(formula("IF(side>0,plus,minus)", side=side, plus=f" {number}: +", minus=f" {number}: −"))
         value = formula("IF(total=count,1,2)", total=total, count=len(sides))
-        self._entry(key, value, "", [("value=2", joined(*listed))], page.text("assemblies.one"), red="value=2")
+        both = [("value=2", joined(*listed))]
+        self._entry(key, value, "", both, page.text("assemblies.one"), red="value=2", counted=True)
 
     def _order(self, key: str) -> None:
         """Whether the input goes through the points one after the other."""
@@ -168,7 +172,8 @@ class Does:
             steps = [page.tree(f"theta_p{n + 1} - theta_p{n}") for n in range(1, count)]
             value = formula("IF(ABS(total)=count,1,0)", total=al.total(formula("SIGN(step)", step=step) for step in steps),
                             count=len(steps))  # fmt: skip
-        self._entry(key, value, "", [("value=0", page.text("order.not"))], page.text("order.kept"), amber="value=0")
+        other = [("value=0", page.text("order.not"))]
+        self._entry(key, value, "", other, page.text("order.kept"), amber="value=0", counted=True)
 
     def _closes_throughout(self, key: str) -> None:
         """In how many rows of the range the mechanism closes."""
@@ -176,7 +181,7 @@ class Does:
         self._entry(
             key, formula("COUNT(column)", column=column), "",
             [("value<most", self.page.text("closes_throughout.not"))], self.page.text("closes_throughout.all"),
-            red="value<most", most=formula("ROWS(column)", column=column),
+            red="value<most", counted=True, most=formula("ROWS(column)", column=column),
         )  # fmt: skip
 
     def _curve_col(self, key: str) -> int:
