@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node, Symbol, transform
+from mechsheet.formula.nodes import Node, Symbol, with_symbols
 from mechsheet.model import TIME, Law
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import SHOWN, formula
@@ -24,4 +24,4 @@ def time_after(law: Law, rows: Node) -> Node:
 def by_time(law: Law, time: Node) -> Node:
     """The driver's value, as people read it, at a time."""
     shown = {name: Symbol(SHOWN + name) for name in (law.start, law.stop)} | {TIME: time}
-    return transform(law.value, lambda part: shown.get(part.name, part) if isinstance(part, Symbol) else part)
+    return with_symbols(law.value, shown)

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field, replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
+from mechsheet.formula.nodes import Call, Node, Symbol, symbols, with_symbols
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads import Determinant, Solved
@@ -243,9 +243,7 @@ class _Writer:
         for driver in self.mechanism.drivers:
             if driver.follows is None:
                 continue
-            node = transform(
-                driver.follows, lambda part: follows.get(part.name, part) if isinstance(part, Symbol) else part
-            )
+            node = with_symbols(driver.follows, follows)
             follows[driver.symbol] = node
             first = derivative(node, own)
             rate = Rate(first, derivative(first, own))

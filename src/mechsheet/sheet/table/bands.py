@@ -14,7 +14,7 @@ import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol, transform
+from mechsheet.formula.nodes import Call, Node, Symbol, with_symbols
 from mechsheet.kinematics.equations import Equations, Role
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.rates.sensitivity import (
@@ -147,7 +147,7 @@ def _columns(
     """Of one quantity."""
 
     def known(node: Node) -> Node:
-        return transform(node, lambda part: inline.get(part.name, part) if isinstance(part, Symbol) else part)
+        return with_symbols(node, inline)
 
     def column(symbol: str, node: Node, role: Role, unit: Unit, label: str, says: Node | None = None) -> Assignment:
         words = phrase(label, symbol=found.quantity)
