@@ -13,6 +13,7 @@ EXTRAS = {
     "notebook": (("matplotlib", "pandas"), "motion.frame() in notebooks"),
     "dxf": (("ezdxf",), "drawings for CAD: mechsheet export --to dxf"),
     "ironcalc": (("ironcalc",), "one more judge: mechsheet check --with ironcalc"),
+    "onlyoffice": (("document-builder",), "one more judge: mechsheet check --with onlyoffice (100 MB, AGPL)"),
 }
 """Extra -> (packages, what they are for)."""
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import importlib.metadata
-import importlib.util
 import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import metadata
 
 from mechsheet.checking.programs import libreoffice_command
 from mechsheet.extras import EXTRAS, command_for, how_to_get
@@ -41,9 +40,10 @@ def installed() -> list[Part]:
 
 def _versions(packages: Sequence[str]) -> str:
     """Names and versions of packages, "" when one is missing."""
-    if any(importlib.util.find_spec(package) is None for package in packages):
+    try:
+        return ", ".join(f"{package} {metadata.version(package)}" for package in packages)
+    except metadata.PackageNotFoundError:
         return ""
-    return ", ".join(f"{package} {importlib.metadata.version(package)}" for package in packages)
 
 
 def on_path() -> bool:
