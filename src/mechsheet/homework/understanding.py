@@ -21,8 +21,6 @@ from mechsheet.model import Mechanism
 
 ENOUGH = 2
 """So many of the asked quantities found with a way to read the driver settle that it is the right way."""
-MOST_ROWS = 2000
-"""Positions that are solved; of a longer table the first ones."""
 
 
 @dataclass
