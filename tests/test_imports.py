@@ -7,9 +7,10 @@ import pytest
 
 SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
 
-EVERYBODY = {"diagnostics", "arguments.numbers"}
+EVERYBODY = {"diagnostics", "extras", "arguments.numbers"}
 ALLOWED = {
     "diagnostics": set(),
+    "extras": set(),
     "arguments": {"formula", "formats.archive"},
     "units": set(),
     "portable": set(),

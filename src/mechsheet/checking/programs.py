@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from mechsheet.diagnostics import Fault, MissingProgramError, WorkbookError, near_miss, readable_name
+from mechsheet.extras import command_for, missing_package, missing_program
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Binary, ErrorValue, Node, Scalar, walk
 from mechsheet.formula.references import cell_name
@@ -95,9 +96,7 @@ def convert_with_libreoffice(paths: list[Path], suffix: str, folder: Path) -> li
     """Recalculate files from scratch and write them into `folder` in another format; one call for all (starting is slow)."""
     command = libreoffice_command()
     if command is None:
-        raise MissingProgramError(
-            Fault("LibreOffice Calc is not installed", hint="on Debian: apt-get install libreoffice-calc")
-        )
+        raise missing_program("LibreOffice")
     with tempfile.TemporaryDirectory(prefix="mechsheet-office-") as profile:
         user = Path(profile) / "user"
         user.mkdir()
@@ -146,7 +145,7 @@ def _libreoffice(path: Path) -> Answers:
 def _gnumeric(path: Path) -> Answers:
     command = shutil.which("ssconvert")
     if command is None:
-        raise MissingProgramError(Fault("gnumeric is not installed", hint="on Debian: apt-get install gnumeric"))
+        raise missing_program("gnumeric")
     with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
         result = Path(folder) / "answers.xlsx"
         _run([command, "--recalc", str(path), str(result)])
@@ -205,9 +204,7 @@ def _ironcalc(path: Path) -> Answers:
     try:
         import ironcalc
     except ImportError:
-        raise MissingProgramError(
-            Fault("the package ironcalc is not installed", hint='pip install "mechsheet[ironcalc]"')
-        ) from None
+        raise missing_package("ironcalc", "ironcalc") from None
     _only_xlsx(path, "ironcalc")
     model = ironcalc.load_from_xlsx(str(path), "en", "UTC", "en")
     model.evaluate()
@@ -247,7 +244,7 @@ where formulas look a text up), so it is told how.
 def _onlyoffice(path: Path) -> Answers:
     _only_xlsx(path, "onlyoffice")
     if importlib.util.find_spec("docbuilder") is None:
-        hint = 'pip install "mechsheet[onlyoffice]" (100 MB, AGPL, runs as a program of its own)'
+        hint = f"{command_for('onlyoffice')} (100 MB, AGPL, runs as a program of its own)"
         raise MissingProgramError(Fault("ONLYOFFICE's document-builder is not installed", hint=hint))
     with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
         result = Path(folder) / "answers.xlsx"

@@ -55,12 +55,13 @@ def doctor(as_json: bool) -> None:
             click.echo(
                 f"  the command is not on the PATH: {starter} -m mechsheet does the same (or install it by pipx)"
             )
+        width = max(len(part.name) for part in parts)
         for heading, rows in (("There", [p for p in parts if p.found]), ("Missing", [p for p in parts if not p.found])):
             if rows:
                 click.echo(f"\n{heading}")
             for part in rows:
-                click.echo(f"  {part.name:<20} {part.use}")
-                click.echo(f"  {'':<20} {part.found or part.get}")
+                click.echo(f"  {part.name:<{width}} {part.use}")
+                click.echo(f"  {'':<{width}} {part.found or part.get}")
     if not report.agrees:
         sys.exit(1)
 

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from mechsheet.diagnostics import Fault, MissingProgramError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.shapes import Disc, Drawn, Label, Stroke, drawings
+from mechsheet.extras import missing_package
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -36,9 +36,7 @@ def _ezdxf() -> Iterator[None]:
     try:
         import ezdxf
     except ImportError as error:
-        raise MissingProgramError(
-            Fault("ezdxf is not installed: it writes DXF files", hint='pip install "mechsheet[dxf]"')
-        ) from error
+        raise missing_package("ezdxf", "dxf", "it writes DXF files") from error
     before = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -26,11 +26,8 @@ KEPT = 6
 """Ways that are looked at closely."""
 
 
-@dataclass(frozen=True, slots=True)
-class Assignment:
-    """Dimension -> the index of its number; None for a dimension taken as 0."""
-
-    cells: Mapping[str, int | None]
+Assignment: TypeAlias = dict[str, int | None]
+"""Dimension -> the index of its number; None for a dimension taken as 0."""
 
 
 def ways(dimensions: Sequence[Dimension], numbers: Sequence[float]) -> Iterator[tuple[int | None, ...]]:
@@ -75,7 +72,7 @@ def likely_assignments(
         found = _computed(mechanism, equations, known, driver[rows])
         best = np.maximum(best, _matches(mechanism, found, columns[:, rows], 1e-4 * size))
     order = [int(n) for n in np.argsort(-best, kind="stable")[:KEPT] if best[n]]
-    return [Assignment(dict(zip((dim.symbol for dim in dimensions), tried[n], strict=True))) for n in order]
+    return [dict(zip((dim.symbol for dim in dimensions), tried[n], strict=True)) for n in order]
 
 
 def modes_of(truth: Truth, equations: Equations) -> dict[str, int]:

@@ -140,9 +140,7 @@ class Search:
         by_main = {strip: number for number, strip in enumerate(work.strips)}
         found = {number for number, strip in enumerate(work.strips) if not self._beside(strip)}
         computed = [series for series in self.found.series if series.main is not None]
-        columns = np.array([self.sheet.column(series) for series in computed]).reshape(
-            len(computed), self.found.driver.length
-        )
+        columns = self.sheet.matrix(computed)
         for word in words:
             allowed = self.found.allowed(word)
             for place in np.flatnonzero(likely(columns, word, allowed)).tolist():

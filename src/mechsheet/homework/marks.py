@@ -10,7 +10,7 @@ from typing import Any
 
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
-from mechsheet.formats import read
+from mechsheet.formats import FORMATS, read
 from mechsheet.homework.audit import Audit, FaultFound, audited
 from mechsheet.homework.exercise import Student, safe, with_dimensions
 from mechsheet.homework.inputs import SAME
@@ -20,7 +20,7 @@ from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import said
 
-SUFFIXES = (".xlsx", ".xlsm", ".ods", ".ots", ".xls")
+SUFFIXES = tuple(FORMATS)
 MOST_SEARCHED = 400
 """Typed cells of a workbook in which a student's id is looked for."""
 

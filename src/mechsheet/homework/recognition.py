@@ -25,7 +25,7 @@ from mechsheet.homework.agreement import DEGREE, Reading, gaps, likely, reading_
 from mechsheet.homework.assignments import likely_assignments, modes_of
 from mechsheet.homework.inputs import Input, inputs_of, single_cells
 from mechsheet.homework.marking_rules import TOLERANCE
-from mechsheet.homework.series import Graph, Run, Series, aligned, counted, drivers
+from mechsheet.homework.series import Graph, Run, Series, aligned, columns_of, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, all_assemblies, vocabulary
 from mechsheet.homework.understanding import Understanding, driver_column, ways
 from mechsheet.homework.upright import Place, Work
@@ -67,8 +67,7 @@ class Table:
     @cached_property
     def columns(self) -> Array:
         """The computed columns that move, shape (columns, rows)."""
-        found = np.array([series.column(self.graph.work) for series in self.series])
-        found = found.reshape(len(self.series), self.run.length)
+        found = columns_of(self.series, self.graph.work, self.run.length)
         with np.errstate(invalid="ignore"):
             moving = np.nanmax(found, axis=1, initial=-np.inf) - np.nanmin(found, axis=1, initial=np.inf) > 0
         moved: Array = found[moving]
@@ -78,8 +77,7 @@ class Table:
 def tables(work: Work) -> list[Table]:
     """The tables that a workbook may have, the likeliest first."""
     graph = Graph(work)
-    runs = drivers(graph)
-    return [Table(graph, run) for likely_run in runs[:3] for run in (likely_run, *counted(graph, likely_run))]
+    return [Table(graph, run) for run in likely_runs(graph)]
 
 
 def recognise(found: Sequence[Table], say: Callable[[str], None] = lambda _: None) -> Recognised | None:
@@ -210,7 +208,7 @@ def _inputs(
                 DEGREE if units[symbol] == "angle" and abs(numbers[index]) > 2 * np.pi else 1.0,
                 False,
             )
-            for symbol, index in assignment.cells.items()
+            for symbol, index in assignment.items()
             if index is not None
         )
 
@@ -281,8 +279,7 @@ def _assembled(mechanism: Mechanism, driver: Array) -> list[Truth]:
 
 def _agreeing(found: Understanding) -> list[tuple[Series, Quantity, Reading]]:
     """Computed series that are what the mechanism does, each with the first quantity that it is."""
-    columns = np.array([series.column(found.work) for series in found.series])
-    columns = columns.reshape(len(found.series), found.driver.length)
+    columns = columns_of(found.series, found.work, found.driver.length)
     agreeing: dict[int, tuple[Series, Quantity, Reading]] = {}
     for word in vocabulary(found.truth):
         allowed = found.allowed(word)

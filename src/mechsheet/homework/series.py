@@ -18,6 +18,8 @@ from mechsheet.homework.upright import Place, Strip, Work, references
 
 SHORTEST = 4
 """Cells that make a run."""
+MOST_RUNS = 3
+"""Runs that are tried for the driver's."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,6 +287,16 @@ def counted(graph: Graph, run: Run) -> list[Run]:
         if step is not None and len(rows) == 1 and abs(abs(step) - math.pi / 180) > 1e-6:
             found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
     return found
+
+
+def likely_runs(graph: Graph) -> list[Run]:
+    """The runs that may be the driver's, the likeliest first, each followed by those that are counted by it."""
+    return [one for run in drivers(graph)[:MOST_RUNS] for one in (run, *counted(graph, run))]
+
+
+def columns_of(several: Sequence[Series], work: Work, rows: int) -> Array:
+    """The numbers of several series, shape (series, rows)."""
+    return np.array([series.column(work) for series in several]).reshape(len(several), rows)
 
 
 def aligned(graph: Graph, driver: Run) -> list[Series]:

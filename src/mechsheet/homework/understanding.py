@@ -14,15 +14,13 @@ from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
 from mechsheet.homework.headings import heading, names_over
 from mechsheet.homework.inputs import Input, inputs_of
-from mechsheet.homework.series import Graph, Run, Series, aligned, counted, drivers
+from mechsheet.homework.series import Graph, Run, Series, aligned, columns_of, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
 
 ENOUGH = 2
 """So many of the asked quantities found with a way to read the driver settle that it is the right way."""
-MOST_ROWS = 2000
-"""Positions that are solved; of a longer table the first ones."""
 
 
 @dataclass
@@ -75,12 +73,12 @@ def understand(
     unusual  the driver may be counted clockwise, or from another zero
     """
     graph = Graph(work)
-    runs = drivers(graph)
+    runs = likely_runs(graph)
     if not runs:
         raise WorkbookError(Fault("no table", about="no table"))
     best: tuple[tuple[int, int], Understanding] | None = None
     given = reference.dimension_values(mechanism)
-    for run in [one for first in runs[:3] for one in (first, *counted(graph, first))]:
+    for run in runs:
         series = aligned(graph, run)
         for by_words in (True, False):
             inputs = inputs_of(graph, mechanism, given, run, by_words)
@@ -149,9 +147,7 @@ def ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[
 
 def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
     """(asked quantities that some series is, series that are anything of the mechanism)."""
-    columns = np.array([series.column(found.work) for series in found.series]).reshape(
-        len(found.series), found.driver.length
-    )
+    columns = columns_of(found.series, found.work, found.driver.length)
     right = 0
     for symbol in asked:
         if symbol in found.truth.columns:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.metadata
-import importlib.util
 import shutil
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import metadata
 
 from mechsheet.checking.programs import libreoffice_command
+from mechsheet.extras import EXTRAS, command_for, how_to_get
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,46 +24,26 @@ class Part:
     """How to get it."""
 
 
-EXTRAS = {
-    "plot": (("matplotlib",), "pictures and animations: mechsheet plot, .png and .gif"),
-    "study": (("pyarrow",), "millions of designs: mechsheet study"),
-    "dask": (("distributed", "pyarrow"), "studies on many machines"),
-    "notebook": (("matplotlib", "pandas"), "motion.frame() in notebooks"),
-    "dxf": (("ezdxf",), "drawings for CAD: mechsheet export --to dxf"),
-    "ironcalc": (("ironcalc",), "one more judge: mechsheet check --with ironcalc"),
-}
-"""Extra -> (packages, what they are for)."""
-
-PROGRAMS = {
-    "win32": {"LibreOffice": "winget install TheDocumentFoundation.LibreOffice", "gnumeric": ""},
-    "darwin": {"LibreOffice": "brew install --cask libreoffice", "gnumeric": "brew install gnumeric"},
-    "linux": {"LibreOffice": "sudo apt install libreoffice-calc", "gnumeric": "sudo apt install gnumeric"},
-}
-"""Platform -> how to get a program there; "" where nobody offers it."""
-
-
 def installed() -> list[Part]:
     """Every extra and every program that this one can use."""
     extras = [
-        Part(f"mechsheet[{extra}]", use, _versions(packages), f'pip install "mechsheet[{extra}]"')
+        Part(f"mechsheet[{extra}]", use, _versions(packages), command_for(extra))
         for extra, (packages, use) in EXTRAS.items()
     ]
-    get = PROGRAMS.get(sys.platform, PROGRAMS["linux"])
     programs = [
-        Part("LibreOffice", "opens workbooks; mechsheet check --with libreoffice", libreoffice_command() or "", ""),
-        Part("gnumeric", "mechsheet check --with gnumeric", shutil.which("ssconvert") or "", ""),
+        ("LibreOffice", "opens workbooks; mechsheet check --with libreoffice", libreoffice_command()),
+        ("gnumeric", "mechsheet check --with gnumeric", shutil.which("ssconvert")),
     ]
-    return [
-        *extras,
-        *(Part(part.name, part.use, part.found, get[part.name]) for part in programs if part.found or get[part.name]),
-    ]
+    parts = [Part(name, use, found or "", how_to_get(name)) for name, use, found in programs]
+    return extras + [part for part in parts if part.found or part.get]
 
 
 def _versions(packages: Sequence[str]) -> str:
     """Names and versions of packages, "" when one is missing."""
-    if any(importlib.util.find_spec(package) is None for package in packages):
+    try:
+        return ", ".join(f"{package} {metadata.version(package)}" for package in packages)
+    except metadata.PackageNotFoundError:
         return ""
-    return ", ".join(f"{package} {importlib.metadata.version(package)}" for package in packages)
 
 
 def on_path() -> bool:

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.arguments.numbers import number_text, whole_number_given
-from mechsheet.diagnostics import Fault, MechsheetError, MissingProgramError
+from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.extras import missing_package
 from mechsheet.model import Mechanism
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
         try:
             import pandas
         except ImportError as problem:
-            raise _missing("pandas") from problem
+            raise missing_package("pandas", "notebook") from problem
         driver = next(iter(self._columns))
         return pandas.DataFrame(self._columns).set_index(driver)
 
@@ -146,12 +147,6 @@ class Linkage(Mechanism):
 
     def __repr__(self) -> str:
         return f"<Linkage {self.name}: {len(self.links)} links, driven by {self.driver.symbol}>"
-
-
-def _missing(package: str) -> MissingProgramError:
-    return MissingProgramError(
-        Fault(f"{package} is not installed", hint='pip install "mechsheet[notebook]"', key=package)
-    )
 
 
 def _linkage(mechanism: Mechanism) -> Linkage:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.diagnostics import Fault, MissingProgramError
+from mechsheet.extras import missing_package
 from mechsheet.plotting.scenes import Piece, Scene
 
 if TYPE_CHECKING:
@@ -52,9 +52,7 @@ def _settings() -> Iterator[None]:
     try:
         import matplotlib as mpl
     except ImportError as error:
-        raise MissingProgramError(
-            Fault("matplotlib is not installed: it draws the pictures", hint='pip install "mechsheet[plot]"')
-        ) from error
+        raise missing_package("matplotlib", "plot", "it draws the pictures") from error
     with mpl.rc_context():
         mpl.rcdefaults()
         mpl.rcParams.update({"svg.hashsalt": "mechsheet", "font.family": "DejaVu Sans", "path.simplify": False})

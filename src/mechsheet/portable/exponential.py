@@ -9,12 +9,10 @@ import numpy as np
 
 from .steps import Real, in_pieces, polynomial
 
-_LN2, _LN2_REST = (
-    0.6931471803691238,
-    1.9082149292705877e-10,
-)  # the first has 32 digits: products with exponents are exact
+LN2, LN2_REST = 0.6931471803691238, 1.9082149292705877e-10
+"""ln 2 in two parts; the first has 32 digits: products with exponents are exact."""
 _PER_LN2 = 1.4426950408889634
-_ROOT_HALF = 0.7071067811865476
+ROOT_HALF = 0.7071067811865476
 
 _EXP = (
     0.5, 0.16666666666666666, 0.04166666666666668, 0.008333333333333333, 0.0013888888888879054,
@@ -49,7 +47,7 @@ def log(x: Any) -> Any:
         if not 0.0 < x < math.inf:
             return x if x == math.inf else -math.inf if x == 0.0 else math.nan
         fraction, exponent = math.frexp(x)
-        return _log_of(2.0 * fraction, exponent - 1.0) if fraction < _ROOT_HALF else _log_of(fraction, float(exponent))
+        return _log_of(2.0 * fraction, exponent - 1.0) if fraction < ROOT_HALF else _log_of(fraction, float(exponent))
     return in_pieces(_logarithms, np.asarray(x, np.float64))
 
 
@@ -67,7 +65,7 @@ def exp_of_two(x: Real, more: Real) -> Real:
 
 def _exp_less(x: Real, more: Real, count: Real) -> Real:
     """e^(x + more) / 2^count."""
-    high, low = x - count * _LN2, count * _LN2_REST
+    high, low = x - count * LN2, count * LN2_REST
     r = high - low
     rest = (high - r) - low
     over = r + (rest + r * r * polynomial(_EXP, r))
@@ -85,12 +83,12 @@ def _log_of(number: Real, exponent: Real) -> Real:
     s = f / (2.0 + f)
     z = s * s
     half = 0.5 * f * f
-    return exponent * _LN2 - ((half - (s * (half + z * polynomial(_LOG, z)) + exponent * _LN2_REST)) - f)
+    return exponent * LN2 - ((half - (s * (half + z * polynomial(_LOG, z)) + exponent * LN2_REST)) - f)
 
 
 def _logarithms(x: Any) -> Any:
     fraction, exponent = np.frexp(x)
-    small = fraction < _ROOT_HALF
+    small = fraction < ROOT_HALF
     with np.errstate(all="ignore"):
         found = _log_of(np.where(small, 2.0 * fraction, fraction), np.where(small, exponent - 1.0, exponent))
     outside = ~((x > 0.0) & (x < np.inf))

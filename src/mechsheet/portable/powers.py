@@ -12,16 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from .exponential import exp_of_two
+from .exponential import LN2, LN2_REST, ROOT_HALF, exp_of_two
 from .steps import Real, in_pieces, polynomial, remainder
 
 _DIGITS = 40
 
-_LN2, _LN2_REST = (
-    0.6931471803691238,
-    1.9082149292705877e-10,
-)  # the first has 32 digits: products with exponents are exact
-_ROOT_HALF = 0.7071067811865476
 _PARTS = 32
 """A number from sqrt(1/2) to sqrt(2) is divided by the next multiple of 1/32, whose logarithm is known."""
 
@@ -52,7 +47,7 @@ def _power(base: float, exponent: float) -> float:
     if not (0.0 < base < math.inf and abs(exponent) < _MOST_EXPONENT) or exponent == math.floor(exponent):
         return _by_decimals(base, exponent)
     fraction, power_of_two = math.frexp(base)
-    if fraction < _ROOT_HALF:
+    if fraction < ROOT_HALF:
         fraction, power_of_two = 2.0 * fraction, power_of_two - 1
     place = round(fraction * _PARTS)
     first, rest = _logarithms()[place]
@@ -65,7 +60,7 @@ def _powers(base: Any, exponent: Any) -> Any:
     with np.errstate(all="ignore"):
         there = (base > 0.0) & (base < np.inf) & (np.abs(exponent) < _MOST_EXPONENT) & (exponent != np.floor(exponent))
         fraction, powers_of_two = np.frexp(np.where(there, base, 1.0))
-        small = fraction < _ROOT_HALF
+        small = fraction < ROOT_HALF
         fraction, powers_of_two = np.where(small, 2.0 * fraction, fraction), powers_of_two - small
         place = np.rint(fraction * _PARTS).astype(np.intp)
         first, rest = np.array(_logarithms())[place].T
@@ -89,11 +84,11 @@ def _in_two(fraction: Real, power_of_two: Real, part: Real, first: Real, rest: R
     tail = (remainder(over, s, under) - s * lost) / under
     z = s * s
     series = 2.0 * tail + s * (z * polynomial(_SERIES, z))
-    twos = power_of_two * _LN2
+    twos = power_of_two * LN2
     known = twos + first
     total = known + 2.0 * s
     missing = _missing(twos, first, known) + _missing(known, 2.0 * s, total)
-    missing = missing + (series + (rest + power_of_two * _LN2_REST))
+    missing = missing + (series + (rest + power_of_two * LN2_REST))
     logarithm = total + missing
     return logarithm, _missing(total, missing, logarithm)
 

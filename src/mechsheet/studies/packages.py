@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from mechsheet import __version__
-from mechsheet.diagnostics import Fault, MissingProgramError
+from mechsheet.extras import missing_package
 
 
 def arrow() -> Any:
@@ -29,8 +29,7 @@ def _package(name: str, extra: str) -> Any:
     try:
         return import_module(name)
     except ImportError as problem:
-        hint = f'pip install "mechsheet[{extra}]"'
-        raise MissingProgramError(Fault(f"{name} is not installed", hint=hint, key=name)) from problem
+        raise missing_package(name, extra) from problem
 
 
 @cache

@@ -20,7 +20,6 @@ from .frames import UnsupportedError
 
 Numbers: TypeAlias = NDArray[np.float64]
 Codes: TypeAlias = NDArray[np.uint8]
-Mask: TypeAlias = NDArray[np.bool_]
 
 NUMBER, BLANK, TEXT, BOOLEAN = 0, 1, 2, 3
 MOST_CELLS = 1 << 24

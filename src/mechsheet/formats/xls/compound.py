@@ -13,7 +13,6 @@ from mechsheet.diagnostics import Fault, WorkbookError
 SIGNATURE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 _LAST = 0xFFFFFFFA
 """Sector numbers from here on are no sectors: the end of a chain, a free sector, a table's own."""
-_END = 0xFFFFFFFE
 _HEAD_TABLES = 109
 _ENTRY = 128
 _MINI = 64

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
-
-from xlrd.formula import func_defs
 
 from mechsheet.formula.dialects import MAX_NESTING
 from mechsheet.formula.functions import canonical_name
@@ -32,12 +29,11 @@ from mechsheet.formula.nodes import (
 )
 
 from .contents import Contents
+from .function_numbers import FUNCTION_NUMBERS
 from .records import DamagedError, Reader
 from .tokens import ATTRIBUTE_SUM, BINARY, COLUMNS, ROWS, UNARY, Token, place, tokens
 
 ERRORS = {0x00: "#NULL!", 0x07: "#DIV/0!", 0x0F: "#VALUE!", 0x17: "#REF!", 0x1D: "#NAME?", 0x24: "#NUM!", 0x2A: "#N/A"}
-_FUNCTIONS: Mapping[int, tuple[str, int]] = {number: (row[0], row[1]) for number, row in func_defs.items()}
-"""Number -> (name, how many arguments where those are always as many)."""
 _NAMED = 255
 """The function whose first argument is a name: a macro, an add-in's, or one younger than the format."""
 _LOST = (Token.CELL_LOST, Token.AREA_LOST, Token.CELL_OF_SHEET_LOST, Token.AREA_OF_SHEET_LOST)
@@ -136,9 +132,9 @@ class _Decoding:
             else:
                 self.push(named.node if isinstance(named.node, Foreign) else Foreign("?", "an unknown function"))
             return
-        if number not in _FUNCTIONS:
+        if number not in FUNCTION_NUMBERS:
             raise UnreadableError(f"the function number {number}, which is not known")
-        name, least = _FUNCTIONS[number]
+        name, least = FUNCTION_NUMBERS[number]
         args = self.pop(least if count is None else count)
         if name in ("TRUE", "FALSE") and not args:
             self.push(Boolean(name == "TRUE"))

@@ -1,0 +1,46 @@
+"""What this program can use and does not bring along: packages, by the extra that installs them, and other programs."""
+
+from __future__ import annotations
+
+import sys
+
+from mechsheet.diagnostics import Fault, MissingProgramError
+
+EXTRAS = {
+    "plot": (("matplotlib",), "pictures and animations: mechsheet plot, .png and .gif"),
+    "study": (("pyarrow",), "millions of designs: mechsheet study"),
+    "dask": (("distributed", "pyarrow"), "studies on many machines"),
+    "notebook": (("matplotlib", "pandas"), "motion.frame() in notebooks"),
+    "dxf": (("ezdxf",), "drawings for CAD: mechsheet export --to dxf"),
+    "ironcalc": (("ironcalc",), "one more judge: mechsheet check --with ironcalc"),
+    "onlyoffice": (("document-builder",), "one more judge: mechsheet check --with onlyoffice (100 MB, AGPL)"),
+}
+"""Extra -> (packages, what they are for)."""
+
+PROGRAMS = {
+    "win32": {"LibreOffice": "winget install TheDocumentFoundation.LibreOffice", "gnumeric": ""},
+    "darwin": {"LibreOffice": "brew install --cask libreoffice", "gnumeric": "brew install gnumeric"},
+    "linux": {"LibreOffice": "sudo apt install libreoffice-calc", "gnumeric": "sudo apt install gnumeric"},
+}
+"""Platform -> how to get a program there; "" where nobody offers it."""
+
+
+def command_for(extra: str) -> str:
+    """What installs an extra; the quotes are those that every shell takes."""
+    return f'pip install "mechsheet[{extra}]"'
+
+
+def how_to_get(program: str) -> str:
+    """What installs LibreOffice or gnumeric on this platform, "" where nothing does."""
+    return PROGRAMS.get(sys.platform, PROGRAMS["linux"])[program]
+
+
+def missing_package(package: str, extra: str, use: str = "") -> MissingProgramError:
+    """The error that says that a package is not installed, what it is used for, and which extra brings it."""
+    message = f"{package} is not installed" + (f": {use}" if use else "")
+    return MissingProgramError(Fault(message, hint=command_for(extra)))
+
+
+def missing_program(program: str) -> MissingProgramError:
+    """The error that says that LibreOffice or gnumeric is not installed, and how to get it here."""
+    return MissingProgramError(Fault(f"{program} is not installed", hint=how_to_get(program)))
