@@ -2,6 +2,7 @@
 
 import shutil
 import time
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -34,6 +35,8 @@ class Opened:
     page: object
     server: DrawingServer
     complaints: list = field(default_factory=list)
+    asked: set = field(default_factory=set)
+    """Questions that have no answer yet."""
 
     def look(self):
         """Settle: no question is on its way."""
@@ -76,6 +79,40 @@ class Opened:
             assert time.monotonic() < last, f"never became true: {script}"
             self.page.wait_for_timeout(25)
 
+    def begun(self, request):
+        """A question is on its way."""
+        if "/ask/" in request.url:
+            self.asked.add(request)
+
+    def ended(self, request):
+        """A question has its answer."""
+        self.asked.discard(request)
+
+    def quiet(self):
+        """Wait until the page has every answer, and asks nothing more."""
+        for _ in range(3):
+            self.page.wait_for_timeout(100)
+            while self.asked:
+                self.page.wait_for_timeout(25)
+
+    @contextmanager
+    def held(self, question):
+        """Questions of this name wait for their answers until the block ends."""
+        waiting, over = [], []
+
+        def hold(route):
+            if over:
+                route.continue_()
+            else:
+                waiting.append(route)
+
+        self.page.route(f"**/ask/{question}", hold)
+        yield
+        assert waiting, f"nobody has asked: {question}"
+        over.append(True)
+        for route in waiting:
+            route.continue_()
+
     def said(self, words):
         """Wait until the page shows some words."""
         self.page.get_by_text(words).first.wait_for(timeout=WAITS)
@@ -97,6 +134,9 @@ def opening(browser):
         found = Opened(page, server)
         page.on("console", lambda message: found.complaints.append(message.text) if message.type == "error" else None)
         page.on("pageerror", lambda error: found.complaints.append(str(error)))
+        page.on("request", found.begun)
+        page.on("requestfinished", found.ended)
+        page.on("requestfailed", found.ended)
         page.goto(server.address)
         found.look()
         opened.append(found)

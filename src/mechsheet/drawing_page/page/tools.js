@@ -1,5 +1,6 @@
 // The tools, and what a mouse, a finger or the keyboard does on the sheet with each of them.
 
+import { Latest } from "./asking.js";
 import { icon } from "./icons.js";
 import { distance, fromStretch, ground, lastPlace, place } from "./geometry.js";
 import { word } from "./language.js";
@@ -321,7 +322,7 @@ canvas.addEventListener("keydown", (event) => {
     const by = spacing().step * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
     if (state.tool === "turn") show(state.frame + (arrow[0] + arrow[1]) * (event.shiftKey ? 10 : 1));
     else if (tool().clicks) moveCursor(arrow, by, point);
-    else if (point) nudge(point, arrow, by);
+    else if (point) nudging.run(point, arrow, by);
     else shift(-arrow[0] * 40, arrow[1] * 40);
   } else if (event.key === "Enter" || event.key === " ") {
     event.preventDefault();
@@ -352,11 +353,10 @@ function moveCursor(arrow, by, point) {
   drawBand();
 }
 
-async function nudge(point, arrow, by) {
+const nudging = new Latest(async (point, arrow, by) => {
   const there = lastPlace(point)?.place;
-  if (!there) return;
-  await order({ do: "move", point, to: snapped([there[0] + arrow[0] * by, there[1] + arrow[1] * by], false) });
-}
+  if (there) await order({ do: "move", point, to: snapped([there[0] + arrow[0] * by, there[1] + arrow[1] * by], false) });
+});
 
 canvas.addEventListener("focusin", (event) => {
   const point = event.target.dataset?.point;
