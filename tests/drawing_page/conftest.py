@@ -50,8 +50,13 @@ class Opened:
         box = self.page.locator(f'[data-point="{point}"] .dot').bounding_box()
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
-    def drag(self, point, by, steps=6):
-        """Drag a point by so many pixels, as a hand does."""
+    def drag(self, point, by):
+        """Drag a point by so many pixels, as a hand does, and wait until all has followed."""
+        self.pull(point, by)
+        self.quiet()
+
+    def pull(self, point, by, steps=6):
+        """Drag a point, and go on at once."""
         x, y = self.place(point)
         mouse = self.page.mouse
         mouse.move(x, y)
@@ -59,8 +64,6 @@ class Opened:
         for n in range(1, steps + 1):
             mouse.move(x + by[0] * n / steps, y + by[1] * n / steps)
         mouse.up()
-        self.page.wait_for_timeout(50)
-        self.page.wait_for_load_state("networkidle")
 
     def on_sheet(self, place):
         """A place of the plane on the screen."""

@@ -125,7 +125,7 @@ def test_a_late_answer_does_not_take_the_position_back(opening, four_bar, questi
     page, text = opened.page, opened.text()
     with opened.held(question):
         if question == "edit":
-            opened.drag("C", (20, 20))
+            opened.pull("C", (20, 20))
         else:
             page.fill("#text", text.replace("a1 = { value = 70,", "a1 = { value = 72,"))
             page.wait_for_timeout(400)
