@@ -184,6 +184,7 @@ def test_undo_and_redo_take_drawing_and_text_along(opening, four_bar):
     opened.page.click("#undo")
     opened.until("before => document.querySelector('#text').value === before", text)
     opened.until("document.querySelector('#undo').disabled")
+    opened.quiet()
     assert opened.place("C") == pytest.approx(place, abs=0.6)
     opened.page.keyboard.press("Control+y")
     opened.until("before => document.querySelector('#text').value === before", changed)
