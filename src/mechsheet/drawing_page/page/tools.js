@@ -57,7 +57,7 @@ function mark() {
   advise();
 }
 
-export function choose(name) {
+function choose(name) {
   if (name === "delete" && state.chosen && state.tool === "shape") {
     remove(state.chosen);
     return;
@@ -100,7 +100,6 @@ function hit(px, py, kinds, touch = false) {
     for (const link of [...(state.look?.links ?? [])].reverse()) {
       if (link.name !== ground() && onLink(link, p, near)) return { link: link.name };
     }
-    if (kinds.includes("joint") || kinds.includes("point")) return null;
   }
   return null;
 }
@@ -132,8 +131,7 @@ const placeOf = (end) => (end.at ? end.at : end.point ? lastPlace(end.point)?.pl
 
 async function click(end) {
   const { name, clicks } = tool();
-  if (name === "driver" && end.at) return;
-  if (name === "delete" && end.at) return;
+  if ((name === "driver" || name === "delete") && end.at) return;
   if (name === "plate" && !ends.length && !end.link) return;
   ends.push(end);
   if (ends.length < clicks) {
