@@ -2,6 +2,7 @@
 
 import shutil
 import time
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -34,6 +35,8 @@ class Opened:
     page: object
     server: DrawingServer
     complaints: list = field(default_factory=list)
+    asked: set = field(default_factory=set)
+    """Questions that have no answer yet."""
 
     def look(self):
         """Settle: no question is on its way."""
@@ -47,8 +50,13 @@ class Opened:
         box = self.page.locator(f'[data-point="{point}"] .dot').bounding_box()
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
-    def drag(self, point, by, steps=6):
-        """Drag a point by so many pixels, as a hand does."""
+    def drag(self, point, by):
+        """Drag a point by so many pixels, as a hand does, and wait until all has followed."""
+        self.pull(point, by)
+        self.quiet()
+
+    def pull(self, point, by, steps=6):
+        """Drag a point, and go on at once."""
         x, y = self.place(point)
         mouse = self.page.mouse
         mouse.move(x, y)
@@ -56,8 +64,6 @@ class Opened:
         for n in range(1, steps + 1):
             mouse.move(x + by[0] * n / steps, y + by[1] * n / steps)
         mouse.up()
-        self.page.wait_for_timeout(50)
-        self.page.wait_for_load_state("networkidle")
 
     def on_sheet(self, place):
         """A place of the plane on the screen."""
@@ -75,6 +81,40 @@ class Opened:
         while not self.page.evaluate(script, argument):
             assert time.monotonic() < last, f"never became true: {script}"
             self.page.wait_for_timeout(25)
+
+    def begun(self, request):
+        """A question is on its way."""
+        if "/ask/" in request.url:
+            self.asked.add(request)
+
+    def ended(self, request):
+        """A question has its answer."""
+        self.asked.discard(request)
+
+    def quiet(self):
+        """Wait until the page has every answer, and asks nothing more."""
+        for _ in range(3):
+            self.page.wait_for_timeout(100)
+            while self.asked:
+                self.page.wait_for_timeout(25)
+
+    @contextmanager
+    def held(self, question):
+        """Questions of this name wait for their answers until the block ends."""
+        waiting, over = [], []
+
+        def hold(route):
+            if over:
+                route.continue_()
+            else:
+                waiting.append(route)
+
+        self.page.route(f"**/ask/{question}", hold)
+        yield
+        assert waiting, f"nobody has asked: {question}"
+        over.append(True)
+        for route in waiting:
+            route.continue_()
 
     def said(self, words):
         """Wait until the page shows some words."""
@@ -97,6 +137,9 @@ def opening(browser):
         found = Opened(page, server)
         page.on("console", lambda message: found.complaints.append(message.text) if message.type == "error" else None)
         page.on("pageerror", lambda error: found.complaints.append(str(error)))
+        page.on("request", found.begun)
+        page.on("requestfinished", found.ended)
+        page.on("requestfailed", found.ended)
         page.goto(server.address)
         found.look()
         opened.append(found)

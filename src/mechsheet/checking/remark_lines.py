@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from mechsheet.diagnostics import Fault
@@ -37,9 +37,14 @@ def remark_lines(remarks: Iterable[Fault]) -> list[str]:
 
 def remark_line(fault: Fault, places: list[str]) -> str:
     """`Plan!C2, Plan!D4 and 3 more: unknown function FOO (did you mean ...)`."""
-    more = f" and {len(places) - MOST_PLACES} more" if len(places) > MOST_PLACES else ""
-    where = ", ".join(places[:MOST_PLACES]) + more
+    where = _first(places)
     return f"{where}{': ' if where else ''}{fault.message}{f' ({fault.hint})' if fault.hint else ''}"
+
+
+def _first(places: Sequence[str]) -> str:
+    """`Plan!C2, Plan!D4 and 3 more`."""
+    more = f" and {len(places) - MOST_PLACES} more" if len(places) > MOST_PLACES else ""
+    return ", ".join(places[:MOST_PLACES]) + more
 
 
 def cell_text(value: object) -> str:
@@ -74,13 +79,8 @@ def stored_lines(stored: Stored) -> list[str]:
         lines.append(f"  {stored.accepted} more differences are accepted by the baseline")
     if stored.uncomputed:
         lines.append(f"  {len(stored.uncomputed)} more were {COMPUTE_ANEW}")
-        lines.append(f"  {_first(stored.uncomputed)}")
+        lines.append(f"    {_first(stored.uncomputed)}")
     return lines + _difference_lines(stored)
-
-
-def _first(places: tuple[str, ...]) -> str:
-    more = f" and {len(places) - MOST_PLACES} more" if len(places) > MOST_PLACES else ""
-    return "  " + ", ".join(places[:MOST_PLACES]) + more
 
 
 def _difference_lines(stored: Stored) -> list[str]:

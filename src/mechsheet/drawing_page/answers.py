@@ -125,9 +125,9 @@ class Studio:
         order = question.get("order")
         if not isinstance(order, dict):
             raise Refusal('"order" must be a table')
-        text, at = edited(reading, order, number_in(question, "at"), places_in(question, "places"))
-        new = read(text, self._name())
-        return {"text": text, "look": look(new, at, places_in(question, "places"), _language(question))}
+        held, language = places_in(question, "places"), _language(question)
+        text, at = edited(reading, order, number_in(question, "at"), held, language)
+        return {"text": text, "look": look(read(text, self._name()), at, held, language)}
 
     # --- what comes of it ----------------------------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from mechsheet.description.index import Path
 from mechsheet.description.parts import Parts
 from mechsheet.drawing_page.positions import Point, Pose, line_of, local_places
-from mechsheet.drawing_page.reading import reads_of, symbols_in
+from mechsheet.drawing_page.reading import followed, read_by_guide, reads_of
 from mechsheet.formula.nodes import Symbol
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_order
@@ -103,14 +103,7 @@ class _Task:
             if joint.point == moved or joint.through == moved or {joint.link, joint.on} & names
         ]
         used = {name for link in self.links if moved in link.points for name in reads_of(link, parts)}
-        used |= {
-            name
-            for joint in self.joints
-            for each in (joint.angle, joint.orientation, *((joint.through) if isinstance(joint.through, tuple) else ()))
-            for name in symbols_in(each)
-        }
-        derived = {dim.symbol for dim in parts.dimensions if dim.derived}
-        used |= {name for symbol in used & derived for name in self._below(symbol)}
+        used |= followed({name for joint in self.joints for name in read_by_guide(joint)}, parts)
         self.inputs = tuple(
             dim.symbol
             for dim in parts.dimensions
@@ -131,18 +124,6 @@ class _Task:
             if all(map(math.isfinite, own)):
                 return self.before[link.name].of(own)
         return self.places[self.moved]
-
-    def _below(self, symbol: str) -> set[str]:
-        """The dimensions that a derived one follows from."""
-        values = {dim.symbol: dim.value for dim in self.parts.dimensions}
-        found: set[str] = set()
-        waiting = [symbol]
-        while waiting:
-            value = values.get(waiting.pop(), 0.0)
-            new = set(symbols_in(value)) - found
-            found |= new
-            waiting += new
-        return found
 
     # --- plain numbers get names ---------------------------------------------------------------------------------------
 

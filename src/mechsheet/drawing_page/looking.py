@@ -22,7 +22,7 @@ from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Driver, Joint, Mechanism
+from mechsheet.model import Driver, Joint, Link, Mechanism
 from mechsheet.sheet.drawing.outlines import corners, direction_of, through_of
 from mechsheet.words.equations import link_words
 from mechsheet.words.workbook import Language, words
@@ -71,25 +71,22 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
         "name": name if isinstance(name, str) else "",
         "title": mechanism.title.of(language) if mechanism is not None else "",
         "unit": parts.length_unit,
-        "angle_unit": parts.angle_unit.text,
         "links": [
             {
                 "name": link.name,
                 "number": link.number,
                 "label": link_words(link).of(language),
-                "points": list(_outline(link.name, parts)),
+                "points": list(_outline(link, parts)),
             }
             for link in parts.links
         ],
         "joints": [
             {
                 "name": joint.name,
-                "symbol": joint.symbol,
                 "kind": joint.kind,
                 "link": joint.link,
                 "on": joint.on,
                 "point": joint.point,
-                "through": joint.through if isinstance(joint.through, str) else "",
             }
             for joint in parts.joints
         ],
@@ -99,8 +96,8 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
     }
 
 
-def _outline(name: str, parts: Parts) -> tuple[str, ...]:
-    link = next(link for link in parts.links if link.name == name)
+def _outline(link: Link, parts: Parts) -> tuple[str, ...]:
+    """The points around a link."""
     try:
         return corners(link, parts.numbers)
     except (KeyError, ArithmeticError, ValueError):
@@ -117,7 +114,6 @@ def _driver(driver: Driver, parts: Parts, reading: Reading) -> dict[str, Any]:
         "symbol": driver.symbol,
         "unit": driver.unit.text,
         "link": driver.link,
-        "relative_to": driver.relative_to,
         "joint": driver.joint,
         "pivot": shared[0] if shared else "",
         "sweep": {key: table[key] for key in ("start", "stop", "step") if isinstance(table.get(key), int | float)},

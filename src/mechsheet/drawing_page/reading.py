@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -18,7 +17,7 @@ from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.solve import dimension_values
-from mechsheet.model import Cartesian, Distances, Driver, Link, Mechanism, Polar, Quantity, Words
+from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Polar, Quantity, Words
 
 KEPT = 12
 """Texts of which the reading is kept."""
@@ -93,50 +92,47 @@ _WORD = re.compile(r"[\w.-]+")
 
 
 def fault_entry(fault: Fault, parts: Parts | None) -> dict[str, Any]:
-    """A fault as the page shows it: at its line, and at the links and points that it names."""
-    named, points = _places(fault, parts) if parts is not None else ((), ())
+    """A fault as the page shows it: at its line, and at the links that it names."""
     return {
         "line": fault.line,
         "key": fault.key,
         "message": fault.message,
         "hint": fault.hint,
-        "links": list(named),
-        "points": list(points),
+        "links": _links_of(fault, parts) if parts is not None else [],
     }
 
 
-def _places(fault: Fault, parts: Parts) -> tuple[Iterable[str], Iterable[str]]:
+def _links_of(fault: Fault, parts: Parts) -> list[str]:
     keys = fault.key.split(".")
     quoted = set(re.findall(r'"([^"]+)"', fault.message))
-    links: dict[str, None] = {}
-    points: dict[str, None] = {}
-    words = set(_WORD.findall(fault.message))
-    for link in parts.links:
-        if (
-            link.name in quoted
-            or keys[:2] == ["links", link.name]
-            or ("cannot be joined" in fault.message and link.name in words)
-        ):
-            links[link.name] = None
-        if keys[0] == "dimensions" and len(keys) > 1 and keys[1] in reads_of(link, parts):
-            links[link.name] = None
-    if keys[0] == "assembly" and len(keys) > 1 and parts.links_at(keys[1]):
-        points[keys[1]] = None
-    if keys[0] == "links" and len(keys) > 3:
-        points[keys[3]] = None
-    return links, points
+    words = set(_WORD.findall(fault.message)) if "cannot be joined" in fault.message else set()
+    dimension = keys[1] if keys[0] == "dimensions" and len(keys) > 1 else ""
+    return [
+        link.name
+        for link in parts.links
+        if link.name in quoted | words or keys[:2] == ["links", link.name] or dimension in reads_of(link, parts)
+    ]
 
 
 def reads_of(link: Link, parts: Parts) -> set[str]:
     """The dimensions that the places of a link's points follow from."""
-    found: set[str] = set()
-    for place in link.points.values():
-        found |= {name for quantity in quantities_of(place) for name in symbols_in(quantity)}
-    derived = {dim.symbol: dim.value for dim in parts.dimensions if not isinstance(dim.value, float)}
+    quantities = (quantity for place in link.points.values() for quantity in quantities_of(place))
+    return followed({name for quantity in quantities for name in symbols_in(quantity)}, parts)
+
+
+def read_by_guide(joint: Joint) -> set[str]:
+    """The dimensions that a sliding joint names."""
+    through = joint.through if isinstance(joint.through, tuple) else ()
+    return {name for quantity in (joint.angle, joint.orientation, *through) for name in symbols_in(quantity)}
+
+
+def followed(named: set[str], parts: Parts) -> set[str]:
+    """Dimensions, and those that the derived ones among them follow from."""
+    found = set(named)
+    derived = {dim.symbol: dim.value for dim in parts.dimensions if dim.derived}
     waiting = list(found)
     while waiting:
-        value = derived.get(waiting.pop())
-        new = set(symbols_in(value)) - found if value is not None else set()
+        new = set(symbols_in(derived.get(waiting.pop(), 0.0))) - found
         found |= new
         waiting += new
     return found

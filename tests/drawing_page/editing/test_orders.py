@@ -156,7 +156,7 @@ def test_another_driver_keeps_the_sweep_and_the_comments():
 
 def test_names_are_turkish_where_the_page_is():
     drawing = Drawing(language="tr").do("ground", end=spot(0, 0))
-    drawing.do("link", ends=[pin("A0"), spot(1, 2)], language="tr")
+    drawing.do("link", ends=[pin("A0"), spot(1, 2)])
     assert "[links.uzuv2]" in drawing.text
 
 

@@ -14,51 +14,57 @@ from mechsheet.drawing_page.editing.sliding import slide
 from mechsheet.drawing_page.positions import Point
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
+from mechsheet.words.workbook import Language
 
 
-def edited(reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point]) -> Edited:
+def edited(
+    reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point], language: Language
+) -> Edited:
     """The text after an order, and the driver value that it shows.
 
-    at    the driver value that the page shows;  held: where it shows the points
+    at    the driver value that the page shows;  held: where it shows the points;  language: of the names of new links
     Raises Refusal for an order that is not understood, MechsheetError for one that cannot be carried out.
     """
     do = text_in(order, "do")
     if do not in _ORDERS:
         raise Refusal(f'no order is called "{do}"')
-    return _ORDERS[do](reading, order, at, held)
+    return _ORDERS[do](reading, order, at, held, language)
 
 
-Order = Callable[[Reading, dict[str, Any], float | None, Mapping[str, Point]], Edited]
+Order = Callable[[Reading, dict[str, Any], float | None, Mapping[str, Point], Language], Edited]
 
 
-def _move(reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point]) -> Edited:
+def _move(
+    reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point], _language: Language
+) -> Edited:
     return moved(reading, text_in(order, "point"), point_in(order, "to"), at, held)
 
 
-def _dimension(reading: Reading, order: dict[str, Any], at: float | None, _: Mapping[str, Point]) -> Edited:
+def _dimension(
+    reading: Reading, order: dict[str, Any], at: float | None, _held: Mapping[str, Point], _language: Language
+) -> Edited:
     return typed(reading, text_in(order, "name"), text_in(order, "value")), at
 
 
 def _drawn(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
-    """An order that draws something new: on the sheet as it is shown."""
+    """An order that draws something new, or takes it away: on the sheet as it is shown."""
 
-    def order(reading: Reading, what: dict[str, Any], at: float | None, held: Mapping[str, Point]) -> Edited:
+    def order(
+        reading: Reading, what: dict[str, Any], at: float | None, held: Mapping[str, Point], language: Language
+    ) -> Edited:
         if reading.source is None or reading.parts is None:
             raise Impossible("unreadable")
         drawn = drawn_now(reading, at, held)
-        stem = "uzuv" if what.get("language") == "tr" else "link"
+        stem = "uzuv" if language == "tr" else "link"
         sheet = draw(Sheet(reading.source, reading.parts, drawn, stem), what)
         return settled(reading, sheet), sheet.drawn.at
 
     return order
 
 
-def _delete(reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point]) -> Edited:
-    if reading.source is None or reading.parts is None:
-        raise Impossible("unreadable")
+def _delete(sheet: Sheet, order: dict[str, Any]) -> Sheet:
     kind = next((key for key in ("link", "point", "joint") if key in order), "")
-    sheet = Sheet(reading.source, reading.parts, drawn_now(reading, at, held))
-    return settled(reading, sheet.again(without(reading.source, kind, text_in(order, kind)), {})), at
+    return sheet.again(without(sheet.source, kind, text_in(order, kind)), {})
 
 
 def settled(reading: Reading, sheet: Sheet) -> str:
@@ -86,5 +92,5 @@ _ORDERS: dict[str, Order] = {
     "plate": _drawn(lambda sheet, order: plate(sheet, text_in(order, "link"), order.get("end"))),
     "slide": _drawn(lambda sheet, order: slide(sheet, text_in(order, "kind"), order.get("end"), order.get("on"))),
     "driver": _drawn(lambda sheet, order: drive(sheet, text_in(order, "link", ""), text_in(order, "joint", ""))),
-    "delete": _delete,
+    "delete": _drawn(_delete),
 }

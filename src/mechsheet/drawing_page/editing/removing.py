@@ -9,7 +9,7 @@ from mechsheet.description.rewrite import without_key
 from mechsheet.description.rewrite_tables import without_table
 from mechsheet.description.source import Source
 from mechsheet.drawing_page.questions import Impossible, Refusal
-from mechsheet.drawing_page.reading import reads_of, symbols_in
+from mechsheet.drawing_page.reading import read_by_guide, reads_of
 from mechsheet.model import Joint
 
 
@@ -31,29 +31,27 @@ def without(source: Source, kind: str, name: str) -> Source:
 def _read_by_places(parts: Parts) -> set[str]:
     """The dimensions that places and guides follow from."""
     found = {symbol for link in parts.links for symbol in reads_of(link, parts)}
-    for joint in parts.joints:
-        through = joint.through if isinstance(joint.through, tuple) else ()
-        found |= {name for each in (joint.angle, joint.orientation, *through) for name in symbols_in(each)}
-    return found
+    return found.union(*(read_by_guide(joint) for joint in parts.joints))
 
 
 def _without_link(source: Source, parts: Parts, name: str) -> Source:
     link = parts.link(name)
     if link is None or link is parts.links[0]:
         raise Impossible("ground_stays")
-    gone = [joint for joint in parts.joints if name in (joint.link, joint.on)]
-    for joint in sorted(gone, key=lambda joint: -parts.orders[joint.name]):
-        source = without_table(source, ("joints", parts.orders[joint.name]))
+    source = _without_joints(source, parts, [joint for joint in parts.joints if name in (joint.link, joint.on)])
     source = without_table(source, ("links", name, "points"))
     source = without_table(source, ("links", name))
-    driver = parts.driver
-    if driver is not None and (name in (driver.link, driver.relative_to) or driver.joint in _names(gone)):
+    if parts.driver is not None and name in (parts.driver.link, parts.driver.relative_to):
         source = _without_driver(source)
     return _tidied(source, set(link.points))
 
 
-def _names(joints: list[Joint]) -> set[str]:
-    return {name for joint in joints for name in (joint.name, joint.symbol)}
+def _without_joints(source: Source, parts: Parts, gone: list[Joint]) -> Source:
+    """The text without sliding joints, and without a driver that is one of them."""
+    for order in sorted((parts.orders[joint.name] for joint in gone), reverse=True):
+        source = without_table(source, ("joints", order))
+    names = {name for joint in gone for name in (joint.name, joint.symbol)}
+    return _without_driver(source) if parts.driver is not None and parts.driver.joint in names else source
 
 
 def _without_driver(source: Source) -> Source:
@@ -66,8 +64,7 @@ def _without_point(source: Source, parts: Parts, name: str) -> Source:
     if not owners:
         raise Refusal(f'there is no point "{name}"')
     gone = [joint for joint in parts.joints if name in (joint.point, joint.through)]
-    for joint in sorted(gone, key=lambda joint: -parts.orders[joint.name]):
-        source = without_table(source, ("joints", parts.orders[joint.name]))
+    source = _without_joints(source, parts, gone)
     for link in owners:
         left = [point for point in link.points if point != name]
         sliding = any(link.name in (joint.link, joint.on) for joint in parts.joints if joint not in gone)
@@ -77,10 +74,6 @@ def _without_point(source: Source, parts: Parts, name: str) -> Source:
                 source = _without_link(source, found, link.name)
         else:
             source = without_key(source, ("links", link.name, "points", name))
-    if parts.driver is not None and parts.driver.joint in {
-        each for joint in gone for each in (joint.name, joint.symbol)
-    }:
-        source = _without_driver(source)
     return _tidied(source, {name})
 
 
@@ -88,9 +81,7 @@ def _without_joint(source: Source, parts: Parts, name: str) -> Source:
     joint = next((joint for joint in parts.joints if joint.name == name), None)
     if joint is None:
         raise Refusal(f'there is no sliding joint "{name}"')
-    source = without_table(source, ("joints", parts.orders[name]))
-    if parts.driver is not None and parts.driver.joint in (joint.name, joint.symbol):
-        source = _without_driver(source)
+    source = _without_joints(source, parts, [joint])
     block = parts.link(joint.link)
     alone = block is not None and len(block.points) == 1 and joint.kind == "prismatic"
     if alone and block is not None and not any(joint.link in (o.link, o.on) for o in parts.joints if o is not joint):
@@ -99,7 +90,7 @@ def _without_joint(source: Source, parts: Parts, name: str) -> Source:
 
 
 def _tidied(source: Source, points: set[str]) -> Source:
-    """The sketch without points that no link has any more, or that are fixed."""
+    """The sketch without points that no link has any more."""
     parts = parts_of(source)
     for point in points:
         if not parts.links_at(point):

@@ -5,6 +5,12 @@ import { state } from "./state.js";
 /** One of a column that has one value, or one for each position. */
 export const at = (column, frame = state.frame) => column[column.length === 1 ? 0 : frame];
 
+/** The position with the driver value nearest to this one. */
+export function frameAt(value) {
+  const away = state.look.frames.driver.map((each) => Math.abs(each - value));
+  return away.indexOf(Math.min(...away));
+}
+
 /** Where a point is; null where it has no position. */
 export function place(name, frame = state.frame) {
   const columns = state.look?.frames?.points?.[name];

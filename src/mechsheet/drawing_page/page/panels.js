@@ -5,7 +5,7 @@ import { escaped, shown, symbol } from "./geometry.js";
 import { word } from "./language.js";
 import { show } from "./motion.js";
 import { changed, keep, on, state } from "./state.js";
-import { goTo } from "./textpane.js";
+import { goTo, told } from "./textpane.js";
 import { order, say } from "./work.js";
 
 // --- dimensions -------------------------------------------------------------------------------------------------------
@@ -150,12 +150,6 @@ function stretches({ driver, why }) {
     n = end;
   }
   return found.slice(0, 4).join(", ");
-}
-
-/** What is to be told: of a sheet that is still empty nothing is wrong. */
-function told() {
-  const look = state.look;
-  return !look || (look.readable && (look.links ?? []).length < 2) ? [] : look.faults;
 }
 
 const undriven = (fault) => fault.key === "driver" && !fault.line;

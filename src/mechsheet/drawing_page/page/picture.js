@@ -1,11 +1,10 @@
 // A picture behind the drawing: a photo, or the figure of a textbook, scaled by two clicks on a known length.
 
-import { shown } from "./geometry.js";
+import { distance, shown } from "./geometry.js";
 import { word } from "./language.js";
 import { changed, keep, on, state } from "./state.js";
 import { size, toPlane } from "./view.js";
 import { confirmed, say } from "./work.js";
-import { distance } from "./geometry.js";
 
 const LARGEST = 1600; // pixels: what is kept for a reload must be small
 

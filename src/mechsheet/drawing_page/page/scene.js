@@ -198,13 +198,13 @@ function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) 
   if (hidden) return;
   const start = toScreen(at(columns[0]), at(columns[1]));
   const along = [Math.cos(direction), -Math.sin(direction)];
-  const s = (point[0] - start[0]) * along[0] + (point[1] - start[1]) * along[1];
+  const far = (p) => (p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1];
+  const s = far(point);
   const onGround = joint.on === ground();
   const owned = onGround ? [] : (linkNamed(joint.on)?.points ?? []).map(screen).filter(Boolean);
-  const others = owned.map((p) => (p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1]);
-  const far = Math.max(onGround ? 60 : s, ...others, ...reach(joint, start, along));
-  const near = Math.min(onGround ? -20 : s, ...others, ...reach(joint, start, along));
-  const [from, to] = [Math.min(near, s - 30), Math.max(far, s + 30)];
+  const reached = [...owned.map(far), ...reach(joint, far)];
+  const from = Math.min(onGround ? -20 : s, s - 30, ...reached);
+  const to = Math.max(onGround ? 60 : s, s + 30, ...reached);
   const spot = (distance, across = 0) => [start[0] + along[0] * distance - along[1] * across, start[1] + along[1] * distance + along[0] * across];
   const width = onGround ? 11 : 8;
   const both = [spot(from, width), spot(to, width), spot(from, -width), spot(to, -width)];
@@ -221,27 +221,20 @@ function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) 
   block.classList.toggle("chosen", state.chosen?.kind === "joint" && state.chosen.name === joint.name);
 }
 
-/** How far along its line a sliding joint comes over all positions, in pixels from where the line is measured. */
-function reach(joint, start, along) {
+/** How far along a line that stays where it is its joint comes over all positions, in pixels from where it is measured. */
+function reach(joint, far) {
   const columns = state.look.frames.lines[joint.name];
   const point = state.look.frames.points[joint.point];
-  if (!point || columns[0].length > 1) return [at(columns[0]) === null ? 0 : slid(joint, start, along)];
+  if (!point || columns[0].length > 1) return [];
   let [least, most] = [Infinity, -Infinity];
   const [xs, ys] = point;
   for (let n = 0; n < xs.length; n++) {
-    if (xs[n] === null || ys[n] === null || ys[n] === undefined) continue;
-    const p = toScreen(xs[n], ys[n]);
-    const s = (p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1];
+    if (xs[n] === null || ys[n] === null) continue;
+    const s = far(toScreen(xs[n], ys[n]));
     least = Math.min(least, s - 30);
     most = Math.max(most, s + 30);
   }
-  return most >= least ? [least, most] : [0];
-}
-
-function slid(joint, start, along) {
-  const there = lastPlace(joint.point);
-  const p = there ? toScreen(...there.place) : start;
-  return (p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1];
+  return most >= least ? [least, most] : [];
 }
 
 function moveDriver(screen) {

@@ -15,8 +15,14 @@ let typed = 0;
 
 const PIECES = /(?<comment>#[^\n]*)|(?<heading>^[ \t]*\[\[?[^\]\n]*\]\]?)|(?<string>"(?:[^"\\\n]|\\.)*"|'[^'\n]*')|(?<number>(?<![\w.])[+-]?\d[\d_]*(?:\.\d+)?(?:[eE][+-]?\d+)?(?![\w.]))/gm;
 
+/** What is to be told: of a sheet that is still empty nothing is wrong. */
+export function told() {
+  const look = state.look;
+  return !look || (look.readable && (look.links ?? []).length < 2) ? [] : look.faults;
+}
+
 function paint() {
-  const wrong = new Set((state.look?.readable && (state.look.links ?? []).length < 2 ? [] : (state.look?.faults ?? [])).map((fault) => fault.line).filter(Boolean));
+  const wrong = new Set(told().map((fault) => fault.line).filter(Boolean));
   let html = "";
   let end = 0;
   for (const found of area.value.matchAll(PIECES)) {
@@ -53,10 +59,7 @@ area.addEventListener("input", () => {
   typed = now;
   paint();
   clearTimeout(waiting);
-  waiting = setTimeout(() => {
-    const text = area.value;
-    setText(text);
-  }, PAUSE);
+  waiting = setTimeout(() => setText(area.value), PAUSE);
   state.text = area.value;
 });
 area.addEventListener("scroll", follow);

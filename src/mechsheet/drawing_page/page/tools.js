@@ -1,5 +1,6 @@
 // The tools, and what a mouse, a finger or the keyboard does on the sheet with each of them.
 
+import { Latest } from "./asking.js";
 import { icon } from "./icons.js";
 import { distance, fromStretch, ground, lastPlace, place } from "./geometry.js";
 import { word } from "./language.js";
@@ -56,7 +57,7 @@ function mark() {
   advise();
 }
 
-export function choose(name) {
+function choose(name) {
   if (name === "delete" && state.chosen && state.tool === "shape") {
     remove(state.chosen);
     return;
@@ -99,7 +100,6 @@ function hit(px, py, kinds, touch = false) {
     for (const link of [...(state.look?.links ?? [])].reverse()) {
       if (link.name !== ground() && onLink(link, p, near)) return { link: link.name };
     }
-    if (kinds.includes("joint") || kinds.includes("point")) return null;
   }
   return null;
 }
@@ -131,8 +131,7 @@ const placeOf = (end) => (end.at ? end.at : end.point ? lastPlace(end.point)?.pl
 
 async function click(end) {
   const { name, clicks } = tool();
-  if (name === "driver" && end.at) return;
-  if (name === "delete" && end.at) return;
+  if ((name === "driver" || name === "delete") && end.at) return;
   if (name === "plate" && !ends.length && !end.link) return;
   ends.push(end);
   if (ends.length < clicks) {
@@ -321,7 +320,7 @@ canvas.addEventListener("keydown", (event) => {
     const by = spacing().step * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
     if (state.tool === "turn") show(state.frame + (arrow[0] + arrow[1]) * (event.shiftKey ? 10 : 1));
     else if (tool().clicks) moveCursor(arrow, by, point);
-    else if (point) nudge(point, arrow, by);
+    else if (point) nudging.run(point, arrow, by);
     else shift(-arrow[0] * 40, arrow[1] * 40);
   } else if (event.key === "Enter" || event.key === " ") {
     event.preventDefault();
@@ -352,11 +351,10 @@ function moveCursor(arrow, by, point) {
   drawBand();
 }
 
-async function nudge(point, arrow, by) {
+const nudging = new Latest(async (point, arrow, by) => {
   const there = lastPlace(point)?.place;
-  if (!there) return;
-  await order({ do: "move", point, to: snapped([there[0] + arrow[0] * by, there[1] + arrow[1] * by], false) });
-}
+  if (there) await order({ do: "move", point, to: snapped([there[0] + arrow[0] * by, there[1] + arrow[1] * by], false) });
+});
 
 canvas.addEventListener("focusin", (event) => {
   const point = event.target.dataset?.point;

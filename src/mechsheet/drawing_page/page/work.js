@@ -1,7 +1,7 @@
 // What is done with the text: looked at, changed by orders of the drawing, undone, saved.
 
 import { ask, Latest } from "./asking.js";
-import { places } from "./geometry.js";
+import { frameAt, places } from "./geometry.js";
 import { word } from "./language.js";
 import { after, before, changed, keep, remember, state } from "./state.js";
 import { fit } from "./view.js";
@@ -16,10 +16,10 @@ export function say(text) {
 const question = () => ({ text: state.text, at: state.at, places: places(), language: state.language });
 
 const looking = new Latest(async () => {
-  const text = state.text;
+  const asked = question();
   try {
-    const look = await ask("look", question());
-    if (text === state.text) take(look);
+    const look = await ask("look", asked);
+    if (asked.text === state.text) take(look, asked.at);
   } catch (error) {
     say(error.message);
   }
@@ -28,12 +28,16 @@ const looking = new Latest(async () => {
 /** Ask what the text is, and show it. */
 export const lookAgain = () => looking.run();
 
-/** Show an answer. One that is no TOML leaves the drawing as it was. */
-export function take(look) {
+/** Show an answer. One that is no TOML leaves the drawing as it was; a position chosen since it was asked for stays. */
+function take(look, askedAt) {
   const old = state.look;
   const first = !old?.frames || !Object.keys(old.frames.points).length;
   state.look = look.readable ? look : { ...(old ?? {}), ...look };
-  if (look.readable) state.frame = Math.min(look.at ?? 0, (look.frames?.driver?.length ?? 1) - 1);
+  if (look.readable) {
+    const newer = state.at !== askedAt && look.solved;
+    state.frame = newer ? frameAt(state.at) : look.at ?? 0;
+    if (newer) state.at = look.frames.driver[state.frame];
+  }
   if (!state.view || (first && Object.keys(look.frames?.points ?? {}).length > 1)) fit();
   changed("look", "frame");
   keep();
@@ -50,46 +54,61 @@ export function setText(text, at = state.at) {
 
 // --- orders -----------------------------------------------------------------------------------------------------------
 
-/** Change the text by an order of the drawing. The promise is false where it could not be done. */
-export async function order(what) {
-  try {
-    const answer = await ask("edit", { ...question(), order: what });
-    remember();
-    accept(answer);
-    return true;
-  } catch (error) {
-    say(error.message);
-    return false;
-  }
-}
+let turn = Promise.resolve();
 
-function accept(answer) {
-  state.text = answer.text;
-  state.at = answer.look.frames && answer.look.solved ? answer.look.frames.driver[answer.look.at] : state.at;
+/** One after the other: each begins with the text that the one before has left. */
+const inTurn = (task) => (turn = turn.then(task));
+
+/** Change the text by an order of the drawing. The promise is false where it could not be done. */
+export const order = (what) =>
+  inTurn(async () => {
+    const asked = question();
+    try {
+      const answer = await ask("edit", { ...asked, order: what });
+      if (state.text !== asked.text) return false; // typed or undone meanwhile: that is newer
+      remember();
+      accept(answer, asked.at);
+      return true;
+    } catch (error) {
+      say(error.message);
+      return false;
+    }
+  });
+
+/** Take over the text of an answer, and its position unless another one was chosen since it was asked for. */
+function accept({ text, look }, askedAt) {
+  state.text = text;
+  const here = look.solved ? look.frames.driver[look.at] : askedAt;
+  if (state.at === askedAt) state.at = askedAt = here;
   changed("text");
-  take(answer.look);
+  take(look, askedAt);
 }
 
 /** A drag: every place is asked for from the text as it was before, and only the last one counts. */
 export class Drag {
   constructor(point) {
     this.point = point;
-    this.base = question();
-    this.begun = false;
-    this.latest = new Latest(async (to) => {
-      try {
-        const answer = await ask("edit", { ...this.base, order: { do: "move", point, to } });
-        if (!this.begun) remember();
-        this.begun = true;
-        accept(answer);
-      } catch (error) {
-        say(error.message);
-      }
-    });
+    this.base = null; // text and places before it
+    this.left = null; // text and position as the last answer has left them
+    this.latest = new Latest((to) => inTurn(() => this.asked(to)));
   }
 
   to(place) {
     this.latest.run(place);
+  }
+
+  async asked(to) {
+    this.base ??= this.left = question();
+    try {
+      const answer = await ask("edit", { ...this.base, order: { do: "move", point: this.point, to } });
+      if (state.text !== this.left.text) return; // typed or undone meanwhile: that is newer
+      if (this.left.text === this.base.text) remember();
+      const chosen = state.at !== this.left.at;
+      accept(answer, this.left.at);
+      this.left = { text: state.text, at: chosen ? this.left.at : state.at };
+    } catch (error) {
+      say(error.message);
+    }
   }
 }
 
@@ -152,7 +171,7 @@ export async function save() {
       if (!(await confirmed(word("save.changed", { file: answer.file }), { yes: word("save.replace") }))) return;
       answer = await ask("save", { ...what, replace: true });
     }
-    Object.assign(state, { file: answer.file, mark: answer.mark, saved: state.text });
+    Object.assign(state, { file: answer.file, mark: answer.mark, saved: what.text });
     changed("file");
     keep();
     say(word("save.done", { file: answer.file }));
