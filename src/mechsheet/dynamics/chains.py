@@ -152,10 +152,10 @@ class ChainReactions:
             about = self._at(joint)
             arms = al.total(cross(minus(force.at, about), force.vector) for force in forces)
             return self.acting.torque(f"Q{number}", arms, couples, what)
-        sign = 1 if joint.body in carrier.assembly else -1
         along = dot(together(force.vector for force in forces), self.motions.direction(joint))
-        label = phrase("sum_along", link=what)
-        return self.columns.grey(f"Q{number}", along if sign > 0 else al.neg(along), self.columns.force, label)
+        if joint.body not in carrier.assembly:
+            along = al.neg(along)
+        return self.columns.grey(f"Q{number}", along, self.columns.force, phrase("sum_along", link=what))
 
     def _felt(self, carrier: Carrier) -> tuple[list[Force], list[Node]]:
         """What acts on a carrier, with what those that are reached over it hand on: over a pin no couple, for an angle is
