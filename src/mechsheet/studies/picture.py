@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.studies.book import heads_of
 from mechsheet.studies.packages import arrow
+from mechsheet.studies.parts import heads_of
 from mechsheet.words.study import study_words
 
 if TYPE_CHECKING:
