@@ -79,8 +79,10 @@ ALLOWED["homework"] = {
     "sheet.wrapping",
     "arguments",
 }
-# designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says
+# designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says;
+# the axes of its picture are those of every curve
 ALLOWED["studies"] = {
+    "plotting.axes",
     "model",
     "formula",
     "description",
