@@ -20,7 +20,7 @@ from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.sensitivity import determinant_symbol, sensitivities, toleranced
+from mechsheet.kinematics.rates.sensitivity import determinant_symbol, sensitivities, toleranced
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import compared

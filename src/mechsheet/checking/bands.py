@@ -20,7 +20,7 @@ from mechsheet import reference
 from mechsheet.checking.inputs import Array
 from mechsheet.checking.report import Tally
 from mechsheet.formula.references import cell_address
-from mechsheet.kinematics.sensitivity import by_symbol, toleranced
+from mechsheet.kinematics.rates.sensitivity import by_symbol, toleranced
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.bands import ROOT, WORST, part_of
 from mechsheet.sheet.table.tolerance import Line, lines_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from mechsheet.description import synthesis
+from mechsheet.description.asked import synthesis
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD

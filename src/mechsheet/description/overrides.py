@@ -9,12 +9,12 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
+from mechsheet.description.asked.task_values import task_names, task_place, with_task_value
 from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.description.rewrite import with_value
 from mechsheet.description.source import Source
-from mechsheet.description.task_values import task_names, task_place, with_task_value
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
 

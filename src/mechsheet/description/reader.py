@@ -7,7 +7,8 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, exercise, gears, joints, links, results, study, synthesis, tolerances
+from mechsheet.description import dimensions, gears, joints, links, results
+from mechsheet.description.asked import exercise, study, synthesis, tolerances
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
 from mechsheet.description.forces import dynamics, flywheel, force_names

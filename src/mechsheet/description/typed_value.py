@@ -7,7 +7,8 @@ import math
 import unicodedata
 from dataclasses import dataclass
 
-from mechsheet.description import dimensions, synthesis
+from mechsheet.description import dimensions
+from mechsheet.description.asked import synthesis
 from mechsheet.description.head import scope_of
 from mechsheet.description.index import Path
 from mechsheet.description.kinds import unit_kind

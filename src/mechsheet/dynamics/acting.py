@@ -15,9 +15,9 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import Condition
-from mechsheet.kinematics.motions import Motions
 from mechsheet.kinematics.places import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, size, together
 from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words, center_symbol

@@ -24,11 +24,11 @@ from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.motions import Motions
 from mechsheet.kinematics.newton.carriers import Solution, Span, holder, renamed
 from mechsheet.kinematics.newton.chains import Binary, Carrier
 from mechsheet.kinematics.newton.rates import solved
 from mechsheet.kinematics.poses import Assembly, Poses
+from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.kinematics.vectors import Vector, cross, dot, minus, negative, over, times, together, turned
 from mechsheet.units import NUMBER
 from mechsheet.words.equations import phrase

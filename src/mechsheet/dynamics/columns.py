@@ -5,9 +5,9 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.cell_lengths import CellLengths
-from mechsheet.kinematics.coefficients import asked
 from mechsheet.kinematics.equations import RATES, ForceKind
 from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.rates.coefficients import asked
 from mechsheet.kinematics.vectors import Vector, size
 from mechsheet.model import Dynamics, Words, torque_unit
 from mechsheet.units import NUMBER, Unit

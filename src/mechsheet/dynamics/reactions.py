@@ -25,9 +25,9 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.motions import Motions
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.poses import Assembly
+from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.vectors import (

@@ -23,7 +23,7 @@ from mechsheet.dynamics.joints import Joints
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.motions import Motions
+from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.ties import Held, Tied, axis_of, eliminated, terms_of
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned

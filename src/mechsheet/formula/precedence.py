@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import ClassVar
 
 from ..diagnostics import FormulaError
@@ -10,7 +11,7 @@ from .lexer import Token, fail, tokenise
 from .nodes import Binary, Node, Unary
 
 
-class Parser:
+class Parser(ABC):
     """Tokens and a place among them; `expression` climbs the dialect's table."""
 
     spaces: ClassVar[bool] = False
@@ -105,9 +106,9 @@ class Parser:
             return node
         return self.operand()
 
+    @abstractmethod
     def operand(self) -> Node:
         """What an operator works on; each dialect has its own."""
-        raise NotImplementedError
 
     def skip_space(self) -> None:
         """On to the next token that is no space."""

@@ -16,7 +16,6 @@ from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.driving import driver_values, given_values, listed_values
 from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Equation, Equations, Group, assembly_of, validate
@@ -34,6 +33,7 @@ from mechsheet.kinematics.newton.steps import settled
 from mechsheet.kinematics.newton.tracing import cannot_follow, way
 from mechsheet.kinematics.places import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
+from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr

@@ -9,10 +9,10 @@ from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.equations import System
-from mechsheet.kinematics.motions import PointRate
 from mechsheet.kinematics.newton.carriers import renamed
 from mechsheet.kinematics.newton.rates import Closing, Own, dead, known_sides, own_rate, solved, without
-from mechsheet.kinematics.rate_columns import COEFFICIENTS, RateColumns, order_words
+from mechsheet.kinematics.rates.motions import PointRate
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, order_words
 from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, negative
 from mechsheet.model import Words
 from mechsheet.units import LENGTH, NUMBER, Unit

@@ -25,12 +25,12 @@ from mechsheet.formula.nodes import Call, Node, Number, Symbol, transform
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.motions import Motions, PointRate
 from mechsheet.kinematics.newton.carriers import Solution, holder, renamed
 from mechsheet.kinematics.newton.chains import Binary
 from mechsheet.kinematics.newton.cramer import Cramer, cramer
 from mechsheet.kinematics.poses import Assembly
-from mechsheet.kinematics.rate_columns import COEFFICIENTS
+from mechsheet.kinematics.rates.motions import Motions, PointRate
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
 from mechsheet.kinematics.vectors import Vector, dot, minus, negative, turned
 
 SIDES = ((al.ONE, al.ZERO), (al.ZERO, al.ONE))

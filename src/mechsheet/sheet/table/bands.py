@@ -17,7 +17,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol, transform
 from mechsheet.kinematics.equations import Equations, Role
 from mechsheet.kinematics.numeric import Array, value
-from mechsheet.kinematics.sensitivity import (
+from mechsheet.kinematics.rates.sensitivity import (
     NO_BANDS,
     Sensitivities,
     Sensitivity,

@@ -6,11 +6,11 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any
 
+from mechsheet.description.asked.synthesis import unit_in
 from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.rewrite import with_value
 from mechsheet.description.source import Source
-from mechsheet.description.synthesis import unit_in
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
 

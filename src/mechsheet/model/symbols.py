@@ -1,0 +1,63 @@
+"""What a model is written in: quantities, symbols by rule, words in both languages."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from mechsheet.formula.nodes import Node
+
+Quantity: TypeAlias = float | Node
+
+
+GROUND = 1
+"""The number of the fixed link."""
+
+
+TIME = "t"
+"""The time of a motion law [s]."""
+
+
+POINT_RATES = ("vx", "vy", "v", "ax", "ay", "a")
+"""Of a point C the velocity and the acceleration, `C.vx`: components in the ground's frame, and their magnitude."""
+
+
+def rate_symbols(symbol: str, turns: bool) -> tuple[str, str]:
+    """What the first and second derivative by time of an angle or a displacement are called.
+
+    omega13, alpha13 of theta13; omega_q, alpha_q of an angle q; s14.v, s14.a of a displacement
+    """
+    if not turns:
+        return f"{symbol}.v", f"{symbol}.a"
+    tail = symbol.removeprefix("theta") if symbol.startswith("theta") and symbol != "theta" else f"_{symbol}"
+    return f"omega{tail}", f"alpha{tail}"
+
+
+SHAKING = ("shaking.x", "shaking.y", "shaking.m")
+"""What the forces of inertia of all links shake the ground with: the force's parts, and its moment about the origin."""
+
+
+ENERGY = "E_f"
+"""What the flywheel has given by the position, from the first row on: the integral of the torque less its mean."""
+
+
+def center_symbol(number: int) -> str:
+    """`G3`, the mass centre of link 3 where it is no point of its own: G3.x, G3.vx."""
+    return f"G{number}"
+
+
+def pair_symbol(letter: str, first: int, second: int) -> str:
+    """`F34` of links 3 and 4; `F3_10` where a number has two digits."""
+    return f"{letter}{first}{second}" if max(first, second) < 10 else f"{letter}{first}_{second}"
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """A text in both languages; a description that gives one string has it in both."""
+
+    en: str
+    tr: str
+
+    def of(self, language: str) -> str:
+        """The text in "en" or "tr"."""
+        return self.tr if language == "tr" else self.en
