@@ -32,6 +32,7 @@ ALLOWED = {
     "compiled": {"model", "formula", "kinematics", "dynamics", "sheet", "engine"},
     # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
     "plotting": {
+        "units",
         "model",
         "words",
         "formula",
