@@ -33,6 +33,7 @@ ALLOWED = {
     "compiled": {"model", "formula", "kinematics", "dynamics", "sheet", "engine"},
     # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
     "plotting": {
+        "units",
         "model",
         "words",
         "formula",
@@ -80,8 +81,10 @@ ALLOWED["homework"] = {
     "sheet.wrapping",
     "arguments",
 }
-# designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says
+# designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says;
+# the axes of its picture are those of every curve
 ALLOWED["studies"] = {
+    "plotting.axes",
     "model",
     "formula",
     "description",

@@ -83,6 +83,11 @@ LENGTH = Unit("length")
 """A length, in the mechanism's length unit."""
 
 
+def behind_number(text: str) -> str:
+    """A unit's text as it stands behind a number: ` mm`, but `°` without a gap, nothing for a plain number."""
+    return text if text in ("", "°") else f" {text}"
+
+
 def unit_of(symbol: str, length_unit: str) -> Unit:
     """The unit that a description means by `symbol`: "deg", "rad", "1", its length unit, or a label of its own."""
     known = {unit.symbol: unit for unit in (DEG, RAD, NUMBER)}

@@ -82,15 +82,15 @@ def _tell(found: Studied) -> None:
 
 def _table(found: Studied) -> str:
     """The best designs, one a line; * marks those on the front."""
+    from mechsheet.studies.parts import heads_of
+
     if found.best is None:
         return ""
     front = set(found.ranked.front.tolist())
-    table = found.best
-    units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in table.schema}
-    heads = ["", *(f"{name} [{units[name]}]" if units[name] else name for name in table.column_names)]
+    heads = ["", *heads_of(found.best)]
     rows = [
         ["*" if row["design"] in front else "", *("–" if value is None else f"{value:.7g}" for value in row.values())]
-        for row in table.to_pylist()
+        for row in found.best.to_pylist()
     ]
     widths = [max(len(line[at]) for line in [heads, *rows]) for at in range(len(heads))]
     return "\n".join(

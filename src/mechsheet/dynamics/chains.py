@@ -24,7 +24,6 @@ from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.carriers import Solution, Span, holder, renamed
 from mechsheet.kinematics.newton.chains import Binary, Carrier
 from mechsheet.kinematics.newton.rates import solved
@@ -95,7 +94,7 @@ class ChainReactions:
         d = self.motions.direction(second)
         n = turned(d)
         self._hang(holder(self.poses, self.chain, first, assembly), Force(times(dot(total, d), d), p))
-        beside = second.other(second.body if second.body in assembly else second.on)
+        beside = second.other(second.side(assembly))
         self._hang(beside, Force(times(dot(total, n), n), p), moment)
 
     def _across(self, assembly: Assembly, span: Span, moment: Node) -> Vector:
@@ -152,10 +151,10 @@ class ChainReactions:
             about = self._at(joint)
             arms = al.total(cross(minus(force.at, about), force.vector) for force in forces)
             return self.acting.torque(f"Q{number}", arms, couples, what)
-        sign = 1 if joint.body in carrier.assembly else -1
         along = dot(together(force.vector for force in forces), self.motions.direction(joint))
-        label = phrase("sum_along", link=what)
-        return self.columns.grey(f"Q{number}", along if sign > 0 else al.neg(along), self.columns.force, label)
+        if joint.body not in carrier.assembly:
+            along = al.neg(along)
+        return self.columns.grey(f"Q{number}", along, self.columns.force, phrase("sum_along", link=what))
 
     def _felt(self, carrier: Carrier) -> tuple[list[Force], list[Node]]:
         """What acts on a carrier, with what those that are reached over it hand on: over a pin no couple, for an angle is
@@ -183,7 +182,7 @@ class ChainReactions:
         joint = carrier.reached.joint
         if isinstance(joint, str):
             return holder(self.poses, self.chain, joint, carrier.assembly)
-        return joint.other(joint.body if joint.body in carrier.assembly else joint.on)
+        return joint.other(joint.side(carrier.assembly))
 
     # --- the joints ---------------------------------------------------------------------------------------------
 
@@ -201,11 +200,7 @@ class ChainReactions:
         n = turned(d)
         self.joints.outer(first, at_first, minus(times(intensity, n), times(dot(total, d), d)))
         normal = al.neg(al.add(dot(total, n), intensity))
-        self._on_line(assembly, second, normal, al.neg(self.moments[assembly]), self._at(first))
-
-    def _on_line(self, assembly: Assembly, slide: Slide, normal: Node, couple: Node, at: Vector) -> None:
-        body = slide.body if slide.body in assembly else slide.on
-        self.joints.slide(slide, body, normal, couple, at)
+        self.joints.slide(second, second.side(assembly), normal, al.neg(self.moments[assembly]), self._at(first))
 
     def _reached(self, carrier: Carrier) -> None:
         """Where a carrier is reached it is held against all else that acts on it by now."""
@@ -216,7 +211,8 @@ class ChainReactions:
             return
         at = self._at(joint.joint.point)
         couple = al.neg(al.total(self.acting.moment(body, at) for body in assembly))
-        self._on_line(assembly, joint, dot(total, turned(self.motions.direction(joint))), couple, at)
+        normal = dot(total, turned(self.motions.direction(joint)))
+        self.joints.slide(joint, joint.side(assembly), normal, couple, at)
 
 
 def _name(column: Node) -> str:

@@ -105,9 +105,6 @@ class Reactions:
     def _at(self, pin: Pin) -> Vector:
         return self.poses.xy[pin.point]
 
-    def _with_line(self, assembly: Assembly, slide: Slide) -> str:
-        return slide.body if slide.body in assembly else slide.on
-
     def _over(self, parts: Vector, divisor: Node) -> Vector:
         return over(parts[0], divisor), over(parts[1], divisor)
 
@@ -198,7 +195,7 @@ class Reactions:
         """The guide's normal force on an assembly that is held by `force` at a place, and its couple there."""
         normal = dot(force, turned(self.motions.direction(slide)))
         about = al.sub(couple, self._moment(assembly, at))
-        self.joints.slide(slide, self._with_line(assembly, slide), normal, about, at)
+        self.joints.slide(slide, slide.side(assembly), normal, about, at)
 
     def _rpr(self, dyad: Dyad, outer: tuple[Pin, Pin], inner: Slide, det: Node) -> None:
         on_first = inner.on in dyad.first
@@ -232,7 +229,7 @@ class Reactions:
         s2 = self._sum(dyad.second)
         normal = al.neg(over(dot(s2, d1), det))
         couple = al.neg(self._moment(dyad.first, p))
-        body = self._with_line(dyad.first, inner)
+        body = inner.side(dyad.first)
         force = self.joints.slide(inner, body, normal, couple, p)
         self._outer(dyad.first, pin, minus(negative(self._sum(dyad.first)), force))
         self._guide(dyad.second, slide, minus(force, s2), p, couple)

@@ -6,6 +6,7 @@ slides on the joint's `on`, so every sliding joint is one prismatic joint betwee
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from mechsheet.model import Gear, Joint, Mechanism, Relation
@@ -23,6 +24,10 @@ class Slide:
     def other(self, body: str) -> str:
         """The body at the other side."""
         return self.on if body == self.body else self.body
+
+    def side(self, assembly: Collection[str]) -> str:
+        """The body of an assembly that is one of the two."""
+        return self.body if self.body in assembly else self.on
 
 
 @dataclass(frozen=True, slots=True)

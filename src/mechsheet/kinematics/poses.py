@@ -234,7 +234,7 @@ class Poses:
     def guide(self, slide: Slide, assembly: Assembly) -> Guide:
         """The line on which `assembly` slides, by its prismatic joint with a solved body."""
         joint = slide.joint
-        inside = slide.body if slide.body in assembly else slide.on
+        inside = slide.side(assembly)
         solved = self.known[slide.other(inside)]
         label = phrase("direction_of_guide", symbol=joint.symbol)
         if inside == slide.body:

@@ -90,10 +90,8 @@ def targets(
     """The files that `build` would write. Raises MechsheetError as it does; writes nothing."""
     from mechsheet.exporting.workbooks import FORMS
 
-    given = None if formats is None else _known(formats, FORMATS, "formats", "format")
     extra = _known(functions, FUNCTIONS, "functions", "kind of functions")
-    if given is not None and not given and not extra:
-        raise MechsheetError(Fault("no format is named", key="formats", hint=f"formats: {', '.join(FORMATS)}"))
+    given = None if formats is None else formats_given(formats, needed=not extra)
     path = Path(output)
     if is_folder(output):
         stem = path / mechanism.stem
@@ -149,6 +147,14 @@ def write_all(compiled: Compiled, wanted: Sequence[Target], output: str | Path =
             else:
                 write(compiled.workbook, target.path, target.form)
     return [target.path for target in wanted]
+
+
+def formats_given(formats: str | Iterable[str], needed: bool = True) -> list[str]:
+    """The formats of workbooks named, "xlsx,ods". Raises MechsheetError for others, and for none where one is `needed`."""
+    found = _known(formats, FORMATS, "formats", "format")
+    if needed and not found:
+        raise MechsheetError(Fault("no format is named", key="formats", hint=f"formats: {', '.join(FORMATS)}"))
+    return found
 
 
 def _known(given: str | Iterable[str], known: Sequence[str], key: str, what: str) -> list[str]:

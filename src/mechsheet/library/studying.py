@@ -54,18 +54,13 @@ def study(
 
 def known_formats(formats: str | None) -> list[str]:
     """The formats of the summary workbook: "xlsx,ods". Raises MechsheetError for others."""
-    from mechsheet.library.building import FORMATS
+    from mechsheet.library.building import FORMATS, formats_given
 
-    wanted = ["xlsx"] if formats is None else [form.strip() for form in formats.split(",") if form.strip()]
-    unknown = [form for form in wanted if form not in FORMATS]
-    if unknown or not wanted:
-        hint = f"formats: {', '.join(FORMATS)}"
-        raise MechsheetError(Fault(f'no format is called "{", ".join(unknown)}"', key="formats", hint=hint))
-    return wanted
+    return list(FORMATS[:1]) if formats is None else formats_given(formats)
 
 
 def bytes_of(size: str | int | None) -> int | None:
-    """A size as a number of bytes: 2GiB, 500 MB, 1e9 are not all the same. Raises MechsheetError."""
+    """A size as a number of bytes: 2GiB is 2 x 1024^3, 500 MB is 500 x 1000^2. Raises MechsheetError."""
     if size is None or isinstance(size, int):
         return size
     found = _SIZE.fullmatch(size)

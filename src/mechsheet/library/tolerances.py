@@ -15,6 +15,7 @@ from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.bands import ROOT, WORST
 from mechsheet.sheet.table.tolerance import lines_of
+from mechsheet.units import behind_number
 
 
 class Band(TypedDict):
@@ -75,7 +76,7 @@ def bands_text(mechanism: Mechanism, file: str = "<text>") -> str:
     """The same, one a line: `swing ± 0.28° (RSS 0.156°): a2 66%, a4 20%, a1 9%, a3 5%; 78.9° ± 0.3°; mostly a₂ (66 %)`."""
     lines = []
     for name, band in bands_of(mechanism, file).items():
-        unit = band["unit"] if band["unit"] in ("", "°") else f" {band['unit']}"
+        unit = behind_number(band["unit"])
         if band["worst"] is None or band["rss"] is None:
             lines.append(f"{name}: {band['words']}")
             continue

@@ -14,6 +14,7 @@ from mechsheet.library.building import told
 from mechsheet.model import Mechanism
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING
+from mechsheet.units import behind_number
 
 _LANDS = 1e-6
 """By this part of a step the stop may be missed: it is rounding."""
@@ -52,8 +53,7 @@ def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
 
 
 def _shown(value: object, unit: str) -> str:
-    gap = "" if unit in ("", "°") else " "
-    return f"{value:.6g}{gap}{unit}" if isinstance(value, float | int) else str(value)
+    return f"{value:.6g}{behind_number(unit)}" if isinstance(value, float | int) else str(value)
 
 
 def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]]:

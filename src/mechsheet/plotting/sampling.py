@@ -24,6 +24,7 @@ from mechsheet.sheet.drawing.frames import CHART_X
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Workbook
+from mechsheet.units import behind_number
 
 LEAST, MOST = 121, 361
 """A sweep with fewer positions is refined, each of its steps alike; of one with more, every second, third … is taken."""
@@ -208,15 +209,14 @@ def with_value(values: Sequence[float], value: float) -> tuple[list[float], int]
 def _missing(sample: Sample, at: float | None) -> Fault:
     plan = sample.plan
     driver = plan.mechanism.driver
-    unit = driver.unit.text
-    space = "" if unit in ("", "°") else " "
+    unit = behind_number(driver.unit.text)
     shown = driver.unit.to_shown(np.array(plan.driver))
     symbol = plain(driver.symbol)
     runs = _runs(sample.exists[: sample.sweep])
-    ranges = ", ".join(f"{shown[a]:.6g} … {shown[b]:.6g}{space}{unit}" for a, b in runs)
+    ranges = ", ".join(f"{shown[a]:.6g} … {shown[b]:.6g}{unit}" for a, b in runs)
     why = sample.column(STATUS)[sample.shown]
     return Fault(
-        f"no position at {symbol} = {at:g}{space}{unit}: {why}",
+        f"no position at {symbol} = {at:g}{unit}: {why}",
         key="at",
         hint=f"the sweep has positions at {symbol} = {ranges}" if runs else "no position of the sweep exists",
     )

@@ -28,6 +28,7 @@ from mechsheet.sheet.workbook import (
     Style,
     Workbook,
 )
+from mechsheet.studies.parts import heads_of
 from mechsheet.words.study import study_words
 
 if TYPE_CHECKING:
@@ -58,12 +59,6 @@ def book_of(found: Studied) -> Workbook:
 
 def _said(found: Studied, key: str, **parts: object) -> str:
     return study_words(found.designs.mechanism.language, key, **parts)
-
-
-def heads_of(table: Any) -> list[str]:
-    """The names of columns with their units."""
-    units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in table.schema}
-    return [f"{name} [{units[name]}]" if units[name] else name for name in table.column_names]
 
 
 def _table(table: Any, row: int, col: int) -> list[Cell]:

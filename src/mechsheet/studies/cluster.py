@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.studies.packages import distributed
+from mechsheet.studies.packages import distributed, unlike
 from mechsheet.studies.parts import Order, VersionsError, compute
 from mechsheet.studies.running import AHEAD, Parts
 
@@ -32,9 +32,9 @@ def on_cluster(order: Order, parts: Iterable[int], address: str) -> Parts:
     try:
         yield from _computed(dask, client, order, parts)
     except VersionsError as error:
-        raise MechsheetError(
-            Fault(_differing(error), key=f"--on {address}", hint="the same releases, on processors that compute alike")
-        ) from error
+        message = f"a worker would not compute the same bytes: {unlike(*map(dict, error.args))}"
+        hint = "the same releases, on processors that compute alike"
+        raise MechsheetError(Fault(message, key=f"--on {address}", hint=hint)) from error
     except (dask.KilledWorker, dask.client.FutureCancelledError, OSError) as error:
         message = f"the cluster has given a part up: {error}"
         hint = "what is done is kept: go on with --resume"
@@ -76,11 +76,3 @@ def _computed(dask: Any, client: Any, order: Order, parts: Iterable[int]) -> Par
         future.release()
         held += submit()
         yield done
-
-
-def _differing(error: VersionsError) -> str:
-    here, there = (dict(part) for part in error.args)
-    others = ", ".join(
-        f"{name} {there.get(name, '?')} (here {here[name]})" for name in here if here[name] != there.get(name)
-    )
-    return f"a worker would not compute the same bytes: {others}"

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,15 +44,6 @@ class Stretches:
     first: NDArray[np.int64]
     last: NDArray[np.int64]
     last_row: NDArray[np.int64]
-
-    @classmethod
-    def joined(cls, parts: list[Stretches]) -> Stretches:
-        """Those of several blocks of designs."""
-        return (
-            parts[0]
-            if len(parts) == 1
-            else cls(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(cls)))
-        )
 
 
 def stretches_of(there: Mask, closes: Mask) -> Stretches:
@@ -101,15 +92,6 @@ class Anchors:
     wraps: Array
     turns: Array
 
-    @classmethod
-    def joined(cls, parts: list[Anchors]) -> Anchors:
-        """Those of several blocks of designs."""
-        return (
-            parts[0]
-            if len(parts) == 1
-            else cls(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(cls)))
-        )
-
 
 def anchors_of(
     column: Array,
@@ -145,6 +127,17 @@ def anchors_of(
         turns[:, at] = angle[each, place]
     at_row, at_middle = (np.asarray(index + 1.0, float) for index in (place, middle))
     return Anchors(at_row, value, at_middle, before, here, after, wraps, turns)
+
+
+OfDesigns = TypeVar("OfDesigns", Stretches, Anchors)
+
+
+def joined(parts: list[OfDesigns]) -> OfDesigns:
+    """What is known of several blocks of designs, as that of one."""
+    if len(parts) == 1:
+        return parts[0]
+    kind = type(parts[0])
+    return kind(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(kind)))
 
 
 Probe = Callable[[Array], Array]

@@ -16,7 +16,8 @@ from typing import Any
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.studies.designs import Designs
-from mechsheet.studies.parts import Counted, Done, Order, counted, schema_of
+from mechsheet.studies.packages import unlike
+from mechsheet.studies.parts import Counted, Done, Order, counted, schema_of, units_of
 
 MANIFEST, RESULT, PARTS = "study.json", "result.json", "parts"
 FORMAT = 1
@@ -82,10 +83,7 @@ class Folder:
         if not differing:
             return
         if differing == ["versions"]:
-            begun, here = there.get("versions", {}), manifest["versions"]
-            others = ", ".join(
-                f"{name} {begun.get(name, '?')} (here {here[name]})" for name in here if begun.get(name) != here[name]
-            )
+            others = unlike(manifest["versions"], there.get("versions", {}))
             message = f"the study was begun with {others}: its end might differ from its beginning"
             raise OutputError(
                 Fault(
@@ -137,7 +135,7 @@ def manifest_of(designs: Designs, order: Order) -> dict[str, Any]:
         "designs": order.designs,
         "designs in a part": order.size,
         "rows": designs.rows,
-        "columns": {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in schema_of(designs)},
+        "columns": units_of(schema_of(designs)),
         "conditions": [condition.text for condition in designs.questions.conditions],
         "modes": designs.modes,
         "description": order.text,

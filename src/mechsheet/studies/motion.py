@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Node, Symbol, symbols
-from mechsheet.kinematics.numeric import Array, value
+from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import Condition
 from mechsheet.studies.extremes import (
     Anchors,
@@ -24,6 +24,7 @@ from mechsheet.studies.extremes import (
     anchors_of,
     best_rows,
     edges_of,
+    joined,
     least_between,
     refined,
     stretches_of,
@@ -42,7 +43,6 @@ Extreme = tuple[str, Way]
 Found = tuple[NDArray[np.intp], Array]
 
 _TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
-_COMPARED = {"<": np.less, "<=": np.less_equal, ">": np.greater, ">=": np.greater_equal}
 
 
 class Motion:
@@ -101,8 +101,8 @@ class Motion:
                     means.setdefault(quantity.name, []).append(
                         taken(quantity.take, rows.column(quantity.of), rows.stretches)
                     )
-        stretches = Stretches.joined(parts)
-        anchors = {key: Anchors.joined(each) for key, each in found_anchors.items()}
+        stretches = joined(parts)
+        anchors = {key: joined(each) for key, each in found_anchors.items()}
         found = {key: each.best for key, each in anchors.items()}
         if not designs.rows_only:
             found |= self._refined(anchors, stretches, inside)
@@ -268,7 +268,7 @@ class _Bound:
                 best[quantity.of, way] = rows.best((quantity.of, way), alive)
             values.append(best[quantity.of, way][1])
         number = (values[1] - values[0] if len(values) == 2 else values[0]) * quantity.factor
-        return np.asarray(np.isfinite(number) & _COMPARED[self.operator](number, self.limit[part]))
+        return np.asarray(np.isfinite(number) & OPERATORS[self.operator](number, self.limit[part]))
 
 
 def _bounds(designs: Designs, known: Mapping[str, Array]) -> dict[int, list[_Bound]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from functools import cache
 from importlib import import_module, metadata
 from typing import Any
@@ -38,6 +39,13 @@ def versions() -> dict[str, str]:
     packages = ("numpy", "scipy", "pyarrow")
     return (
         {"mechsheet": __version__} | {name: metadata.version(name) for name in packages} | {"arithmetic": arithmetic()}
+    )
+
+
+def unlike(wanted: Mapping[str, str], found: Mapping[str, str]) -> str:
+    """What `versions` found differ in from those wanted, for a message: "numpy 1.0 (here 2.1)"."""
+    return ", ".join(
+        f"{name} {found.get(name, '?')} (here {wanted[name]})" for name in wanted if found.get(name) != wanted[name]
     )
 
 

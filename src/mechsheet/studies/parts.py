@@ -64,12 +64,10 @@ def designs_of(text: str) -> Designs:
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """A part that was computed: its number, its file's bytes, and what its metadata say."""
+    """A part that was computed: its number and its file's bytes, which say what was tried and kept (`counted`)."""
 
     part: int
     data: bytes
-    tried: int
-    kept: int
 
 
 def compute(order: Order, part: int) -> Done:
@@ -93,7 +91,7 @@ def compute(order: Order, part: int) -> Done:
         _write(writer, waiting)
         told = {"designs": len(span), "kept": kept, "failed": failed}
         writer.add_key_value_metadata({METADATA.decode(): json.dumps(told)})
-    return Done(part, file.getvalue(), len(span), kept)
+    return Done(part, file.getvalue())
 
 
 class VersionsError(Exception):
@@ -107,6 +105,16 @@ def schema_of(designs: Designs) -> Any:
     units |= {quantity.name: quantity.unit for quantity in designs.questions.quantities}
     columns = [pa.field(name, pa.float64(), metadata={"unit": units.get(name, "")}) for name in designs.names]
     return pa.schema([pa.field("design", pa.int64(), nullable=False), *columns])
+
+
+def units_of(schema: Any) -> dict[str, str]:
+    """The units of such columns by their names, "" for none."""
+    return {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in schema}
+
+
+def heads_of(table: Any) -> list[str]:
+    """The names of a table's columns with their units."""
+    return [f"{name} [{unit}]" if unit else name for name, unit in units_of(table.schema).items()]
 
 
 def _batch(designs: Designs, found: Any) -> Any:

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.studies.book import heads_of
+from mechsheet.plotting.axes import scale_of, tick_text
+from mechsheet.sheet.workbook import Axis
 from mechsheet.studies.packages import arrow
+from mechsheet.studies.parts import heads_of
 from mechsheet.words.study import study_words
 
 if TYPE_CHECKING:
@@ -62,22 +64,19 @@ def _numbers(table: Any, names: Sequence[str]) -> Array:
 def _scatter(found: Studied, names: Sequence[str]) -> str:
     cloud, front = _cloud(found, names), _numbers(found.front, names)
     every = np.concatenate([cloud, front])
-    axes = [_Axis(every[:, at]) for at in range(2)]
     heads = dict(zip(found.front.column_names, heads_of(found.front), strict=True))
+    spans = (LEFT, WIDTH - RIGHT), (HEIGHT - BOTTOM, TOP)
+    across, up = (scale_of(Axis(heads[name]), [every[:, at]], *spans[at]) for at, name in enumerate(names))
     lines = [_title(_said(found, "front.title"))]
-    span_x, span_y = (LEFT, WIDTH - RIGHT), (HEIGHT - BOTTOM, TOP)
-    for value in axes[0].ticks:
-        x = axes[0].place(value, span_x)
-        lines.append(
-            _line(x, HEIGHT - BOTTOM, x, TOP, "#E5E7EB") + _text(x, HEIGHT - BOTTOM + 18, f"{value:g}", "middle")
-        )
-    for value in axes[1].ticks:
-        y = axes[1].place(value, span_y)
-        lines.append(_line(LEFT, y, WIDTH - RIGHT, y, "#E5E7EB") + _text(LEFT - 8, y + 4, f"{value:g}", "end"))
+    for value, x in zip(across.ticks, across.place(np.array(across.ticks)), strict=True):
+        words = _text(x, HEIGHT - BOTTOM + 18, tick_text(value), "middle")
+        lines.append(_line(x, HEIGHT - BOTTOM, x, TOP, "#E5E7EB") + words)
+    for value, y in zip(up.ticks, up.place(np.array(up.ticks)), strict=True):
+        lines.append(_line(LEFT, y, WIDTH - RIGHT, y, "#E5E7EB") + _text(LEFT - 8, y + 4, tick_text(value), "end"))
     lines.append(_text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 18, heads[names[0]], "middle"))
     lines.append(_text(LEFT, TOP - 10, heads[names[1]], "start"))
     for points, radius, color in ((cloud, 1.6, KEPT), (front, 3.5, FRONT)):
-        for x, y in zip(axes[0].place(points[:, 0], span_x), axes[1].place(points[:, 1], span_y), strict=True):
+        for x, y in zip(across.place(points[:, 0]), up.place(points[:, 1]), strict=True):
             lines.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="{color}"/>')
     return "\n".join(lines) + "\n"
 
@@ -94,9 +93,10 @@ def _parallel(found: Studied) -> str:
     bottom, places = HEIGHT - BOTTOM, []
     for at, name in enumerate(names):
         x = LEFT + step * at
+        anchor = "start" if at == 0 else "end" if at == len(names) - 1 else "middle"  # a long name is not cut off
         known = values[:, at][np.isfinite(values[:, at])]
         low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 0.0)
-        lines.append(_line(x, bottom, x, TOP + 20, QUIET) + _text(x, bottom + 34, heads[name], "middle"))
+        lines.append(_line(x, bottom, x, TOP + 20, QUIET) + _text(x, bottom + 34, heads[name], anchor))
         lines.append(_text(x, bottom + 16, f"{low:.4g}", "middle") + _text(x, TOP + 12, f"{high:.4g}", "middle"))
         share = (values[:, at] - low) / (high - low) if high > low else np.full(len(values), 0.5)
         places.append(bottom + (TOP + 20 - bottom) * np.nan_to_num(share, nan=0.5))
@@ -107,24 +107,6 @@ def _parallel(found: Studied) -> str:
             f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="1.2" stroke-opacity="0.8"/>'
         )
     return "\n".join(lines) + "\n"
-
-
-class _Axis:
-    """From a little below the least value to a little above the largest, with round ticks."""
-
-    def __init__(self, values: Array) -> None:
-        low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 1.0)
-        room = 0.04 * (high - low) or max(abs(low), 1.0) * 0.04
-        self.low, self.high = low - room, high + room
-        raw = (self.high - self.low) / 6
-        power = 10.0 ** np.floor(np.log10(raw))
-        step = next(float(part * power) for part in (1, 2, 5, 10) if part * power >= raw)
-        first = int(np.ceil(self.low / step))
-        self.ticks = [round(number * step, 12) for number in range(first, int(np.floor(self.high / step)) + 1)]
-
-    def place(self, value: Any, span: tuple[float, float]) -> Any:
-        """Where a value lies between the ends of a span."""
-        return span[0] + (value - self.low) / (self.high - self.low) * (span[1] - span[0])
 
 
 def _title(words: str) -> str:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from mechsheet.diagnostics import Fault, MechanismError, near_miss
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.numeric import Array, value
+from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import ENERGY, Condition, Mechanism, Study
 from mechsheet.sheet.checks.checks import ROUNDING
 from mechsheet.sheet.checks.geometry import length_in_cells
@@ -23,7 +23,6 @@ from mechsheet.sheet.table.lowering import lowered
 Mask = NDArray[np.bool_]
 
 _EXTREME = re.compile(r"(min|max)\((.+)\)")
-_COMPARED = {"<": np.less, "<=": np.less_equal, ">": np.greater, ">=": np.greater_equal}
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +93,7 @@ def questions_of(mechanism: Mechanism, study: Study, equations: Equations) -> Qu
             continue
         shown = mechanism.shown(unit)
         quantities.append(Quantity(name, of, str(take), float(shown.to_shown(1.0)), shown.text))
-    faults += _unknown_cranks(mechanism, study.keep)
+    faults += _grounded_cranks(mechanism, study.keep)
     if faults:
         raise MechanismError(faults)
     names = {quantity.name for quantity in quantities}
@@ -130,8 +129,8 @@ def _loops(
     return found, faults
 
 
-def _unknown_cranks(mechanism: Mechanism, keep: Iterable[Condition]) -> list[Fault]:
-    """A link that has no angle of its own in the equations cannot be asked whether it turns."""
+def _grounded_cranks(mechanism: Mechanism, keep: Iterable[Condition]) -> list[Fault]:
+    """The ground cannot be asked whether it turns."""
     ground = mechanism.ground.name
     return [
         Fault(f'the ground "{ground}" does not turn', key="study.keep")
@@ -154,7 +153,7 @@ def holds(condition: Condition, known: Mapping[str, Array], designs: int) -> Mas
     fine = np.ones(designs, bool)
     with np.errstate(invalid="ignore"):
         for left, operator, right in zip(sides, condition.operators, sides[1:], strict=False):
-            fine &= _COMPARED[operator](left, right)
+            fine &= OPERATORS[operator](left, right)
     numbers = np.logical_and.reduce([np.isfinite(side) for side in sides])
     return np.asarray(numbers & (fine != condition.other), bool)
 

@@ -82,8 +82,9 @@ def studied(
     found = ranked(paths, designs.study.objectives, designs.study.best)
     best, front = (rows_of(paths, order, numbers) for numbers in (found.best, found.front))
     end = Studied(designs, order, place, result, found, best, front)
+    book = book_of(end)
     for form in formats:
-        write(book_of(end), folder / f"{BOOK}.{form}", form)
+        write(book, folder / f"{BOOK}.{form}", form)
     replace_file(folder / f"{BOOK}.svg", picture_of(end))
     return end
 
@@ -113,5 +114,5 @@ def _compute(
         if told is None:
             raise MechsheetError(Fault("cannot be read again", str(place.part(part.part)), hint="is the disk full?"))
         counts[part.part] = told
-        done, kept = done + part.tried, kept + part.kept
+        done, kept = done + told.designs, kept + told.kept
         say(Progress(done, kept, order.designs, earlier))

@@ -142,7 +142,7 @@ class ChainWriter:
             guide = self.guides[carrier.assembly]
             direction = al.cos(guide.delta), al.sin(guide.delta)
             return direction if guide.sign > 0 else (al.neg(direction[0]), al.neg(direction[1]))
-        inside = joint.body if joint.body in carrier.assembly else joint.on
+        inside = joint.side(carrier.assembly)
         return self._moves(joint.other(inside), place, unknown)
 
     def _holder(self, point: str, but: Assembly = ()) -> str:
@@ -171,7 +171,7 @@ class ChainWriter:
             return Demand(value, slopes, 2, label)
         guide = poses.guide(second, assembly)
         self.guides[assembly] = guide
-        inside = second.body if second.body in assembly else second.on
+        inside = second.side(assembly)
         carrier = second.other(inside)
         direction = al.cos(guide.delta), al.sin(guide.delta)
         offset = (poses.place(assembly, first) - guide.moving).turned(guide.angle - guide.delta)[1]

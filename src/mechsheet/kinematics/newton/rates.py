@@ -125,7 +125,7 @@ class Closings:
         motions = self.motions
         symbol = motions.guided(assembly, slide)
         rate = motions.rates.of(symbol)
-        inside = slide.body if slide.body in assembly else slide.on
+        inside = slide.side(assembly)
         place, there = self.poses.xy[first], self._at(first, assembly)
         over = motions.motion[motions.with_point(assembly, first)](place)
         gap = PointRate(minus(over.first, there.first), minus(over.second, there.second))

@@ -260,10 +260,7 @@ class _Writer:
                 self.columns.coefficient(symbol, order, node, turns)
             own = self.names.of(symbol)
         if self.timed:
-            for order, node in enumerate(self._by_time(own), 1):
-                name = rate_symbols(symbol, turns)[order - 1]
-                words = self._rate_words(symbol, turns, order)
-                self.ledger.define(name, node, self._rate_unit(turns, order), words, "rate")
+            self._rates(symbol, own, turns)
         return own
 
     def _tie(self, tied: Tied) -> None:
@@ -316,7 +313,7 @@ class _Writer:
         shown = {joint.symbol for joint in self.mechanism.joints} | {link.angle_symbol for link in self.mechanism.links}
         for name in symbols_found if self.timed else ():
             if name in shown:  # but the angle of a massless block
-                self._rates(name)
+                self._rates(name, primed(name), name in self.columns.angles)
 
     def _outer(self, point: str, force: bool) -> PointRate:
         """The rates of an outer pin, as columns where they are long."""
@@ -350,7 +347,7 @@ class _Writer:
             self.columns.coefficient(name, 2, node)
         if self.timed and timed:
             for name in names:
-                self._rates(name)
+                self._rates(name, primed(name), name in self.columns.angles)
 
     def _determinant(self, given: Determinant) -> Determinant:
         """D as a column that has no value at a dead centre; a number where the lines keep their angle."""
@@ -377,15 +374,11 @@ class _Writer:
             found.append(node)
         return found[0], found[1]
 
-    def _rates(self, symbol: str) -> None:
-        """omega, alpha of an angle; velocity and acceleration of a displacement."""
-        turns = symbol in self.columns.angles
-        own = primed(symbol)
-        for order, node in enumerate(self._by_time(own), 1):
-            name = rate_symbols(symbol, turns)[order - 1]
-            self.ledger.define(
-                name, node, self._rate_unit(turns, order), self._rate_words(symbol, turns, order), "rate"
-            )
+    def _rates(self, symbol: str, own: Rate, turns: bool) -> None:
+        """omega, alpha of an angle, which `turns`; velocity and acceleration of a displacement."""
+        for order, (name, node) in enumerate(zip(rate_symbols(symbol, turns), self._by_time(own), strict=True), 1):
+            words = self._rate_words(symbol, turns, order)
+            self.ledger.define(name, node, self._rate_unit(turns, order), words, "rate")
 
     def _rate_words(self, symbol: str, turns: bool, order: int) -> Words:
         if not turns:

@@ -275,7 +275,7 @@ class Motions:
 
     def guided(self, assembly: Assembly, slide: Slide) -> str:
         """An assembly on a guide of a solved body: the displacement that is unknown."""
-        body = slide.body if slide.body in assembly else slide.on
+        body = slide.side(assembly)
         self._slides(body, slide, self.rates.of(slide.joint.symbol))
         self._whole(assembly, body)
         return slide.joint.symbol
@@ -332,7 +332,7 @@ class Motions:
     ) -> Meeting:
         """RPP: at the outer pin."""
         guide = self.guided(dyad.second, slide)
-        body = inner.body if inner.body in dyad.first else inner.on
+        body = inner.side(dyad.first)
         self._slides(body, inner, self.rates.of(inner.joint.symbol))
         self._whole(dyad.first, body)
         return Meeting(*self._at_known(dyad.first, pin, outer[pin.point]), (guide, inner.joint.symbol))

@@ -52,6 +52,7 @@ from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
+from mechsheet.units import behind_number
 
 SIZE = 480
 """Pixels of a drawing and of a chart of paths: square."""
@@ -288,8 +289,7 @@ def _caption(page: Page) -> Series:
     driver = plan.mechanism.driver
     row = plan.blocks["position"].rows[driver.symbol]
     value = CellRef(row, VALUE, True, True, plan.main)
-    unit = driver.unit.text
-    after = unit if unit in ("", "°") else f" {unit}"
+    after = behind_number(driver.unit.text)
     said = page.indexed(plan.at.spots["#status"])
     note = formula(
         'IFERROR(IF(said=ok,""," – "&said),nothing)',

@@ -10,6 +10,7 @@ from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.bands import ROOT, WORST, part_of
 from mechsheet.sheet.table.tolerance import Line, Tolerance
+from mechsheet.units import behind_number
 
 
 def write_bands(writer: Writer, tolerance: Tolerance) -> None:
@@ -28,10 +29,8 @@ def _write(writer: Writer, tolerance: Tolerance, line: Line) -> None:
     row = plan.blocks["bands"].rows[key]
     unit = shown_unit(plan, line.quantity)
     writer.line(row, rich(key), unit, None)
-    style = styles.decimals(styles.RESULT, plan.band_places.get(line.quantity, 4) + 1)
     for col, part in ((VALUE, WORST), (TOLERANCE, ROOT)):
-        value = formula("IFERROR(value,NA())", value=Symbol(f"#{part} {line.key}"))
-        writer.formula(row, col, plan.at.bind(value, plan.main), style)
+        _band(writer, row, col, line.quantity, f"#{part} {line.key}")
     words = formula("IFERROR(words,none)", words=_words(tolerance, line), none=plan.text("bands.none"))
     writer.formula(row, MEANING, plan.at.bind(words, plan.main), styles.LABEL)
 
@@ -47,19 +46,14 @@ def _words(tolerance: Tolerance, line: Line) -> Node:
     mostly = joined(before, name, between, formula("ROUND(100*most,0)", most=most), after)
     if line.summary is not None:
         value, band = Symbol(f"#summary {line.summary.symbol}"), Symbol(f"#{WORST} {line.key}")
-        return joined(_with_band(value, band, _behind(shown_unit(plan, line.quantity))), "; ", mostly)
+        return joined(_with_band(value, band, behind_number(shown_unit(plan, line.quantity))), "; ", mostly)
     driver = plan.mechanism.driver
     worst, drivers = Symbol(ALL + part_of(line.quantity, WORST)), Symbol(ALL + driver.symbol)
     where = formula(
         "INDEX(drivers,MATCH(most,worst,0))", drivers=drivers, worst=worst, most=Symbol(f"#{WORST} {line.key}")
     )
     start, end = plan.text("bands.largest.at", driver=plain(driver.symbol), place="#").split("#")
-    return joined(start, formula("ROUND(where,4)", where=where), _behind(driver.unit.text) + end, "; ", mostly)
-
-
-def _behind(unit: str) -> str:
-    """A unit as it stands behind a number."""
-    return unit if unit in ("", "°") else f" {unit}"
+    return joined(start, formula("ROUND(where,4)", where=where), behind_number(driver.unit.text) + end, "; ", mostly)
 
 
 def _with_band(value: Node, band: Node, unit: str) -> Node:
@@ -71,8 +65,12 @@ def _with_band(value: Node, band: Node, unit: str) -> Node:
 
 def band_here(writer: Writer, symbol: str, row: int) -> None:
     """Beside a quantity at the position shown its band there."""
+    if symbol in writer.plan.banded:
+        _band(writer, row, TOLERANCE, symbol, f"#{WORST} shown {symbol}")
+
+
+def _band(writer: Writer, row: int, col: int, quantity: str, symbol: str) -> None:
+    """A quantity's worst case or root sum of squares, with a digit more than its band shows."""
     plan = writer.plan
-    if symbol in plan.banded:
-        style = styles.decimals(styles.RESULT, plan.band_places.get(symbol, 4) + 1)
-        node = formula("IFERROR(value,NA())", value=Symbol(f"#{WORST} shown {symbol}"))
-        writer.formula(row, TOLERANCE, plan.at.bind(node, plan.main), style)
+    style = styles.decimals(styles.RESULT, plan.band_places.get(quantity, 4) + 1)
+    writer.formula(row, col, plan.at.bind(formula("IFERROR(value,NA())", value=Symbol(symbol)), plan.main), style)

@@ -28,6 +28,7 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import degrees_together
 from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
+from mechsheet.units import behind_number
 
 NAME, X, Y, MIDDLE = range(4)
 """Columns of the helpers, from the first one; the paths follow after one more."""
@@ -425,10 +426,9 @@ class PageDrawing:
         """The driver's value in the upper left corner, and what does not close."""
         plan = self.plan
         driver = plan.mechanism.driver
-        unit = driver.unit.text
         value = Call("ROUND", (self._quantity(driver.symbol), Number(3.0)))
         said = self._indexed("#status")
-        words: Node = joined(f"{plain(driver.symbol)} = ", value, unit if unit in ("", "°") else f" {unit}", "  ", said)
+        words: Node = joined(f"{plain(driver.symbol)} = ", value, behind_number(driver.unit.text), "  ", said)
         nothing: Node = Text(plan.text("drawing.nothing"))
         cell = self._formula(NAME, formula("IFERROR(words,nothing)", words=words, nothing=nothing))
         self._text(X, LEFT)

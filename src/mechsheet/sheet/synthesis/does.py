@@ -17,6 +17,7 @@ from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, S
 from mechsheet.sheet.synthesis.sensitivity import largest
 from mechsheet.sheet.synthesis.tables import MU, curve_columns, sensitivity_columns
 from mechsheet.sheet.workbook import Area, Conditional
+from mechsheet.units import behind_number
 
 YES, DOUBT, NO = "✓", "!", "✗"
 """Beside each verdict: green, amber, red."""
@@ -141,7 +142,7 @@ class Does:
         value = formula("MAX(MAX(errors),-MIN(errors))", errors=errors)
         missing = formula("COUNT(errors)<ROWS(errors)", errors=errors)
         largest_error = joined(page.text("meets.about"), formula("ROUND(number,4)", number=CellRef(
-            page.rows.of["does", key], VALUE, True, True)), f" {unit}" if unit not in ("", "°") else unit)  # fmt: skip
+            page.rows.of["does", key], VALUE, True, True)), behind_number(unit))  # fmt: skip
         self._entry(
             key, formula("IF(missing,NA(),value)", missing=missing, value=value), unit,
             [("ISNA(value)", page.text("meets.not")), (f"value>{EXACT}", largest_error)], page.text("meets.exactly"),

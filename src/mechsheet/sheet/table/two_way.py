@@ -35,6 +35,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Validation,
 )
+from mechsheet.units import behind_number
 
 TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range(8)
 """Rows of the sheet: the head is row 7, the first values stand in row 8."""
@@ -156,9 +157,7 @@ class Table:
             Cell(NAME_ROW, 0, None, styles.HEAD),
             Cell(HEAD_ROW, 0, self.rows_words() + " ↓", styles.HEAD),
         ]
-        unit = self.column.unit.text
-        after = unit if unit in ("", "°") else f" {unit}"
-        label = joined(f"{plain(request.column)} = ", CellRef(HEAD_ROW, 1), after)
+        label = joined(f"{plain(request.column)} = ", CellRef(HEAD_ROW, 1), behind_number(self.column.unit.text))
         fills = [Fill(NAME_ROW, 1, label, styles.HEAD, cols=self.count)]
         for (_, quantities, inputs), dim in zip(self.heads(), self.varied(), strict=True):
             for quantity, at in zip(quantities, inputs, strict=True):
