@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
@@ -58,13 +59,19 @@ def expected_for(text: str, file: str, functions: str = "") -> Expected:
 
     functions  "lambda" for the workbook whose tables call functions (`functions_in` tells)
     """
-    mechanism = loads(text, file=file)
-    compiled = Compiled(mechanism)
+    loads(text, file=file)  # its faults name the file
     try:
-        compiled = in_sheets(compiled) if functions else compiled
-        workbook = functions_workbook(compiled, functions) if functions else compiled.layout
+        return _built(text, functions)
     except MechanismError as error:
-        raise located(error, mechanism.text, file) from error
+        raise located(error, text, file) from error
+
+
+@lru_cache(maxsize=1)
+def _built(text: str, functions: str) -> Expected:
+    """The last is kept: the .xlsx and the .ods of one description are judged one after the other."""
+    compiled = Compiled(loads(text))
+    compiled = in_sheets(compiled) if functions else compiled
+    workbook = functions_workbook(compiled, functions) if functions else compiled.layout
     return Expected(workbook, book_of(workbook), compiled)
 
 

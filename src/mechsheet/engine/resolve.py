@@ -224,7 +224,9 @@ class Resolver:
             match part:
                 case CellRef():
                     title = self.titles.get((part.sheet or sheet).casefold())
-                    return replace(part, sheet=title) if title is not None else ErrorValue("#REF!")
+                    if title is None:
+                        return ErrorValue("#REF!")
+                    return CellRef(part.row, part.col, part.row_abs, part.col_abs, title)
                 case NameRef():
                     return self.name(part, block, sheet, place, inside)
                 case Call():

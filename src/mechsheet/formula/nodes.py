@@ -11,7 +11,7 @@ Rows and columns count from 0 everywhere inside the program; only text says A1.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 MAX_ROWS = 1_048_576
@@ -423,6 +423,8 @@ def shifted(node: Node, rows: int, cols: int = 0, wrap: bool = False) -> Node:
 
     wrap  beyond the last row comes the first one, as in the relative references of defined names; else there is #REF!
     """
+    if rows == cols == 0 and not wrap:
+        return node
 
     def move(part: Node) -> Node:
         if not isinstance(part, CellRef):
@@ -432,7 +434,7 @@ def shifted(node: Node, rows: int, cols: int = 0, wrap: bool = False) -> Node:
         if wrap:
             row, col = row % MAX_ROWS, col % MAX_COLUMNS
         if 0 <= row < MAX_ROWS and 0 <= col < MAX_COLUMNS:
-            return replace(part, row=row, col=col)
+            return CellRef(row, col, part.row_abs, part.col_abs, part.sheet)
         return ErrorValue("#REF!")
 
     return transform(node, move)

@@ -109,7 +109,8 @@ class _Printer:
 
     def text(self, root: Node) -> str:
         done: list[_Printed] = []
-        stack = [(transform(root, _REWRITES.get(self.dialect.name, _unchanged)), False)]
+        rewrite = _REWRITES.get(self.dialect.name)
+        stack = [(transform(root, rewrite) if rewrite else root, False)]
         while stack:
             node, visited = stack.pop()
             below = () if isinstance(node, RangeRef) else children(node)
@@ -268,10 +269,6 @@ class _Printer:
 def _inside(part: _Printed, minimum: int) -> _Printed:
     """An operand of something that binds with `minimum`: in parentheses where it binds less strongly."""
     return part if part.power >= minimum else _Printed(f"({part.text})", _ATOM, part.depth + 1)
-
-
-def _unchanged(node: Node) -> Node:
-    return node
 
 
 def _with_squares(node: Node) -> Node:

@@ -49,19 +49,30 @@ class Together:
         self.blocked = blocked
         self.producers = members
         self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self._in_column = self._members_by_column()
+        self._on_sheet = {sheet for sheet, _ in self._in_column}
         self.reads = {number: self._inner(number) for number in members}
         self._circles = 0
         self._closely: set[Cell] = set()
+
+    def _members_by_column(self) -> dict[tuple[int, int], list[int]]:
+        """(sheet, column) -> the blocks of the set that stand there: a cell's reads are looked up thousands of times."""
+        found: dict[tuple[int, int], list[int]] = {}
+        for member in self.producers:
+            block = self.layout.blocks[member]
+            for col in range(block.col, block.col + block.cols):
+                found.setdefault((self.layout.block_sheets[member], col), []).append(member)
+        return found
 
     def _inner(self, number: int) -> list[tuple[CellRef, CellRef]]:
         """The references of a block that can mean cells of the set, as corners."""
         inner = []
         for ref in references(self.formulas[number], self.functions):
             start, end = (ref.start, ref.end) if isinstance(ref, RangeRef) else (ref, ref)
-            if isinstance(start, CellRef) and isinstance(end, CellRef) and start.sheet is not None:
-                sheet = self.sheets[start.sheet]
-                if any(self.layout.block_sheets[member] == sheet for member in self.producers):
-                    inner.append((start, end))
+            if not (isinstance(start, CellRef) and isinstance(end, CellRef)) or start.sheet is None:
+                continue
+            if self.sheets[start.sheet] in self._on_sheet:
+                inner.append((start, end))
         return inner
 
     def precedents(self, cell: Cell) -> Iterator[Cell]:
@@ -71,10 +82,22 @@ class Together:
             sheet = self.sheets[start.sheet or ""]
             rows = sorted(ref.row if ref.row_abs else ref.row + down for ref in (start, end))
             cols = sorted(ref.col if ref.col_abs else ref.col + right for ref in (start, end))
-            for member in self.producers:
-                if self.layout.block_sheets[member] == sheet:
-                    area = Area(sheet, rows[0], cols[0], rows[1] - rows[0] + 1, cols[1] - cols[0] + 1)
-                    yield from self._cells(member, area)
+            yield from self._cells_in(Area(sheet, rows[0], cols[0], rows[1] - rows[0] + 1, cols[1] - cols[0] + 1))
+
+    def _cells_in(self, area: Area, but: Collection[int] = ()) -> Iterator[Cell]:
+        """The cells of the set that lie in an area, block by block, without those of some blocks."""
+        wide = area.cols > len(self.producers)
+        near = self.producers if wide else self._standing_in(area)
+        for member in near:
+            if member not in but and self.layout.block_sheets[member] == area.sheet:
+                yield from self._cells(member, area)
+
+    def _standing_in(self, area: Area) -> Sequence[int]:
+        """The blocks of the set that stand in an area's columns."""
+        if area.cols == 1:
+            return self._in_column.get((area.sheet, area.col), ())
+        columns = range(area.col, area.col + area.cols)
+        return sorted({member for col in columns for member in self._in_column.get((area.sheet, col), ())})
 
     def _cells(self, member: int, area: Area) -> Iterator[Cell]:
         """The cells of a block that lie in an area; an array is one."""
@@ -98,11 +121,9 @@ class Together:
 
         def check(area: Area, but: Collection[int]) -> None:
             """Cells of the set count one by one, all others as `outside` says."""
-            for member in self.producers:
-                if self.layout.block_sheets[member] == area.sheet and member not in but:
-                    for cell in self._cells(member, area):
-                        if cell not in done:
-                            raise _PendingError(cell)
+            for cell in self._cells_in(area, but):
+                if cell not in done:
+                    raise _PendingError(cell)
             outside(area, {*but, *self.producers})
 
         ev.around.check = check
