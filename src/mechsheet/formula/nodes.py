@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 MAX_ROWS = 1_048_576
 MAX_COLUMNS = 16_384
@@ -268,53 +268,26 @@ Scalar: TypeAlias = float | str | bool | ErrorValue | None
 """What a cell can hold: a number, a text, a truth value, an error, or nothing."""
 
 
-_LEAVES = frozenset(
-    (
-        Number,
-        Text,
-        Boolean,
-        ErrorValue,
-        Missing,
-        Symbol,
-        Previous,
-        CellRef,
-        NameRef,
-        TableRef,
-        Foreign,
-        Local,
-        FunctionRef,
-    )
-)
-"""Nodes without operands: most of every tree."""
+_OPERANDS: Mapping[type, Callable[[Any], tuple[Node, ...]]] = {
+    Binary: lambda node: (node.left, node.right),
+    Call: lambda node: node.args,
+    Unary: lambda node: (node.operand,),
+    Arrayed: lambda node: (node.operand,),
+    Direction: lambda node: (node.y, node.x),
+    TriangleAngle: lambda node: (node.opposite, node.beside, node.other),
+    Root: lambda node: node.given,
+    Apply: lambda node: (node.function, *node.args),
+    SheetsRef: lambda node: (node.area,),
+    RangeRef: lambda node: (node.start, node.end),
+    ArrayLiteral: lambda node: tuple(item for row in node.rows for item in row),
+}
+"""Nodes that have operands; by their type, as trees are walked millions of times."""
 
 
 def children(node: Node) -> tuple[Node, ...]:
     """The direct operands of a node, in reading order."""
-    if type(node) in _LEAVES:
-        return ()
-    match node:
-        case Binary(_, left, right):
-            return (left, right)
-        case Call(_, args):
-            return args
-        case Unary(_, operand) | Arrayed(operand):
-            return (operand,)
-        case Direction(y, x):
-            return (y, x)
-        case TriangleAngle(opposite, beside, other):
-            return (opposite, beside, other)
-        case Root(_, given):
-            return given
-        case Apply(function, args):
-            return (function, *args)
-        case SheetsRef(_, _, area):
-            return (area,)
-        case RangeRef(start, end):
-            return (start, end)
-        case ArrayLiteral(rows):
-            return tuple(item for row in rows for item in row)
-        case _:
-            return ()
+    operands = _OPERANDS.get(type(node))
+    return operands(node) if operands else ()
 
 
 def walk(node: Node) -> Iterator[Node]:
@@ -323,7 +296,9 @@ def walk(node: Node) -> Iterator[Node]:
     while stack:
         current = stack.pop()
         yield current
-        stack.extend(reversed(children(current)))
+        below = children(current)
+        if below:
+            stack.extend(below[::-1])
 
 
 def transform(node: Node, change: Callable[[Node], Node]) -> Node:
@@ -336,7 +311,7 @@ _CALLS = 100
 
 
 def _transformed(node: Node, change: Callable[[Node], Node], calls: int) -> Node:
-    if type(node) in _LEAVES:
+    if type(node) not in _OPERANDS:
         return change(node)
     if not calls:
         return _by_stack(node, change)
