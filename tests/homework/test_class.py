@@ -13,6 +13,8 @@ from click.testing import CliRunner
 import mechsheet
 from homework.handmade import STEPS, Table, four_bar
 from mechsheet.cli import main
+from mechsheet.description import loads
+from mechsheet.homework.exercise import fulfils
 from mechsheet.homework.marks import lines_of
 from mechsheet.homework.marks_book import page
 
@@ -170,6 +172,16 @@ def test_what_is_wrong_with_a_class_is_told_all_at_once(week, tmp_path):
     assert 'no column is called "id"' in run(
         "exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2
     )
+
+
+def test_what_is_needed_may_name_outputs_of_summaries():
+    """In the unit that they are shown in, as the summaries are."""
+    text = mechsheet.template("four-bar").text
+    text = text.replace("[summary]", 'half = { formula = "mu_min/2", unit = "deg" }\n[summary]', 1)
+    mechanism = loads(f'{text}\n[exercise]\nneed = "half > 16.94 and half < 16.95"\n')  # mu_min = 33.888
+    own = {dim.symbol: dim.shown for dim in mechanism.dimensions if dim.shown is not None}
+    assert fulfils(mechanism, own, mechanism.exercise.need)
+    assert not fulfils(mechanism, own | {"a2": 30.0}, mechanism.exercise.need)
 
 
 def test_an_exercise_in_which_nothing_varies_says_so(tmp_path):

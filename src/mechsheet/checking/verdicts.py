@@ -16,6 +16,7 @@ from typing import Any
 
 from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.report import Comparison, Tally
+from mechsheet.checking.searched_summaries import judge_summaries
 from mechsheet.checking.searched_verdicts import SearchedVerdicts
 from mechsheet.checking.summary_tables import judge_tables
 from mechsheet.checking.undefined_dimensions import missing_dimensions
@@ -70,6 +71,8 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
     if found is None:
         return None
     judge = _Judge(values, plan, found)
+    if not judge.page or not judge.filled_further():
+        judge_summaries(values, plan, judge.tally, found)
     if mechanism.layout == "sheets":
         judge_tables(values, plan, judge.tally, search)
     return judge.result()
@@ -86,7 +89,7 @@ class _Judge:
 
     def result(self) -> Comparison:
         """All verdicts that this layout has."""
-        if self.page and self._filled_further():
+        if self.page and self.filled_further():
             return self.tally.result()
         self._number("inputs", [0.0])
         self._number("rows_closed", [float(self.search.count)])
@@ -125,7 +128,7 @@ class _Judge:
 
     # --- cells ---------------------------------------------------------------------------------------------------------
 
-    def _filled_further(self) -> bool:
+    def filled_further(self) -> bool:
         """Whether somebody has filled the page's table further down: then its verdicts are of more rows than the plan's."""
         return self.values.get(self.plan.main, self.plan.at.last + 1, 0) is not None
 

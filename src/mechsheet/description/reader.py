@@ -8,6 +8,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from mechsheet.description import dimensions, gears, joints, links, results
+from mechsheet.description import outputs as further_outputs
 from mechsheet.description.asked import exercise, study, synthesis, tolerances
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
@@ -164,6 +165,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     table = (*table, *cells)
 
     results.declare(outputs, summary, scope)
+    of_rows, of_motion = further_outputs.outputs(outputs, driven, scope)
     workbook, solution = part(data, "workbook", {}), part(data, "solution", {})
     wheel = part(data, "flywheel", {})
     flywheel.declare(wheel, scope)
@@ -176,7 +178,8 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "sketch": sketch,
         "relations": relations,
         "drivers": further,
-        "outputs": results.outputs(outputs, scope),
+        "outputs": of_rows,
+        "motion_outputs": of_motion,
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(part(data, "charts", []), scope),
         "tables": results.tables(part(data, "tables", []), driven, scope),

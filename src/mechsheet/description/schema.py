@@ -387,7 +387,9 @@ LOAD = Table(
 
 OUTPUT = Table(
     {
-        "formula": Key(Text(longest=8000), "an expression over variables and dimensions", True),
+        "formula": Key(
+            Text(longest=8000), "an expression over variables and dimensions, or over summaries and dimensions", True
+        ),
         "unit": Key(
             Text(longest=20), 'as for a dimension, or any label but for an angle; "deg": the formula yields radians'
         ),
@@ -632,7 +634,9 @@ DESCRIPTION = Table(
         "loads": Key(Items(LOAD), "forces and torques on links"),
         "flywheel": Key(FLYWHEEL, "how large one must be, for whole turns at constant speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
-        "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
+        "outputs": Key(
+            Named(OUTPUT, "output"), "further quantities of every row; of the whole motion where they name summaries"
+        ),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
         "tolerance": Key(TOLERANCES, "bands that follow from the tolerances of dimensions; needs no keys"),
         "charts": Key(Items(CHART), "charts; sensible ones are chosen when left out"),

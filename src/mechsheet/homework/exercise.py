@@ -215,7 +215,8 @@ def fulfils(mechanism: Mechanism, dimensions: Mapping[str, float], needs: Sequen
     for summary in mechanism.summaries:
         kind = truth.kinds.get(summary.of, "number")
         number = taken(truth.columns[summary.of], summary.take, kind)
-        values[summary.symbol] = math.degrees(number) if kind == "angle" else number
+        own = next((output.unit for output in mechanism.outputs if output.symbol == summary.of), mechanism.angle_unit)
+        values[summary.symbol] = math.degrees(number) if kind == "angle" and own.in_degrees else number
     return all(_holds(need, values, bool(truth.exists.all())) for need in needs)
 
 

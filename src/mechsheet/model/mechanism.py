@@ -367,13 +367,15 @@ class Sketch:
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A further quantity: an expression over variables (`C.x` too) and dimensions; `unit` as a dimension's, or any label."""
+    """A further quantity: an expression over variables (`C.x` too) and dimensions, or over summaries and dimensions; `unit`
+    as a dimension's, or any label; `written`: the formula as the description has it."""
 
     symbol: str
     formula: Node
     unit: Unit
     label: Words | None = None
     cell: str | None = None
+    written: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -435,6 +437,7 @@ class Solution:
 class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
+    outputs      quantities of every row;  motion_outputs: those whose formulas name summaries: one number of the motion each
     relations    gears, belts and racks
     drivers      what is driven besides the driver, each after those that it follows
     rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
@@ -456,6 +459,7 @@ class Mechanism:
     driver: Driver
     sketch: Sketch = Sketch()
     outputs: tuple[Output, ...] = ()
+    motion_outputs: tuple[Output, ...] = ()
     summaries: tuple[Summary, ...] = ()
     charts: tuple[ChartRequest, ...] = ()
     tables: tuple[TableRequest, ...] = ()
@@ -486,6 +490,11 @@ class Mechanism:
             return unit
         known = self.angle_unit if unit.kind == "angle" else Unit(unit.kind, self.length_unit)
         return replace(known, per=unit.per)
+
+    @property
+    def motion_numbers(self) -> tuple[Summary | Output, ...]:
+        """What is one number of the whole motion: summaries, then the outputs that follow from them."""
+        return (*self.summaries, *self.motion_outputs)
 
     @property
     def flywheel(self) -> Dimension | None:

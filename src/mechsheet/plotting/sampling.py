@@ -112,6 +112,7 @@ def sample(
         layout="sheets",
         tables=(),
         summaries=(),
+        motion_outputs=(),
     )
     found = Sample(drawn, compiled.modes, sweep, shown, vectors)
     if vectors and not found.plan.arrows:

@@ -284,7 +284,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     inputs = [dim for dim in own if not dim.derived or dim.symbol in found]
     derived = sorted((dim for dim in own if dim not in inputs), key=lambda dim: order[dim.symbol])
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
-    taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
+    singles = mechanism.motion_numbers
+    taken |= {folded(each.cell) for each in (*singles, *mechanism.outputs) if each.cell}
     plan.next_row = FIRST_BLOCK
     shown = [f"show_{kind}" for kind in plan.arrows]
     _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
@@ -304,7 +305,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
-        _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
+        _block(plan, "summary", [each.symbol for each in singles])
     if mechanism.bands:
         _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
     _block(plan, "verdicts", plan.found.entries)
@@ -332,10 +333,12 @@ def _plan_names_and_blocks(plan: Plan) -> None:
             name = safe_name(plan.text(f"name.{key}"), taken)
             degrees = mechanism.driver.unit.in_degrees
             _spot(plan, f"#{key}", plan.blocks["sweep"].rows[key], degrees, name, taken)
-    for summary in mechanism.summaries:
-        row = plan.blocks["summary"].rows[summary.symbol]
-        name = summary.cell or safe_name(summary.symbol, taken)
-        _spot(plan, f"#summary {summary.symbol}", row, False, name, taken)
+    for each in singles:
+        row = plan.blocks["summary"].rows[each.symbol]
+        _spot(plan, f"#summary {each.symbol}", row, False, each.cell or safe_name(each.symbol, taken), taken)
+    for output in mechanism.outputs:
+        if output.cell:
+            plan.names.append(Name(output.cell, plan.main, plan.blocks["variables"].rows[output.symbol], VALUE))
     name = safe_name(plan.text("name.position"), taken)
     _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
     for key in shown:

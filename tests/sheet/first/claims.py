@@ -221,7 +221,7 @@ class _Judge:
             return
         try:
             self.truth = Truth(self.sheets, {key: value for key, value in self.inputs.items() if key != "#position"})
-        except ValueError:  # a derived dimension that does not exist
+        except (ValueError, ArithmeticError):  # a derived dimension, or a place over dimensions, that does not exist
             self.say("impossible: red", self.sheets.colour(VERDICT_ROW, 0) == "red", self.sheets.colour(VERDICT_ROW, 0))
             return
         if self.truth.step == 0 and self.truth.stepped:

@@ -97,6 +97,8 @@ def _report_unknown(name: str, path: Path, scope: Scope) -> None:
     if scope.complete:
         known = [*scope.outputs, *scope.summaries, *scope.variables]
         message = f"no output, variable or summary is called {quoted(name)}"
+        if name in scope.motion_outputs:
+            message = f"{quoted(name)} follows from summaries: bands are found of these"
         scope.report.at(path, message, suggestion(name, known, "allowed"))
 
 

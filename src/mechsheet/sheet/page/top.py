@@ -13,6 +13,7 @@ from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
+from mechsheet.sheet.first.summaries import output_words, over_summaries
 from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, over_rows
 from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
@@ -313,6 +314,13 @@ class Top:
             kind = (plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit).kind
             value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=self._taken(summary))
             self.fill(row, VALUE, value, value_style(plan, kind))
+        for output in plan.mechanism.motion_outputs:
+            row = plan.blocks["summary"].rows[output.symbol]
+            meaning = plan.text("page.take.rows", label=output_words(plan, output))
+            self.line(row, rich(output.symbol), plan.mechanism.shown(output.unit).text, meaning)
+            value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"),
+                            value=over_summaries(plan, output))  # fmt: skip
+            self.fill(row, VALUE, value, value_style(plan, output.unit.kind))
 
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""
