@@ -43,7 +43,7 @@ NEWTON: dict[str, tuple[str, str]] = {
     ),
     "verdict.same_assembly": ("assembly", "montaj"),
     "verdict.same_assembly.kept": ("the same assembly in every row", "her satırda aynı montaj"),
-    "verdict.same_assembly.lost": ("rows that leap to another assembly", "başka montaja sıçrayan satır"),
+    "verdict.same_assembly.lost": ("rows that may be of another assembly", "başka montajda olabilecek satır"),
     "verdict.least_det": ("least |det|", "en küçük |det|"),
     "verdict.least_det.words": ("nearest to where assemblies meet", "montajların birleştiği yere en yakın"),
     "checks.residual": ("residual, group {number}", "kalan, {number}. grup"),

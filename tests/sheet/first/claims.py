@@ -150,19 +150,23 @@ class Truth(Search):
                 for key in ("start", "step")
             )
             listed = start + step * np.arange(self.plan.rows)
-        groups = tuple(
-            replace(group, assembly=group.assembly_of(given.pop(group.mode))) if group.mode in given else group
-            for group in equations.groups
-        )
+        groups = tuple(self._as_typed(group, given, dimensions) for group in equations.groups)
         if given:
             raise ValueError(f"unknown inputs: {given}")
         stepped = not (driver.values or self.plan.newton)
         super().__init__(mechanism, replace(equations, groups=groups), {driver.symbol: listed}, stepped=stepped)
 
+    @staticmethod
+    def _as_typed(group, given, dimensions):
+        """A group with the assembly that is typed, or that follows from the task of a synthesis."""
+        if group.follows is not None:
+            return replace(group, assembly=group.assembly_of(number(group.follows, dimensions)))
+        return replace(group, assembly=group.assembly_of(given.pop(group.mode))) if group.mode in given else group
+
     def value_at(self, symbol, driver_shown, of=None):
         """The quantity at a value of the driver as shown, as the sweep reaches it."""
         if self.stepped:
-            u = 1 + (driver_shown / self.scale - self.start) / self.step
+            u = 1 + (driver_shown / self.scale - float(self.driver(1.0))) / self.step
         else:
             u = 1 + float(np.argmin(np.abs(self.listed - driver_shown / self.scale)))
         if not 1 - 1e-6 <= u <= self.rows + 1e-6:
@@ -339,7 +343,11 @@ class _Judge:
             if key not in self.plan.at.spots:
                 continue
             shown = sheets.spot(key)
-            u = 1 + (shown / truth.scale - truth.start) / truth.step if isinstance(shown, float) else math.nan
+            u = (
+                1 + (shown / truth.scale - float(truth.driver(1.0))) / truth.step
+                if isinstance(shown, float)
+                else math.nan
+            )
             tolerance = LIMIT if not truth.doubtful and self.verdict("about") not in words else 5e-2
             self.say("limit", any(abs(u - place) <= tolerance for place in places), number_, u, places)
             if isinstance(shown, float) and number_ <= 2:
@@ -428,7 +436,10 @@ class _Judge:
             self.say("verdict", line.startswith(self.verdict("line.nowhere")[:12]), line)
             self.say("verdict colour", colour == "red", colour)
             return
-        if truth.count == truth.rows:
+        if self.plan.newton and (lost := self.rows_off_their_trend()):
+            self.say("verdict", line == self.verdict("same_assembly.lost"), line, lost)
+            self.say("verdict colour", colour == "red", colour)
+        elif truth.count == truth.rows:
             self.say("verdict", line.startswith(self.verdict("line.all", rows=truth.rows)), line)
             if not truth.doubtful:
                 self.say("verdict colour", colour == ("amber" if truth.holes else "green"), colour, truth.holes)
@@ -436,6 +447,24 @@ class _Judge:
             said = numbers_in(line.split(";")[0])
             self.say("verdict", sorted(said[:2]) == sorted([truth.count, truth.rows]), line, truth.count)
             self.say("verdict colour", colour == "amber", colour)
+
+    def rows_off_their_trend(self):
+        """Rows in which an unknown of Newton's method leaves its trend by more than 45 degrees, or behind a gap."""
+        truth, off = self.truth, 0
+        for group in self.plan.equations.groups:
+            if group.system is None:
+                continue
+            largest = np.zeros(truth.rows)
+            for name in group.system.variables:
+                column = np.asarray(truth.at[name], float)
+                most = math.radians(45.0) * (1.0 if truth.is_angle(name) else self.plan.size)
+                step = np.diff(column, prepend=np.nan)
+                bent = np.diff(step, prepend=np.nan)
+                largest = np.maximum(largest, np.nan_to_num(np.abs(np.where(np.isnan(bent), step, bent))) / most)
+            begins = truth.row_there & ~np.concatenate(([False], truth.row_there[:-1]))
+            begun = np.cumsum(begins)
+            off += int(np.sum(truth.row_there & np.where(begins, begun > 1, largest > 1)))
+        return off
 
     def grashof(self, loop):
         truth, sheets = self.truth, self.sheets

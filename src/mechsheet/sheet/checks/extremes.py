@@ -1,10 +1,11 @@
 """The sheet of extremes: the smallest and the largest value of a quantity over the motion, not only over the rows.
 
 From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row
-beside it, and one at the vertex of the parabola through the row and these two. Where the best row is the last before a
-limit, the second probe is made at the limit. What is given has been attained: the best of the row, the probes and both ends
-of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows at its ends are
-neighbours, which is decided by formulas: start and step may change.
+beside it (or as far on the row's other side, where the first is worse than the row), and one at the vertex of the parabola
+through the row and these two. Where the best row is the last before a limit, the second probe is made where a parabola
+over the root of the distance from the limit has its vertex. What is given has been attained: the best of the row, the
+probes and both ends of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows
+at its ends are neighbours, which is decided by formulas: start and step may change.
 """
 
 from __future__ import annotations
@@ -35,6 +36,9 @@ PROBES = 4
 
 BESIDE = 0.1
 """How far beside the first probe the second is made, in rows."""
+
+FROM_END = 0.25
+"""How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
 SETTLED = 1e-4
 """The last probe may improve a value by this part of its range; more, and the value is said to be about right."""
@@ -231,7 +235,7 @@ class Extremes:
             self._result(symbol, way, block)
             return
         probes.lay(block, [symbol])
-        self._first_probes(column, symbol, block)
+        self._first_probes(column, symbol, way, block)
         self._further_probes(block)
         for index in range(1, PROBES + 1):
             cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
@@ -265,8 +269,8 @@ class Extremes:
         )  # fmt: skip
         return most
 
-    def _first_probes(self, column: Node, symbol: str, block: Block) -> None:
-        """At the vertex of the parabola through three rows of the stretch; then beside it, or at the limit."""
+    def _first_probes(self, column: Node, symbol: str, way: Way, block: Block) -> None:
+        """At the vertex of the parabola through three rows of the stretch; then beside it, or on the row's other side."""
         plan, probes, row = self.plan, self.probes, block.row
         here = probes.cell(row, AT)
         # of several stretches the rows are all, so the probes know the first one only
@@ -299,16 +303,52 @@ class Extremes:
             "middle+IFERROR((before-after)/(2*(before-2*value+after)),0)",
             middle=middle, before=before, value=value, after=after,
         )  # fmt: skip
-        inside = formula(
-            "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(low,here-1,MIN(high,here+1,vertex)))",
-            wraps=around, here=here, vertex=vertex, low=low, high=high,
+        # beyond the motion's first or last row there is nothing: a dip may lie between it and the next
+        least, most = (
+            formula("IF(AND(here=edge,end=edge),here+far,end)", here=here, edge=edge, end=end, far=far)
+            for edge, end, far in ((first, low, FROM_END), (last, high, -FROM_END))
+        )
+        place = formula(
+            "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(least,here-1,MIN(most,here+1,vertex)))",
+            wraps=around, here=here, vertex=vertex, least=least, most=most,
         )  # fmt: skip
-        vertex_at = probes.work(row + 1, AT, "inside", inside=inside)
-        beside = formula("middle+IF(middle-here>1E-6,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
-        probes.work(
-            row + 2, AT,
-            "IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,IF(wraps>0,beside,MAX(low,MIN(high,beside)))))",
-            here=here, first=first, last=last, low=low, high=high, wraps=around, beside=beside,
+        one = probes.work(row + 1, AT, "place", place=place)
+        worse = formula("there>best" if way == "min" else "there<best", there=probes.cell(row + 1, VALUE),
+                        best=probes.cell(row, VALUE))  # fmt: skip
+        aside = formula(
+            "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),IF(worse,2*here-one,one+IF(one-here>1E-6,-beside,beside))))",
+            wraps=around, low=low, high=high, rows=plan.rows, worse=worse, here=here, one=one, beside=BESIDE,
+        )  # fmt: skip
+        if self.ends:
+            aside = formula("IF(ISNUMBER(root),root,aside)", root=self._from_limit(block, around), aside=aside)
+        probes.work(row + 2, AT, "aside", aside=aside)
+
+    def _from_limit(self, block: Block, wraps: Node) -> CellRef:
+        """Where the best row is the last before a limit: a quantity goes there as a root does. The place of the vertex of
+
+        y(w) = y0 + b w + c w^2 with w^2 = |u - limit|, through the limit, that row and the next; else a text.
+        """
+        probes, row = self.probes, block.row
+        here, best, next_best = probes.cell(row, AT), probes.cell(row, VALUE), probes.cell(row + 1, SIDE + 5)
+        first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
+        low, high = self._ends_of_stretch()
+        limit = probes.work(
+            row + 3, SIDE, 'IF(wraps>0,"",IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,"")))',
+            wraps=wraps, here=here, first=first, last=last, low=low, high=high,
+        )  # fmt: skip
+        values = [probes.cell(row + PROBES + index, VALUE) for index in (1, 2)]
+        there = probes.work(row + 3, SIDE + 1, "IF(limit=low,at_low,at_high)", limit=limit, low=low,
+                            at_low=values[0], at_high=values[1])  # fmt: skip
+        far = formula("ABS(here-limit)", here=here, limit=limit)
+        root = formula(
+            "((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next))",
+            far=far, rise=formula("best-there", best=best, there=there),
+            next=formula("best-there", best=next_best, there=there),
+        )  # fmt: skip
+        return probes.work(
+            row + 3, SIDE + 2,
+            'IF(ISNUMBER(limit),IFERROR(limit+SIGN(here-limit)*MIN(far+1,MAX(0,root)^2),limit),"")',
+            limit=limit, here=here, far=far, root=root,
         )  # fmt: skip
 
     def _ends_of_stretch(self) -> tuple[CellRef, CellRef]:
@@ -336,10 +376,8 @@ class Extremes:
                 (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
             ]
             near = formula("MAX(middle-1,MIN(middle+1,vertex))", middle=middle, vertex=vertex_of(points))
-            probes.work(
-                row + probe, AT, "IFERROR(IF(wraps>0,near,MAX(low,MIN(high,near))),middle)",
-                wraps=wraps, near=near, low=low, high=high, middle=middle,
-            )  # fmt: skip
+            place = formula("IF(wraps>0,near,MAX(low,MIN(high,near)))", wraps=wraps, near=near, low=low, high=high)
+            probes.work(row + probe, AT, "IFERROR(place,middle)", place=place, middle=middle)
 
     def _result(self, symbol: str, way: Way, block: Block) -> None:
         """The best of the row and the probes, where it is, and whether the probes have settled."""

@@ -102,6 +102,10 @@ class _Block:
         self.writer.formula(row, MEANING, words, styles.VERDICT)
         return self.value(key)
 
+    def where_it_closes(self, words: Node | str) -> Node:
+        """Words about rows: nothing where no row closes."""
+        return formula('IF(closed=0,"",words)', closed=self.value("rows_closed"), words=words)
+
     def value(self, key: str) -> CellRef:
         """The cell of a line's value."""
         return CellRef(self.rows[key], VALUE, True, True)
@@ -270,15 +274,16 @@ class _Block:
         self.colour(key, "said=kept", styles.GOOD, said=self.words(key), kept=kept)
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line("largest_residual", self.text("residual"), "", self.checks.worst("residual"), style,
-                  Text(self.text("residual.fine")))  # fmt: skip
+                  self.where_it_closes(self.text("residual.fine")))  # fmt: skip
         key, cell = "passes_needed", self.value("passes_needed")
         most = max(group.system.passes for group in self.plan.equations.groups if group.system is not None)
         words = formula("IF(count>most,many,fine)", count=cell, most=most, many=self.text(f"{key}.many", passes=most),
                         fine=self.text(f"{key}.fine", passes=most))  # fmt: skip
-        self.line(key, self.text(key), "", self.checks.worst("needed"), 0, words)
+        self.line(key, self.text(key), "", self.checks.worst("needed"), 0, self.where_it_closes(words))
         self.colour(key, "count>most", styles.WARN, count=cell, most=most)
         key = "least_det"
-        self.line(key, self.text(key), "", self.checks.worst("det"), 4, Text(self.text(f"{key}.words")))
+        words = self.where_it_closes(self.text(f"{key}.words"))
+        self.line(key, self.text(key), "", self.checks.worst("det"), 4, words)
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("det")))
 
     # --- four-bar loops ---------------------------------------------------------------------------------------
@@ -417,7 +422,7 @@ class _Block:
                            ok=self.plan.text("status.ok"))  # fmt: skip
         some = self.text("dead_centres.some", rates=self.plan.at.titles["rates"])
         words = formula("IF(count=0,none,some)", count=cell, none=self.text("dead_centres.none"), some=some)
-        self.line(key, self.text(key), f"/ {self.plan.rows}", count, 0, words)
+        self.line(key, self.text(key), f"/ {self.plan.rows}", count, 0, self.where_it_closes(words))
         self.colour(key, "count>0", styles.WARN, count=cell)
 
     def fits(self, kind: Literal["velocity", "acceleration"], key: str) -> None:
@@ -427,9 +432,10 @@ class _Block:
         words = formula("IF(gap>rounding,wrong,fine)", gap=self.value(key), rounding=rounding, wrong=wrong,
                         fine=self.text("rates.fit"))  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        self.line(key, self.text(key), self.plan.mechanism.length_unit, self.checks.worst(kind), style, words)
+        unit = self.plan.mechanism.length_unit
+        self.line(key, self.text(key), unit, self.checks.worst(kind), style, self.where_it_closes(words))
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
-        self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
+        self.colour(key, "said=fine", styles.GOOD, said=self.words(key), fine=self.text("rates.fit"))
 
     # --- forces -----------------------------------------------------------------------------------------------
 
@@ -440,7 +446,8 @@ class _Block:
         unit = plan.equations.of(effort).unit
         style = styles.decimals(styles.RESULT, places_of(plan, unit))
         key = "largest_effort"
-        self.line(key, rich(effort), unit.text, self.checks.worst("effort"), style, Text(self.text(key)))
+        self.line(key, rich(effort), unit.text, self.checks.worst("effort"), style,
+                  self.where_it_closes(self.text(key)))  # fmt: skip
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("effort")))
         key, cell = "largest_force", self.value("largest_force")
         names: list[Node | str] = [
@@ -452,16 +459,16 @@ class _Block:
         force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
         style = styles.decimals(styles.RESULT, places(plan, "force"))
         self.line(key, self.text(key), force_unit, self.checks.worst("force"), style,
-                  joined(self.text(f"{key}.words"), *names))  # fmt: skip
+                  self.where_it_closes(joined(self.text(f"{key}.words"), *names)))  # fmt: skip
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("force")))
         key = "effort_fits"
         wrong = self.text("effort.not", sheet=self.checks.title)
         words = formula("IF(gap>agrees,wrong,fine)", gap=self.value(key), agrees=AGREES, wrong=wrong,
                         fine=self.text("effort.fit"))  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        self.line(key, self.text(key), "", self.checks.worst("torque"), style, words)
+        self.line(key, self.text(key), "", self.checks.worst("torque"), style, self.where_it_closes(words))
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
-        self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
+        self.colour(key, "said=fine", styles.GOOD, said=self.words(key), fine=self.text("effort.fit"))
 
     def flywheel(self) -> None:
         """Mean torque, change of energy over the turn, and the moment of inertia that keeps the speed within its bounds."""
@@ -476,7 +483,8 @@ class _Block:
         missing = self.text("flywheel.missing")
 
         def said(key: str, words: Node | str) -> Node:
-            return formula("IF(ISNUMBER(value),words,missing)", value=self.value(key), words=words, missing=missing)
+            known = formula("IF(ISNUMBER(value),words,missing)", value=self.value(key), words=words, missing=missing)
+            return self.where_it_closes(known)
 
         unit = plan.equations.of(torque).unit.text
         self.line("mean_torque", self.text("mean_torque"), unit, mean, style,
