@@ -109,6 +109,23 @@ def test_a_study_that_is_killed_again_and_again_ends_with_the_same_bytes(whole, 
     assert contents(folder) == whole[1]
 
 
+@pytest.mark.slow
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="nothing kills a process without a word here")
+def test_a_study_that_is_killed_leaves_no_process_behind(tmp_path):
+    """Its processes would wait for parts for ever, and hold their memory."""
+    description = tmp_path / "four-bar.toml"
+    description.write_text(small(3_000_000).text, encoding="utf-8")
+    folder = tmp_path / "study"
+    command = [sys.executable, "-m", "mechsheet", "study", str(description), "-o", str(folder), "--workers", "2"]
+    run = subprocess.Popen(command, stdout=subprocess.PIPE)
+    until = time.monotonic() + 60
+    while not list(folder.glob("parts/*.parquet")):
+        assert run.poll() is None and time.monotonic() < until
+        time.sleep(0.05)
+    run.kill()
+    run.communicate(timeout=60)  # ends when nobody holds its output any more
+
+
 # --- folders ---------------------------------------------------------------------------------------------------------------
 
 
@@ -124,6 +141,18 @@ def test_the_folder_of_another_study_is_left_alone(whole, tmp_path):
     shutil.copytree(whole[0].folder.path, folder)
     with pytest.raises(OutputError, match=r"another study: it differs in designs.*description"):
         studied(small(20_000), folder, workers=1, resume=True)
+    assert contents(folder) == whole[1]
+
+
+def test_a_study_without_a_part_makes_room_for_another(whole, tmp_path):
+    """Nobody answered, or the disk was full from the beginning: another try needs no other folder."""
+    folder = tmp_path / "study"
+    (folder / "parts").mkdir(parents=True)
+    (folder / ".study.json.1234.tmp").touch()
+    studied(small(3_000), folder, workers=1)
+    for path in (*folder.glob("parts/*.parquet"), folder / ".study.json.1234.tmp"):
+        path.unlink()
+    studied(small(), folder, workers=1)
     assert contents(folder) == whole[1]
 
 

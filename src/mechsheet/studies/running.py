@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from threading import Thread
 from typing import TypeAlias
 
 from mechsheet.diagnostics import Fault, MechsheetError
@@ -45,7 +46,7 @@ def here(order: Order, parts: Iterable[int], workers: int) -> Parts:
             yield compute(order, part)
         return
     # new processes, not copies of this one: it may run threads
-    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"))
+    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), initializer=_end_with_parent)
     try:
         yield from ahead(lambda part: pool.submit(compute, order, part), parts, AHEAD * workers)
     except BrokenProcessPool as error:
@@ -54,6 +55,13 @@ def here(order: Order, parts: Iterable[int], workers: int) -> Parts:
         raise MechsheetError(Fault(message, hint=hint)) from error
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def _end_with_parent() -> None:
+    """A process whose parent is killed would wait for parts for ever: it ends, too."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        Thread(target=lambda: (parent.join(), os._exit(1)), daemon=True).start()
 
 
 def ahead(submit: Callable[[int], Future[Done]], parts: Iterable[int], most: int) -> Parts:

@@ -16,9 +16,6 @@ from mechsheet.model import EXTREME, POINT_RATES, Condition, Objective, Range, S
 
 MOST_OBJECTIVES = 3
 MOST_DESIGNS = 10**12
-MOST_SAMPLED = 2**30
-"""Points of Sobol's sequence: more tell nothing that these do not."""
-
 RATE = 200_000
 """Designs a second on one core, in round numbers: for what is said of a study that nobody should wait for."""
 
