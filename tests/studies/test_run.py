@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -13,10 +14,10 @@ import pytest
 
 from mechsheet.diagnostics import MechsheetError, MissingProgramError, OutputError
 from mechsheet.studies import folder as folders
-from mechsheet.studies import packages, parts
+from mechsheet.studies import packages, parts, running
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.run import studied
-from mechsheet.studies.running import OF_A_PROCESS, workers_within
+from mechsheet.studies.running import OF_A_PROCESS, memory_there, workers_within
 from studying import small, study_of
 
 pq = pytest.importorskip("pyarrow.parquet")
@@ -230,6 +231,34 @@ def test_memory_decides_how_many_processes_there_are():
     assert workers_within(1, OF_A_PROCESS) == 1
     with pytest.raises(MechsheetError, match="too little"):
         workers_within(2, 2**20)
+
+
+def test_a_container_with_little_memory_gets_fewer_processes(monkeypatch, tmp_path):
+    """What it may have counts, not the machine's cores; who asks for so many processes gets them."""
+    monkeypatch.setattr(running, "_cores", lambda: 64)
+    limit, none = tmp_path / "memory.max", tmp_path / "none"
+    monkeypatch.setattr(running, "LIMITS", (str(limit), str(none)))
+    limit.write_text(f"{12 * OF_A_PROCESS}\n")
+    assert memory_there() == 12 * OF_A_PROCESS
+    assert workers_within(None, None) == 8
+    assert workers_within(64, None) == 64
+    limit.write_text(f"{OF_A_PROCESS // 2}\n")
+    assert workers_within(None, None) == 1
+    limit.write_text("max\n")
+    assert memory_there() > 2**28
+
+
+def test_a_chunk_takes_no_more_memory_for_a_long_table():
+    """2,048 designs over 1,801 rows: a column of all of them would take 28 MiB."""
+    designs = Designs(study_of("[study]\nvary = { a2 = [10, 30, 0.25], a3 = [55, 65, 0.25] }", rows=1_801))
+    designs.kept(0, 16)
+    tracemalloc.start()
+    try:
+        designs.kept(0, 2_048)
+        most = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert most < 2_048 * 1_801 * 2
 
 
 def test_a_design_without_a_number_is_null(tmp_path):

@@ -48,11 +48,14 @@ def _said(found: Studied, key: str) -> str:
 
 
 def _cloud(found: Studied, names: Sequence[str]) -> Array:
-    """Some of the designs kept, the same number of each part."""
+    """Some of the designs kept, the same number of each part; one part is held at a time."""
     paths = found.folder.parts(found.order)
     most = max(1, CLOUD // len(paths))
-    parts = [arrow().parquet.read_table(path, columns=list(names)) for path in paths[:: max(1, len(paths) // CLOUD)]]
-    return np.concatenate([_numbers(part[:: max(1, part.num_rows // most)], names) for part in parts])
+    points = []
+    for path in paths[:: max(1, len(paths) // CLOUD)]:
+        part = arrow().parquet.read_table(path, columns=list(names))
+        points.append(_numbers(part[:: max(1, part.num_rows // most)], names))
+    return np.concatenate(points)
 
 
 def _numbers(table: Any, names: Sequence[str]) -> Array:
