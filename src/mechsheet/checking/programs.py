@@ -174,7 +174,7 @@ def _formulas(path: Path) -> Answers:
         warnings.simplefilter("ignore")
         try:
             import formulas
-            import openpyxl  # noqa: F401: it reads the file for `formulas`
+            import openpyxl  # noqa: F401  (it reads the file for `formulas`, when asked)
         except ImportError:
             raise missing_package("formulas", "formulas") from None
 
