@@ -3,9 +3,9 @@
     python tools/documented.py                                      # the mechsheet on the PATH
     python tools/documented.py --program /tmp/venv/bin/mechsheet    # one that is installed elsewhere
 
-Run are the lines of `sh` blocks that call mechsheet. A whole description that a page shows lies in the folder as NAME.toml, as
-if the reader had saved it. What needs an extra that is not installed is told apart from what fails. tests/test_readme.py runs
-the same lines inside one process, from the checkout.
+Run are the lines of `sh` blocks that call mechsheet. A whole description that a page shows lies in the folder as NAME.toml,
+as if the reader had saved it. What needs an extra that is not installed is told apart from what fails. tests/test_readme.py
+runs the same lines inside one process, from the checkout.
 """
 
 from __future__ import annotations
