@@ -248,6 +248,23 @@ def test_a_container_with_little_memory_gets_fewer_processes(monkeypatch, tmp_pa
     assert memory_there() > 2**28
 
 
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the system does not say how much a process has had")
+def test_a_process_has_as_much_memory_as_is_counted_with(tmp_path):
+    """Whatever --limit-memory promises follows from this: a full part of which everything is kept, of many columns."""
+    summaries = "".join(f'more_{number} = {{ of = "theta14", take = "max" }}\n' for number in range(40))
+    text = study_of('[study]\nsample = "sobol"\ncount = 65536\nvary = { a2 = [20, 30] }', rows=13).text
+    path = tmp_path / "many.toml"
+    path.write_text(text.replace("[summary]\n", f"[summary]\n{summaries}"), encoding="utf-8")
+    script = (
+        "import re, sys; from pathlib import Path; from mechsheet.studies.parts import Order, compute, versions;"
+        "compute(Order(Path(sys.argv[1]).read_text('utf-8'), 65536, 65536, tuple(versions().items())), 0);"
+        "print(re.search('VmHWM:(.*) kB', Path('/proc/self/status').read_text()).group(1))"  # maxrss has its parent's, too
+    )
+    done = subprocess.run([sys.executable, "-c", script, str(path)], check=True, capture_output=True, text=True)
+    assert 1024 * int(done.stdout) < OF_A_PROCESS
+
+
 def test_a_chunk_takes_no_more_memory_for_a_long_table():
     """2,048 designs over 1,801 rows: a column of all of them would take 28 MiB."""
     designs = Designs(study_of("[study]\nvary = { a2 = [10, 30, 0.25], a3 = [55, 65, 0.25] }", rows=1_801))
