@@ -27,7 +27,7 @@ def contents(folder):
 @pytest.fixture
 def two_workers():
     with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1", silence_logs=50
+        n_workers=2, threads_per_worker=1, dashboard_address=":0", host="127.0.0.1", silence_logs=50
     ) as running:
         yield running
 
@@ -55,7 +55,7 @@ def test_a_worker_that_is_killed_in_the_middle_takes_nothing_with_it(two_workers
 def test_a_cluster_without_workers_is_told(monkeypatch, tmp_path):
     monkeypatch.setattr(cluster, "SECONDS", 0.5)
     with (
-        distributed.LocalCluster(n_workers=0, dashboard_address=None, host="127.0.0.1", silence_logs=50) as running,
+        distributed.LocalCluster(n_workers=0, dashboard_address=":0", host="127.0.0.1", silence_logs=50) as running,
         pytest.raises(MechsheetError, match="has no workers"),
     ):
         studied(small(), tmp_path / "study", on=running.scheduler_address)
