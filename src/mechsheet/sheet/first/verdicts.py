@@ -518,10 +518,8 @@ class _Block:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", self.words(f"grashof_{loop.group}")]
-        for group in plan.found.transmission[:1]:
-            key, what = f"transmission_{group.number}", f"; {self.text('line.transmission')} "
-            said = formula('IF(ISNUMBER(value),what&words,"")', value=self.value(key), what=what, words=self.words(key))
-            parts.append(said)
+        if plan.found.transmission:
+            parts.append(self._worst_transmission())
         gap = self.words("largest_gap")
         good = joined(*parts)
         lost: Node | None = None
@@ -548,6 +546,22 @@ class _Block:
         self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
+
+    def _worst_transmission(self) -> Node:
+        """The words of the group with the least angle of transmission; of several with its symbol."""
+        keys = [f"transmission_{group.number}" for group in self.plan.found.transmission]
+        what = f"; {self.text('line.transmission')} "
+        if len(keys) == 1:
+            return formula('IF(ISNUMBER(value),what&words,"")', value=self.value(keys[0]), what=what,
+                           words=self.words(keys[0]))  # fmt: skip
+        symbols, values, said = (
+            RangeRef(*(CellRef(self.rows[key], col, True, True) for key in (keys[0], keys[-1])))
+            for col in (SYMBOL, VALUE, MEANING)
+        )
+        return formula(
+            'IFERROR(what&INDEX(symbols,MATCH(MIN(values),values,0))&" "&INDEX(said,MATCH(MIN(values),values,0)),"")',
+            what=what, symbols=symbols, values=values, said=said,
+        )  # fmt: skip
 
 
 def _in(value: Node, degrees: bool) -> Node:

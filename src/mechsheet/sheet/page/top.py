@@ -281,8 +281,10 @@ class Top:
         parts: list[Node | str] = [counted, rows, text("page.verdict.positions")]
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)]
-        for group in plan.found.transmission[:1]:
-            value = self.cell(f"#transmission_{group.number}")
+        if plan.found.transmission:
+            value: Node = Call(
+                "MIN", tuple(self.cell(f"#transmission_{each.number}") for each in plan.found.transmission)
+            )
             unit = plan.mechanism.angle_unit.text
             parts += [text("page.verdict.transmission"), formula("ROUND(value,1)", value=value),
                       f"{'' if unit == '°' else ' '}{unit}{text('page.verdict.rows')}"]  # fmt: skip
