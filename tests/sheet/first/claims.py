@@ -159,9 +159,11 @@ class Truth(Search):
     @staticmethod
     def _as_typed(group, given, dimensions):
         """A group with the assembly that is typed, or that follows from the task of a synthesis."""
+        if group.mode in given:
+            return replace(group, assembly=group.assembly_of(given.pop(group.mode)))
         if group.follows is not None:
             return replace(group, assembly=group.assembly_of(number(group.follows, dimensions)))
-        return replace(group, assembly=group.assembly_of(given.pop(group.mode))) if group.mode in given else group
+        return group
 
     def value_at(self, symbol, driver_shown, of=None):
         """The quantity at a value of the driver as shown, as the sweep reaches it."""
@@ -569,12 +571,25 @@ class _Judge:
                 way = (abs(b - a) * abs(truth.step)) % TURN
                 if 0 < way < TURN:
                     candidates.append(max(way, TURN - way) / min(way, TURN - way))
+        candidates += self._ratio_of_places(symbol, low, high)
         about = sheets.words(f"time_ratio_{symbol}").endswith(self.verdict("about"))
         right = isinstance(shown, float) and any(
             abs(shown - ratio) <= (2e-2 if about else 2e-3) * ratio for ratio in candidates
         )
         kind = "time_ratio" + ("" if self.continuous(symbol) else " (rows too far apart)")
         self.say(kind, right, shown, candidates[:3])
+
+    def _ratio_of_places(self, symbol, low, high):
+        """The ratio by the places that the sheet says, where each is as extreme as any: of flat or equal extremes."""
+        truth, places = self.truth, []
+        for way, best in (("min", low), ("max", high)):
+            place = self.sheets.spot(f"#{way}_at_{symbol}")
+            there = truth.value_at(symbol, place) if isinstance(place, float) else None
+            if there is None or abs(there - best) > 1e-5 * (high - low):
+                return []
+            places.append(place / truth.scale)
+        way = abs(places[1] - places[0]) % TURN
+        return [max(way, TURN - way) / min(way, TURN - way)] if 0 < way < TURN else []
 
     def _ties(self, symbol, best):
         truth = self.truth
