@@ -13,6 +13,7 @@ from mechsheet.formats import read
 from mechsheet.homework.faults import Mend, Suspect, first_wrong, many
 from mechsheet.homework.marking_rules import AskedFor, asked_of
 from mechsheet.homework.remarks import Judged, remarks_of
+from mechsheet.homework.series import Series
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
 from mechsheet.homework.understanding import Understanding, understand
 from mechsheet.homework.upright import Work, upright
@@ -201,7 +202,7 @@ def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str,
         return base, first
     for truth in other_assemblies(base):
         found = findings(sheet, truth)
-        if all(found[symbol].verdict == "right" for symbol in there):
+        if all(_as_right(found[symbol], first[symbol]) for symbol in there):
             return truth, {
                 symbol: replace(one, verdict="other assembly")
                 if one.verdict == "right" and first[symbol].verdict != "right"
@@ -211,6 +212,13 @@ def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str,
     return base, first
 
 
+def _as_right(other: Finding, own: Finding) -> bool:
+    """Whether a quantity is right for another assembly, and not less plainly so than for the description's own."""
+    if other.verdict != "right" or other.reading is None:
+        return False
+    return other.reading.plain or own.verdict != "right" or own.reading is None or not own.reading.plain
+
+
 def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence[Mend]) -> AskedResult:
     """The verdict with the mends in place: a quantity whose own cells hold a fault stays wrong."""
     series = first.series or last.series
@@ -218,14 +226,16 @@ def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence
     verdict = first.verdict
     if verdict in ("wrong", "missing") and last.verdict == "right":
         verdict = "follows"
-    if series is not None and any(_holds(series.places(), mend) for mend in mends):
+    if series is not None and any(_holds(series, mend) for mend in mends):
         verdict = "wrong"
     plain: Verdict = verdict if verdict != "follows" else "wrong"
     return AskedResult(cells, verdict, plain)
 
 
-def _holds(places: Sequence[tuple[str, int, int]], mend: Mend) -> bool:
-    return not set(places).isdisjoint(mend.strip.places())
+def _holds(series: Series, mend: Mend) -> bool:
+    strip = mend.strip
+    inside = series.origin < strip.end and strip.start < series.origin + series.rows
+    return (series.sheet, series.line) == (strip.sheet, strip.line) and inside
 
 
 def _earned(asked: Mapping[str, float], wanted: AskedFor, verdicts: Mapping[str, Verdict]) -> dict[str, float]:

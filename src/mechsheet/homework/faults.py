@@ -110,10 +110,7 @@ class Search:
     def suspects(self) -> list[int]:
         """Formulas that wrong series depend on: those that are nothing of the mechanism though all they read is, first."""
         work = self.graph.work
-        ends = {
-            strip for _, series in self.goals for place in series.places() if (strip := work.at.get(place)) is not None
-        }
-        above = self.graph.above({number for number, strip in enumerate(work.strips) if strip in ends})
+        above = self.graph.above({strip for _, series in self.goals for strip in series.strips(work)})
         driver = self.found.driver
         above = {
             number
@@ -222,21 +219,25 @@ class Search:
         """What the formula could have read, but for what depends on it."""
         work = self.graph.work
         strip = work.strips[number]
-        below = {place for other in self.graph.below({number}) for place in work.strips[other].places()}
+        below = self.graph.below({number})
+
+        def free(place: Place) -> bool:
+            return work.strip_at(place) not in below
+
         single = single_cells(self.graph, self.found.driver)
         single += [
             (other.sheet, other.start, other.line)
             for other in work.strips
             if other.length == 1 and not self._beside(other)
         ]
-        single = [place for place in dict.fromkeys(single) if place not in below][:MOST_AROUND]
+        single = [place for place in dict.fromkeys(single) if free(place)][:MOST_AROUND]
         driver = self.found.driver
         own = next((s for s in self.found.series if (s.sheet, s.line) == (strip.sheet, strip.line)), None)
         lines = [(driver.sheet, driver.line, driver.start), *(series.key for series in self.found.series)]
         row = []
         for sheet, line, first in lines if own is not None else ():
             pos = first + strip.start - own.origin if own is not None else -1
-            if pos >= 0 and (sheet, pos, line) not in below:
+            if pos >= 0 and free((sheet, pos, line)):
                 row.append(CellRef(pos, line, False, False, sheet))
         return Surroundings(
             tuple(CellRef(pos, line, True, True, sheet) for sheet, pos, line in single),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -40,6 +39,10 @@ class Run:
         """Its cells."""
         return [(self.sheet, pos, self.line) for pos in range(self.start, self.end)]
 
+    def column(self, work: Work, values: Values | None = None) -> Array:
+        """Its numbers."""
+        return work.column(self.sheet, self.start, self.line, self.length, values)
+
 
 @dataclass(frozen=True, slots=True)
 class Series:
@@ -63,7 +66,11 @@ class Series:
 
     def column(self, work: Work, values: Values | None = None) -> Array:
         """Its numbers, NaN where it has none."""
-        return np.array([work.number(place, values) for place in self.places()], float)
+        return work.column(self.sheet, self.origin, self.line, self.rows, values)
+
+    def strips(self, work: Work) -> list[int]:
+        """The numbers of the strips that fill its cells."""
+        return work.strips_in(self.sheet, self.line, self.origin, self.origin + self.rows)
 
     def where(self, work: Work) -> str:
         """Its cells by name."""
@@ -80,9 +87,6 @@ class Graph:
 
     def __init__(self, work: Work) -> None:
         self.work = work
-        self.lines: dict[tuple[str, int], list[int]] = {}
-        for number, strip in enumerate(work.strips):
-            self.lines.setdefault((strip.sheet, strip.line), []).append(number)
         self.formulas: list[Node] = [work.bound(strip.formula, strip) for strip in work.strips]
         self.titles = {sheet.title.casefold(): sheet.title for sheet in work.book.sheets}
 
@@ -115,7 +119,7 @@ class Graph:
                 for line in range(left, min(right, left + 500) + 1):
                     read |= {
                         other
-                        for other in self.lines.get((sheet, line), ())
+                        for other in self.work.lines.get((sheet, line), ())
                         if self.work.strips[other].start <= high and low < self.work.strips[other].end
                     }
             found.append(read)
@@ -154,11 +158,6 @@ class Graph:
             for sheet, *area in self.areas(number):
                 found.setdefault(sheet, []).append((*area, number))  # type: ignore[arg-type]
         return found
-
-    @cached_property
-    def number_of(self) -> dict[Place, int]:
-        """The number of the strip that fills a cell."""
-        return {place: number for number, strip in enumerate(self.work.strips) for place in strip.places()}
 
     @cached_property
     def order(self) -> dict[int, int]:
@@ -222,11 +221,19 @@ def drivers(graph: Graph) -> list[Run]:
         cells = sum(
             work.strips[number].length for number in graph.below(direct) if work.strips[number].length >= SHORTEST - 1
         )
-        column = np.array([work.number(place) for place in run.places()])
+        column = run.column(work)
         if cells and np.isfinite(column).all() and np.ptp(column) > 0:
             weighed.append((cells, run))
+    weighed = weighed or [(1, run) for run in runs_of_numbers(work) if _beside_formulas(graph, run)]
     weighed.sort(key=lambda pair: (-pair[0], -pair[1].length))
     return [run for cells, run in weighed if 2 * cells >= weighed[0][0]]
+
+
+def _beside_formulas(graph: Graph, run: Run) -> bool:
+    """Whether formulas stand beside a run from end to end, though none of them reads it row by row."""
+    return bool(np.ptp(run.column(graph.work)) > 0) and any(
+        (strip.sheet, strip.start, strip.end) == (run.sheet, run.start, run.end) for strip in graph.work.strips
+    )
 
 
 def _reads_along(graph: Graph, number: int, run: Run) -> bool:
@@ -266,7 +273,7 @@ def _reads_rows(graph: Graph, number: int) -> bool:
 
 def _linear(work: Work, strip: Strip) -> float | None:
     """The step of a strip whose numbers go on by equal steps, None where they do not."""
-    column = np.array([work.number(place) for place in strip.places()])
+    column = work.column(strip.sheet, strip.start, strip.line, strip.length)
     steps = np.diff(column)
     if len(steps) < SHORTEST - 2 or not np.isfinite(column).all() or not steps[0]:
         return None
@@ -276,8 +283,8 @@ def _linear(work: Work, strip: Strip) -> float | None:
 def counted(graph: Graph, run: Run) -> list[Run]:
     """Where a run only counts the rows (0, 1, 2 ...), what is computed from it by equal steps: start + number * step."""
     work = graph.work
-    column = [work.number(place) for place in run.places()]
-    if column[0] not in (0.0, 1.0) or any(one + 1 != other for one, other in itertools.pairwise(column)):
+    column = run.column(work)
+    if column[0] not in (0.0, 1.0) or (np.diff(column) != 1).any():
         return []
     found = []
     for number in sorted(graph.readers_of(run.sheet, run.line, run.start, run.end)):
@@ -314,7 +321,7 @@ def aligned(graph: Graph, driver: Run) -> list[Series]:
     found = []
     for (sheet, line, origin), strips in grouped.items():
         series = Series(sheet, line, origin, driver.length, _main(strips), 0, driver.length - 1)
-        rows = [row for row, place in enumerate(series.places()) if work.value(place) is not None]
+        rows = np.flatnonzero(work.filled(sheet, origin, line, driver.length)).tolist()
         if rows:
             found.append(Series(sheet, line, origin, driver.length, _main(strips), rows[0], rows[-1]))
     order = {sheet.title: number for number, sheet in enumerate(work.book.sheets)}
@@ -336,6 +343,10 @@ def _origins(graph: Graph, driver: Run) -> dict[int, int]:
         if (work.strips[number].sheet, work.strips[number].line) == (driver.sheet, driver.line)
         and driver.start <= work.strips[number].start < driver.end
     }
+    for number in long:
+        strip = work.strips[number]
+        if number not in own and (strip.sheet, strip.start, strip.end) == (driver.sheet, driver.start, driver.end):
+            origins[number] = driver.start  # beside the driver from end to end, whatever it reads
     while True:
         new = {}
         for number in long:
@@ -359,7 +370,7 @@ def _origin(graph: Graph, number: int, driver: Run, origins: dict[int, int]) -> 
         if (sheet, start.col) == (driver.sheet, driver.line) and driver.start - 1 <= start.row < driver.end:
             seen[strip.start - (start.row - driver.start)] += 1
             continue
-        for other in graph.lines.get((sheet or "", start.col), ()):
+        for other in graph.work.lines.get((sheet or "", start.col), ()):
             target = graph.work.strips[other]
             if (
                 other in origins

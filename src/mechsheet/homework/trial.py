@@ -73,8 +73,7 @@ class Trial:
 
     def _columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
         work = self.graph.work
-        ends = {strip for goal in goals for place in goal.places() if (strip := work.at.get(place)) is not None}
-        last = {index for index, strip in enumerate(work.strips) if strip in ends}
+        last = {strip for goal in goals for strip in goal.strips(work)}
         affected = self.graph.below({number}) & (self.graph.above(last) | {number})
         alone = not self.graph.reads[number] & self.graph.below({number})
         if not alone or not _simple(self.graph.formulas[number]) or work.plan.settles:

@@ -26,11 +26,15 @@ STILL = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """One column of the mechanism, in radians and its length unit; NaN where it does not exist."""
+    """One column of the mechanism, in radians and its length unit; NaN where it does not exist.
+
+    points   those that it is between, where it is no column of the mechanism itself
+    """
 
     name: str
     kind: Kind
     values: Array
+    points: tuple[str, ...] = ()
 
     def moves(self, size: float) -> bool:
         """Whether it changes over the sweep."""
@@ -195,11 +199,11 @@ def vocabulary(truth: Truth) -> list[Quantity]:
     for p, q in itertools.combinations(points, 2):
         dx, dy = (places[q][axis] - places[p][axis] for axis in (0, 1))
         distance = np.hypot(dx, dy)
-        found.append(Quantity(f"|{p}{q}|", "length", distance))
-        found.append(Quantity(f"{q}.x-{p}.x", "length", dx))
-        found.append(Quantity(f"{q}.y-{p}.y", "length", dy))
+        found.append(Quantity(f"|{p}{q}|", "length", distance, (p, q)))
+        found.append(Quantity(f"{q}.x-{p}.x", "length", dx, (p, q)))
+        found.append(Quantity(f"{q}.y-{p}.y", "length", dy, (p, q)))
         direction = np.where(distance > STILL * truth.size, np.arctan2(dy, dx), np.nan)
-        found.append(Quantity(f"∠{p}{q}", "angle", direction))
+        found.append(Quantity(f"∠{p}{q}", "angle", direction, (p, q)))
     found += _angles_of_three(points, places, truth.size)
     return [quantity for quantity in found if quantity.moves(truth.size)]
 
@@ -215,5 +219,6 @@ def _angles_of_three(points: Sequence[str], places: Mapping[str, tuple[Array, Ar
             short = np.minimum(np.hypot(*arms[0]), np.hypot(*arms[1])) <= STILL * size
             cross = arms[0][0] * arms[1][1] - arms[0][1] * arms[1][0]
             dot = arms[0][0] * arms[1][0] + arms[0][1] * arms[1][1]
-            found.append(Quantity(f"∠{p}{q}{r}", "angle", np.where(short, np.nan, np.arctan2(cross, dot))))
+            angle = np.where(short, np.nan, np.arctan2(cross, dot))
+            found.append(Quantity(f"∠{p}{q}{r}", "angle", angle, (p, q, r)))
     return found

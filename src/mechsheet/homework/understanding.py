@@ -13,7 +13,7 @@ from mechsheet import reference
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
 from mechsheet.homework.headings import heading, names_over
-from mechsheet.homework.inputs import Input, inputs_of
+from mechsheet.homework.inputs import Input, inputs_of, unread_inputs
 from mechsheet.homework.series import Graph, Run, Series, aligned, columns_of, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.upright import Place, Work
@@ -80,10 +80,7 @@ def understand(
     given = reference.dimension_values(mechanism)
     for run in runs:
         series = aligned(graph, run)
-        for by_words in (True, False):
-            inputs = inputs_of(graph, mechanism, given, run, by_words)
-            if not by_words and inputs == inputs_of(graph, mechanism, given, run, True):
-                continue
+        for inputs in _possible_inputs(graph, mechanism, given, run):
             for factor, offset in ways(work, run, mechanism, unusual):
                 found = _hypothesis(graph, run, factor, offset, inputs, mechanism, series, tolerance)
                 if found is None:
@@ -100,6 +97,20 @@ def understand(
     if best is None:
         raise WorkbookError(Fault("no position", about="no position"))
     return best[1]
+
+
+def _possible_inputs(
+    graph: Graph, mechanism: Mechanism, given: Mapping[str, float], run: Run
+) -> Iterator[tuple[Input, ...]]:
+    """The cells of the dimensions: by what is written beside them, by their numbers, with those that no formula reads."""
+    by_words = inputs_of(graph, mechanism, given, run, True)
+    yield by_words
+    by_numbers = inputs_of(graph, mechanism, given, run, False)
+    if by_numbers != by_words:
+        yield by_numbers
+    unread = unread_inputs(graph, mechanism, given, run, by_words)
+    if unread:
+        yield (*by_words, *unread)
 
 
 def _hypothesis(
@@ -126,7 +137,7 @@ def dimensions_in(work: Work, inputs: Sequence[Input]) -> dict[str, float]:
 
 def driver_column(work: Work, run: Run) -> Array:
     """What stands in the driver's cells."""
-    return np.array([work.number(place) for place in run.places()], float)
+    return run.column(work)
 
 
 def ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[tuple[float, float]]:

@@ -233,7 +233,7 @@ def _is_length(found: Understanding, symbol: str) -> bool:
 def _typed(found: Understanding, changes: Mapping[str, float]) -> Retyped | None:
     dimensions, cells = retyped(found, changes)
     values = found.work.plan.evaluate(cells)
-    column = np.array([found.work.number(place, values) for place in found.driver.places()])
+    column = found.driver.column(found.work, values)
     if not np.isfinite(column).all():
         return None
     truth = truth_of(found.mechanism, dimensions, column * found.factor + found.offset, found.truth.poses)
