@@ -1,4 +1,4 @@
-"""The figures of docs/proof.md on workbooks made by hand: right ones that must not be blamed, damaged ones that must be mended.
+"""The figures of docs/proof.md on workbooks made by hand: right ones are not blamed, damaged ones are mended.
 
 PYTHONPATH=src:tests python tests/homework/proof.py right 60 [TEMPLATE...]
 PYTHONPATH=src:tests python tests/homework/proof.py damaged 20 [TEMPLATE...]

@@ -1,33 +1,38 @@
-"""Where the first fault is, and what would mend it: every single change of the formulas that wrong columns depend on."""
+"""Where the first fault is, and what would mend it: every single change of the formulas that wrong columns depend on, then
+two changes in one formula."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import CellRef, Node
+from mechsheet.formula.nodes import CellRef, Node, RangeRef
 from mechsheet.homework.agreement import Reading, agrees, likely, reading_of, units_of
 from mechsheet.homework.candidates import Candidate, Surroundings, candidates
 from mechsheet.homework.inputs import single_cells
+from mechsheet.homework.pairs import pairs
 from mechsheet.homework.series import Graph, Series, aligned
-from mechsheet.homework.trial import Trial, UntriableError
-from mechsheet.homework.truth import Truth, vocabulary
+from mechsheet.homework.summaries import holding, span_of
+from mechsheet.homework.trial import Effort, Trial, UntriableError
+from mechsheet.homework.truth import Array, Truth, vocabulary
 from mechsheet.homework.upright import Place, Strip, with_formula
 from mechsheet.homework.verdicts import Finding, Retyped, Sheet, findings, follows, retype
 
 MOST_FAULTS = 5
-LONGEST = 10.0
-"""Seconds that are spent on one workbook's mends."""
+OF_VERIFYING = 10_000
+"""What it costs to try a mend in the workbook itself, in cells computed, besides the workbook's own cells."""
 VERIFIED = 12
 """Mends of one formula that are tried under retyped dimensions."""
 SURE = 1.3
 """A mend of less weight that puts all right is looked no further for."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
+MOST_OF_PAIRS = 3
+"""Formulas in which two changes are tried."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,11 +59,12 @@ class Suspect:
 
 
 def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Series]]:
-    """What is wrong, and the series that should be it; for what is missing every series that nothing is known of."""
+    """What is wrong, and the series (of a summary the cell) that should be it; for what is missing every series that nothing
+    is known of."""
     goals = [
         (symbol, finding.series)
         for symbol, finding in results.items()
-        if finding.verdict == "wrong" and finding.series is not None and symbol in sheet.found.truth.columns
+        if finding.verdict == "wrong" and finding.series is not None
     ]
     claimed = {finding.series.key for finding in results.values() if finding.series is not None}
     lost = [
@@ -75,12 +81,12 @@ def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Se
 class Search:
     """One search for a mend in one workbook."""
 
-    def __init__(self, sheet: Sheet, truth: Truth, results: Mapping[str, Finding], deadline: float) -> None:
-        self.sheet, self.truth, self.results, self.deadline = sheet, truth, results, deadline
+    def __init__(self, sheet: Sheet, truth: Truth, results: Mapping[str, Finding], effort: Effort) -> None:
+        self.sheet, self.truth, self.results, self.effort = sheet, truth, results, effort
         self.found = replace(sheet.found, truth=truth)
         self.graph: Graph = sheet.found.graph
         self.goals = goals_of(sheet, results)
-        self.trial = Trial(self.graph)
+        self.trial = Trial(self.graph, effort)
 
     @cached_property
     def retyped(self) -> list[Retyped]:
@@ -96,16 +102,26 @@ class Search:
         best: Mend | None = None
         wanted = {symbol for symbol, _ in self.goals if self.results[symbol].verdict == "wrong"}
         for number in self.suspects():
-            if time.process_time() > self.deadline:
+            if self.effort.spent:
                 break
-            mend = self._of_strip(number)
+            mend = self._of_strip(number, self._candidates(number))
             if mend is not None and number in self.known:
                 mend = replace(mend, weight=mend.weight + 1.0)  # it is something of the mechanism as it stands
             if mend is not None and (best is None or _rank(mend) < _rank(best)):
                 best = mend
             if best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE:
                 break
-        return best
+        return best or self._of_pairs()
+
+    def _of_pairs(self) -> Mend | None:
+        """The first mend of two changes in one formula, of those that are not known to be right."""
+        for number in [each for each in self.suspects() if each not in self.known][:MOST_OF_PAIRS]:
+            if self.effort.spent:
+                break
+            mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)))
+            if mend is not None and mend.live:
+                return mend
+        return None
 
     def suspects(self) -> list[int]:
         """Formulas that wrong series depend on: those that are nothing of the mechanism though all they read is, first."""
@@ -175,10 +191,9 @@ class Search:
 
     # --- one formula --------------------------------------------------------------------------------------------------
 
-    def _of_strip(self, number: int) -> Mend | None:
-        work = self.graph.work
-        strip = work.strips[number]
-        tried = self._candidates(number)
+    def _of_strip(self, number: int, tried: Sequence[Candidate]) -> Mend | None:
+        """The best of some changes of one formula."""
+        strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
             columns = self.trial.columns(number, [one.formula for one in tried], goals)
@@ -187,12 +202,7 @@ class Search:
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
         told: list[dict[str, None]] = [{} for _ in tried]
         for symbol, series in self.goals:
-            quantity = self.truth.quantity(symbol)
-            allowed = self.found.allowed(quantity)
-            good = np.zeros(len(tried), bool)
-            for unit in units_of(quantity):
-                good |= agrees(by_key[series.key], quantity, Reading(unit), allowed)
-            for index in np.flatnonzero(good).tolist():
+            for index in np.flatnonzero(self._are(symbol, by_key[series.key])).tolist():
                 told[index][symbol] = None
         rights = np.array([len(each) for each in told])
         best = [int(index) for index in np.lexsort((np.array([one.weight for one in tried]), -rights)) if rights[index]]
@@ -204,6 +214,18 @@ class Search:
                 return mend
             spare = spare or mend
         return spare
+
+    def _are(self, symbol: str, columns: Array) -> NDArray[np.bool_]:
+        """Which columns, shape (columns, rows), are what is asked, in whatever unit."""
+        if symbol not in self.truth.columns:
+            summary = next(one for one in self.found.mechanism.summaries if one.symbol == symbol)
+            return holding(columns[:, 0], span_of(self.truth, summary), self.truth.size, self.found.tolerance)
+        quantity = self.truth.quantity(symbol)
+        allowed = self.found.allowed(quantity)
+        good = np.zeros(len(columns), bool)
+        for unit in units_of(quantity):
+            good |= agrees(columns, quantity, Reading(unit), allowed)
+        return good
 
     def _candidates(self, number: int) -> list[Candidate]:
         """The changes of a strip's formula; a cell that breaks its run may first have the run's formula."""
@@ -235,20 +257,28 @@ class Search:
         own = next((s for s in self.found.series if (s.sheet, s.line) == (strip.sheet, strip.line)), None)
         lines = [(driver.sheet, driver.line, driver.start), *(series.key for series in self.found.series)]
         row = []
-        for sheet, line, first in lines if own is not None else ():
-            pos = first + strip.start - own.origin if own is not None else -1
-            if pos >= 0 and free((sheet, pos, line)):
+        columns = []
+        for sheet, line, first in lines:
+            pos = first if own is None else first + strip.start - own.origin
+            if pos < 0 or not free((sheet, pos, line)):
+                continue
+            if own is None:
+                end = CellRef(first + driver.length - 1, line, True, True, sheet)
+                columns.append(RangeRef(CellRef(first, line, True, True, sheet), end))
+            else:
                 row.append(CellRef(pos, line, False, False, sheet))
         return Surroundings(
             tuple(CellRef(pos, line, True, True, sheet) for sheet, pos, line in single),
             tuple(row[:MOST_AROUND]),
             tuple(work.number(place) for place in single),
+            tuple(columns[:MOST_AROUND]),
         )
 
     # --- in the workbook itself ---------------------------------------------------------------------------------------
 
     def verified(self, strip: Strip, candidate: Candidate, rights: tuple[str, ...]) -> Mend | None:
         """The mend, when with it nothing that was right is wrong; `live` when it stays right under retyped dimensions."""
+        self.effort.spend(OF_VERIFYING + sum(one.length for one in self.graph.work.strips))
         mended = mended_sheet(Sheet(self.found, self.sheet.asked), strip, candidate.formula)
         after = findings(mended, self.truth)
         for symbol, finding in self.results.items():
@@ -280,42 +310,41 @@ def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
 
 def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> Suspect | None:
     """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is."""
-    search = Search(sheet, truth, results, 0.0)
+    search = Search(sheet, truth, results, Effort())
     numbers = search.suspects()
     if not numbers:
         return None
     strip = sheet.found.work.strips[numbers[0]]
     for symbol, series in search.goals:
         if series.main == strip:
-            quantity = truth.quantity(symbol)
-            return _nearest(sheet, strip, series, quantity.values, symbol, sheet.found.allowed(quantity))
+            return _nearest(sheet, truth, strip, series, symbol)
     place = (strip.sheet, strip.start, strip.line)
     return Suspect(strip, place, sheet.found.work.number(place), None, "")
 
 
-def _nearest(sheet: Sheet, strip: Strip, series: Series, wanted: np.ndarray, symbol: str, allowed: float) -> Suspect:
-    column = sheet.column(series)
-    quantity = sheet.found.truth.quantity(symbol)
+def _nearest(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str) -> Suspect:
+    """The first cell of what is asked that is not what it should be, in the unit in which it comes nearest."""
+    if symbol in truth.columns:
+        quantity = truth.quantity(symbol)
+        column, wanted = sheet.column(series), quantity.values
+    else:
+        summary = next(one for one in sheet.found.mechanism.summaries if one.symbol == symbol)
+        quantity = span_of(truth, summary).quantity
+        column, wanted = sheet.column(series), quantity.values[-1:]
     unit = min(units_of(quantity), key=lambda each: float(np.nanmedian(np.abs(column * each - wanted))))
-    rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= allowed) & np.isfinite(wanted))
+    rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
     row = int(rows[0]) if len(rows) else 0
     return Suspect(strip, series.places()[row], float(column[row]), float(wanted[row] / unit), symbol)
 
 
-def search(sheet: Sheet, truth: Truth, results: Mapping[str, Finding], deadline: float) -> Mend | None:
-    """The best single change that puts wrong quantities right."""
-    return Search(sheet, truth, results, deadline).mend()
-
-
-def many(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
+def many(
+    sheet: Sheet, truth: Truth, results: Mapping[str, Finding], effort: Effort
+) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
     """One mend after the other, up to MOST_FAULTS: (mends, the sheet with all of them, what is found in it)."""
-    deadline = time.process_time() + LONGEST
     mends: list[Mend] = []
     current = dict(results)
-    while len(mends) < MOST_FAULTS and any(
-        one.verdict == "wrong" or one.verdict == "missing" for one in current.values()
-    ):
-        mend = search(sheet, truth, current, deadline)
+    while len(mends) < MOST_FAULTS and any(one.verdict in ("wrong", "missing") for one in current.values()):
+        mend = Search(sheet, truth, current, effort).mend()
         if mend is None:
             break
         mends.append(mend)

@@ -320,7 +320,6 @@ def aligned(graph: Graph, driver: Run) -> list[Series]:
             grouped.setdefault((run.sheet, run.line, driver.start), [])
     found = []
     for (sheet, line, origin), strips in grouped.items():
-        series = Series(sheet, line, origin, driver.length, _main(strips), 0, driver.length - 1)
         rows = np.flatnonzero(work.filled(sheet, origin, line, driver.length)).tolist()
         if rows:
             found.append(Series(sheet, line, origin, driver.length, _main(strips), rows[0], rows[-1]))

@@ -42,6 +42,8 @@ from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place
 
 MOST_AT_ONCE = 1500
+OF_ONE = 150
+"""What a candidate costs besides its cells, in cells."""
 _MOST_LINES = 16
 _PLACED = frozenset(("OFFSET", "INDIRECT", "CELL", "FORMULATEXT"))
 _TURNED = frozenset(
@@ -54,11 +56,28 @@ class UntriableError(Exception):
     """A formula that cannot be computed outside of its workbook."""
 
 
+@dataclass
+class Effort:
+    """What may still be spent on one workbook, in cells computed: time would give other marks on another machine."""
+
+    left: float = 4e6
+
+    def spend(self, cells: float) -> None:
+        """Take from what is left."""
+        self.left -= cells
+
+    @property
+    def spent(self) -> bool:
+        """Whether nothing is left."""
+        return self.left <= 0
+
+
 class Trial:
     """Tries formulas for strips of one workbook."""
 
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, graph: Graph, effort: Effort) -> None:
         self.graph = graph
+        self.effort = effort
 
     def columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
         """For each goal an array (candidates, rows): its numbers with each candidate in place of a strip's bound formula.
@@ -75,6 +94,7 @@ class Trial:
         work = self.graph.work
         last = {strip for goal in goals for strip in goal.strips(work)}
         affected = self.graph.below({number}) & (self.graph.above(last) | {number})
+        self.effort.spend(len(candidates) * (OF_ONE + sum(work.strips[index].length for index in affected)))
         alone = not self.graph.reads[number] & self.graph.below({number})
         if not alone or not _simple(self.graph.formulas[number]) or work.plan.settles:
             book = _Book(self, affected, len(candidates))

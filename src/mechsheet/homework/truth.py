@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -54,6 +54,7 @@ class Truth:
     driver       the driver's values;  exists  in which rows it can be assembled
     columns      the quantities by symbol;  kinds  what each of them is
     poses        of the links in the first row that exists: what picks this assembly again
+    spans        what its summaries may be, once they are known (`summaries.span_of`)
     """
 
     mechanism: Mechanism
@@ -64,6 +65,7 @@ class Truth:
     kinds: Mapping[str, Kind]
     size: float
     poses: Mapping[str, tuple[float, float, float]] | None
+    spans: dict[str, object] = field(default_factory=dict, compare=False)
 
     def quantity(self, symbol: str) -> Quantity:
         """One of the columns."""
@@ -174,7 +176,7 @@ def without_limits(truth: Truth) -> Truth:
     columns = {
         name: column if name == driver else np.where(edge, np.nan, column) for name, column in truth.columns.items()
     }
-    return replace(truth, columns=columns, exists=truth.exists & ~edge)
+    return replace(truth, columns=columns, exists=truth.exists & ~edge, spans={})
 
 
 def _same(one: Truth, other: Truth) -> bool:

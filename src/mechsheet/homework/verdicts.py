@@ -262,7 +262,8 @@ def _summary_follows(found: Understanding, finding: Finding, after: Retyped) -> 
     summary = next(one for one in found.mechanism.summaries if one.symbol == finding.symbol)
     before, now = span_of(found.truth, summary), span_of(after.truth, summary)
     number = found.work.number(finding.series.places()[0], after.values)
-    return now.holds(number, finding.reading, SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high))
+    allowed = SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high)
+    return bool(now.holds(np.array(number), finding.reading, allowed))
 
 
 def _turns(values: Array, quantity: Quantity) -> Array:
