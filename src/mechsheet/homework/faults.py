@@ -11,14 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import CellRef, Node, RangeRef
-from mechsheet.homework.agreement import Reading, agrees, likely, reading_of, units_of
+from mechsheet.homework.agreement import Reading, agrees, gaps, likely, reading_of, units_of
 from mechsheet.homework.candidates import Candidate, Surroundings, candidates
+from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
 from mechsheet.homework.pairs import pairs
 from mechsheet.homework.series import Graph, Series, aligned
 from mechsheet.homework.summaries import holding, span_of
 from mechsheet.homework.trial import Effort, Trial, UntriableError
-from mechsheet.homework.truth import Array, Truth, vocabulary
+from mechsheet.homework.truth import Array, Quantity, Truth, vocabulary
+from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
 from mechsheet.homework.verdicts import Finding, Retyped, Sheet, findings, follows, retype
 
@@ -105,7 +107,7 @@ class Search:
             if self.effort.spent:
                 break
             mend = self._of_strip(number, self._candidates(number))
-            if mend is not None and number in self.known:
+            if mend is not None and number in self.known and self.derived.get(number) is not False:
                 mend = replace(mend, weight=mend.weight + 1.0)  # it is something of the mechanism as it stands
             if mend is not None and (best is None or _rank(mend) < _rank(best)):
                 best = mend
@@ -115,7 +117,8 @@ class Search:
 
     def _of_pairs(self) -> Mend | None:
         """The first mend of two changes in one formula, of those that are not known to be right."""
-        for number in [each for each in self.suspects() if each not in self.known][:MOST_OF_PAIRS]:
+        doubtful = [n for n in self.suspects() if n not in self.known or self.derived.get(n) is False]
+        for number in doubtful[:MOST_OF_PAIRS]:
             if self.effort.spent:
                 break
             mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)))
@@ -140,14 +143,15 @@ class Search:
         def rank(number: int) -> tuple[int, int, int]:
             fine = number in known
             fed = all(other in known for other in self.graph.reads[number] - {number})
-            first = 0 if number in odd else 1 if not fine and fed else 2 if not fine else 3
+            first = 0 if number in odd or self.derived.get(number) is False else 1 if not fine and fed else 2 if not fine else 3
             return first, order[number], number
 
         return sorted(above, key=rank)
 
     @cached_property
     def known(self) -> set[int]:
-        """Strips that are plainly something of the mechanism, or beside no table; not what is to be something else."""
+        """Strips that are plainly something of the mechanism or lead to what is right, or beside no table; not what is to be
+        something else."""
         words = vocabulary(self.truth)
         work = self.graph.work
         by_main = {strip: number for number, strip in enumerate(work.strips)}
@@ -156,21 +160,43 @@ class Search:
         columns = self.sheet.matrix(computed)
         for word in words:
             allowed = self.found.allowed(word)
+            if word.spread <= MOVING * allowed:
+                continue
             for place in np.flatnonzero(likely(columns, word, allowed)).tolist():
                 reading = reading_of(columns[place], word, allowed)
                 main = computed[place].main
                 if reading is not None and main is not None and (reading.plain or word.kind == "length"):
                     found.add(by_main[main])
+        right = [one.series for one in self.results.values() if one.verdict in ("right", "not live")]
+        for series in right:
+            if series is not None and series.rows > 1:
+                found |= self.graph.above(set(series.strips(work)))
         wrong = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
         return found - {by_main[strip] for strip in wrong if strip is not None}
 
+    @cached_property
+    def derived(self) -> dict[int, bool]:
+        """Single computed cells that are called as a derived dimension: whether they have its value."""
+        dims = [dim for dim in self.found.mechanism.dimensions if dim.derived]
+        work = self.graph.work
+        found = {}
+        for number, strip in enumerate(work.strips) if dims else ():
+            place = (strip.sheet, strip.start, strip.line)
+            if strip.length > 1 or self._beside(strip):
+                continue
+            words = [*around(work, place)[:1], *names_over(work, [place])]
+            called = [dim for dim in dims if any(says(text, dim.symbol) for text in words)]
+            if len(called) == 1:
+                value = np.array([self.truth.dimensions[called[0].symbol]])
+                kind = called[0].unit.kind
+                quantity = Quantity("", "angle" if kind == "angle" else "length" if kind == "length" else "number", value)
+                apart = [gaps(np.array([work.number(place)]), quantity, Reading(unit)) for unit in units_of(quantity)]
+                found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(quantity))
+        return found
+
     def _beside(self, strip: Strip) -> bool:
         """Whether a single cell stands in a series."""
-        return any(
-            (series.sheet, series.line) == (strip.sheet, strip.line)
-            and series.origin <= strip.start < series.origin + series.rows
-            for series in self.found.series
-        )
+        return any(_inside(strip, series) for series in self.found.series)
 
     def _odd(self) -> set[int]:
         """Formulas that break the run they stand in."""
@@ -184,8 +210,7 @@ class Search:
     def _run_of(self, strip: Strip) -> Strip | None:
         """The run that a strip breaks: the main formula of its series, where it is another one."""
         for series in self.found.series:
-            own = (series.sheet, series.line) == (strip.sheet, strip.line) and series.main not in (None, strip)
-            if own and series.origin <= strip.start < series.origin + series.rows:
+            if series.main not in (None, strip) and _inside(strip, series):
                 return series.main
         return None
 
@@ -254,7 +279,7 @@ class Search:
         ]
         single = [place for place in dict.fromkeys(single) if free(place)][:MOST_AROUND]
         driver = self.found.driver
-        own = next((s for s in self.found.series if (s.sheet, s.line) == (strip.sheet, strip.line)), None)
+        own = next((one for one in self.found.series if _inside(strip, one)), None)
         lines = [(driver.sheet, driver.line, driver.start), *(series.key for series in self.found.series)]
         row = []
         columns = []
@@ -292,6 +317,13 @@ class Search:
             follows(understanding, after[symbol], one.again(understanding)) for one in self.retyped for symbol in fixed
         )
         return Mend(strip, candidate.formula, candidate.kind, candidate.weight, fixed, live)
+
+
+def _inside(strip: Strip, series: Series) -> bool:
+    """Whether a strip begins in a series."""
+    return (series.sheet, series.line) == (strip.sheet, strip.line) and (
+        series.origin <= strip.start < series.origin + series.rows
+    )
 
 
 def _rank(mend: Mend) -> tuple[bool, int, float]:

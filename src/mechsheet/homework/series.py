@@ -240,7 +240,11 @@ def _reads_along(graph: Graph, number: int, run: Run) -> bool:
     """Whether a strip reads a run cell by cell, not as a whole."""
     strip = graph.work.strips[number]
     return any(
-        start is end and not start.row_abs and start.col == run.line
+        start is end
+        and not start.row_abs
+        and start.col == run.line
+        and start.row < run.end
+        and run.start < start.row + strip.length
         for start, end in graph.corners(number)
         if graph.titles.get((start.sheet or strip.sheet).casefold()) == run.sheet
     )

@@ -36,14 +36,21 @@ class Quantity:
     values: Array
     points: tuple[str, ...] = ()
 
-    def moves(self, size: float) -> bool:
-        """Whether it changes over the sweep."""
+    @property
+    def spread(self) -> float:
+        """How much it changes over the sweep; of an angle about that, whole turns aside."""
         found = self.values[np.isfinite(self.values)]
         if not len(found):
-            return False
+            return 0.0
         if self.kind == "angle":
-            return bool(np.ptp(np.sin(found)) + np.ptp(np.cos(found)) > 2 * STILL)
-        return bool(np.ptp(found) > STILL * (size if self.kind == "length" else max(1.0, float(np.abs(found).max()))))
+            return float(np.ptp(np.sin(found)) + np.ptp(np.cos(found))) / 2
+        return float(np.ptp(found))
+
+    def moves(self, size: float) -> bool:
+        """Whether it changes over the sweep."""
+        if self.kind == "length":
+            return self.spread > STILL * size
+        return self.spread > STILL * max(1.0, float(np.nan_to_num(np.abs(self.values)).max(initial=0.0)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,6 +22,9 @@ from mechsheet.model import Mechanism
 ENOUGH = 2
 """So many of the asked quantities found with a way to read the driver settle that it is the right way."""
 
+MOVING = 20
+"""What changes by less than so many tolerances is told from nothing that stands still."""
+
 
 @dataclass
 class Understanding:
@@ -163,9 +166,9 @@ def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
     for symbol in asked:
         if symbol in found.truth.columns:
             quantity = found.truth.quantity(symbol)
-            if not quantity.moves(found.truth.size):
-                continue  # anything that stands still would be it
             allowed = found.allowed(quantity)
+            if quantity.spread <= MOVING * allowed:
+                continue  # anything that stands still would be it
             some = columns[likely(columns, quantity, allowed)]
             right += any(reading_of(column, quantity, allowed, found.zeros) for column in some)
     if right >= min(ENOUGH, len(asked)):
@@ -179,6 +182,8 @@ def anything(
     """Which of the columns, shape (columns, rows), are some quantity of a vocabulary."""
     found = np.zeros(len(columns), bool)
     for word in words:
+        if word.spread <= MOVING * allowed(word):
+            continue
         near = likely(columns, word, allowed(word)) & ~found
         for number in np.flatnonzero(near):
             found[number] = reading_of(columns[number], word, allowed(word), zeros) is not None
