@@ -143,7 +143,15 @@ class Search:
         def rank(number: int) -> tuple[int, int, int]:
             fine = number in known
             fed = all(other in known for other in self.graph.reads[number] - {number})
-            first = 0 if number in odd or self.derived.get(number) is False else 1 if not fine and fed else 2 if not fine else 3
+            first = (
+                0
+                if number in odd or self.derived.get(number) is False
+                else 1
+                if not fine and fed
+                else 2
+                if not fine
+                else 3
+            )
             return first, order[number], number
 
         return sorted(above, key=rank)
@@ -189,7 +197,9 @@ class Search:
             if len(called) == 1:
                 value = np.array([self.truth.dimensions[called[0].symbol]])
                 kind = called[0].unit.kind
-                quantity = Quantity("", "angle" if kind == "angle" else "length" if kind == "length" else "number", value)
+                quantity = Quantity(
+                    "", "angle" if kind == "angle" else "length" if kind == "length" else "number", value
+                )
                 apart = [gaps(np.array([work.number(place)]), quantity, Reading(unit)) for unit in units_of(quantity)]
                 found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(quantity))
         return found

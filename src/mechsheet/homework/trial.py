@@ -18,6 +18,7 @@ from mechsheet.engine.layout import Area
 from mechsheet.engine.values.cells import NUMBER, Cells
 from mechsheet.engine.values.frames import Frame
 from mechsheet.formula.book import Book, BookSheet
+from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.formula.nodes import (
     Binary,
     Boolean,
@@ -37,6 +38,7 @@ from mechsheet.formula.nodes import (
     rebuilt,
     walk,
 )
+from mechsheet.homework.routines import routine_names
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place
@@ -97,6 +99,7 @@ class Trial:
         self.effort.spend(len(candidates) * (OF_ONE + sum(work.strips[index].length for index in affected)))
         alone = not self.graph.reads[number] & self.graph.below({number})
         if not alone or not _simple(self.graph.formulas[number]) or work.plan.settles:
+            self.effort.spend(3 * OF_ONE * len(candidates))
             book = _Book(self, affected, len(candidates))
             book.candidates(number, candidates)
             book.follow(affected - {number})
@@ -132,7 +135,9 @@ _PLAIN = (Number, Text, Boolean, CellRef, RangeRef, Unary, Binary, Call)
 
 def _simple(formula: Node) -> bool:
     """Whether a formula is made of what means the same anywhere."""
-    return all(isinstance(part, _PLAIN) for part in walk(formula)) and not _calls(formula) & (_PLACED | _TURNED)
+    calls = _calls(formula)
+    plain = all(isinstance(part, _PLAIN) for part in walk(formula))
+    return plain and calls <= FUNCTIONS.keys() and not calls & (_PLACED | _TURNED)
 
 
 def _calls(formula: Node) -> set[str]:
@@ -293,7 +298,7 @@ class _Book:
         work = self.trial.graph.work
         found: list[Array] = []
         lines = list(self.sheets)
-        values = evaluate(Book([*self.sheets.values(), *self.given.values()]))
+        values = evaluate(Book([*self.sheets.values(), *self.given.values()], routine_names(work.book)))
         for goal in goals:
             line = goal.sheet, goal.line
             column = goal.column(work)

@@ -37,6 +37,7 @@ from mechsheet.formula.nodes import (
 )
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
+from mechsheet.homework.routines import with_routines
 
 Array: TypeAlias = NDArray[np.float64]
 Place: TypeAlias = tuple[str, int, int]
@@ -311,7 +312,8 @@ def _minus(block: Block, other: Block) -> Iterator[Block]:
 
 
 def upright(book: Book) -> Work:
-    """A workbook as strips, in the direction in which most of its formulas were filled."""
+    """A workbook as strips, in the direction in which most of its formulas were filled; routines of the text are known."""
+    book = with_routines(book)
     remarks = [str(fault) for fault in _told(book.remarks)] + _numbers_with_commas(book)
     keys: dict[Node, int] = {}
     blocks: list[tuple[str, Block, int]] = []  # sheet, block, number of its formula as seen from A1
