@@ -105,6 +105,8 @@ def damaged(name: str, count: int, seed: int = 2) -> Iterator[Damaged]:
         style = list(STYLES)[done % len(STYLES)]
         if style not in right:
             right[style] = judged(STYLES[style](mechanism), mechanism)
+            if not right[style].right:
+                raise KeyError("the plain export itself is not right")  # a rack's displacement by an angle that jumps
         book = STYLES[style](mechanism)
         sheet = book.sheets[-1]
         place = draw.randrange(len(sheet.blocks))

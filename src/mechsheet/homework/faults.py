@@ -30,7 +30,7 @@ OF_VERIFYING = 10_000
 VERIFIED = 12
 """Mends of one formula that are tried under retyped dimensions."""
 SURE = 1.3
-"""A mend of less weight that puts all right is looked no further for."""
+"""Where a mend of less weight puts all right, only smaller changes are looked for."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
 MOST_OF_PAIRS = 3
@@ -106,13 +106,17 @@ class Search:
         for number in self.suspects():
             if self.effort.spent:
                 break
-            mend = self._of_strip(number, self._candidates(number))
-            if mend is not None and number in self.known and self.derived.get(number) is not False:
-                mend = replace(mend, weight=mend.weight + 1.0)  # it is something of the mechanism as it stands
-            if mend is not None and (best is None or _rank(mend) < _rank(best)):
-                best = mend
-            if best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE:
-                break
+            later = (
+                1.0 if number in self.known and self.derived.get(number) is not False else 0.0
+            )  # it is right as it stands
+            sure = best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE
+            tried = self._candidates(number)
+            if sure and best is not None:  # only what is a smaller change still
+                tried = [one for one in tried if one.weight + later < best.weight]
+            mend = self._of_strip(number, tried) if tried else None
+            if mend is not None:
+                mend = replace(mend, weight=mend.weight + later)
+                best = mend if best is None or _rank(mend) < _rank(best) else best
         return best or self._of_pairs()
 
     def _of_pairs(self) -> Mend | None:

@@ -2,7 +2,7 @@
 
 Boy, Açı, AçıCos, KolKızak, DörtÇubuk, AyarlıPompa, by their English names (Mag, Ang, AngCos, SlottedLever, FourBar,
 AdjustablePump) and in plain letters (Aci, DortCubuk) too, with the others that `mechsheet export --to vba` writes. They are
-the same routines as those, put into the workbook as names for LAMBDA. A macro that is only called so keeps its stored values.
+the same routines, put into the workbook as names for LAMBDA. A macro that is only called so keeps its stored values.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ def _cells(block: Block) -> list[tuple[int, int]]:
 
 
 def _alike(computed: object, stored: object) -> bool:
-    """Whether a computed value is the stored one, angles in another turn included; where no number is stored nothing is known."""
+    """Whether a computed value is the stored one, angles in another turn included; yes where no number is stored."""
     if not isinstance(stored, float):
         return True
     if not isinstance(computed, float):

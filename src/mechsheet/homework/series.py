@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from mechsheet.engine import Values
-from mechsheet.formula.nodes import CellRef, Node
+from mechsheet.formula.nodes import Call, CellRef, Node, walk
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place, Strip, Work, references
 
@@ -298,6 +298,34 @@ def counted(graph: Graph, run: Run) -> list[Run]:
         if step is not None and len(rows) == 1 and abs(abs(step) - math.pi / 180) > 1e-6:
             found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
     return found
+
+
+def by_law(graph: Graph, runs: Sequence[Run]) -> list[Run]:
+    """Columns that go on one way, by unequal steps, computed from a run (of times) alone, of which sines are taken."""
+    work = graph.work
+    found = []
+    for run in runs:
+        below = graph.below(graph.readers_of(run.sheet, run.line, run.start, run.end))
+        for number in sorted(below, key=lambda each: (graph.order[each], each)):
+            strip = work.strips[number]
+            steps = np.diff(work.column(strip.sheet, strip.start, strip.line, strip.length))
+            one_way = bool(len(steps) >= SHORTEST - 1 and ((steps > 0).all() or (steps < 0).all()))
+            if one_way and _linear(work, strip) is None and _turned_by(graph, number):
+                found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
+    return found[:MOST_RUNS]
+
+
+def _turned_by(graph: Graph, number: int) -> bool:
+    """Whether the sine or cosine of a strip's own cells is taken somewhere."""
+    strip = graph.work.strips[number]
+    return any(
+        isinstance(part, Call)
+        and part.name in ("SIN", "COS")
+        and isinstance(part.args[0], CellRef)
+        and (part.args[0].sheet, part.args[0].col) == (strip.sheet, strip.line)
+        for reader in graph.readers[number]
+        for part in walk(graph.formulas[reader])
+    )
 
 
 def likely_runs(graph: Graph) -> list[Run]:

@@ -62,7 +62,7 @@ class UntriableError(Exception):
 class Effort:
     """What may still be spent on one workbook, in cells computed: time would give other marks on another machine."""
 
-    left: float = 4e6
+    left: float = 8e6
 
     def spend(self, cells: float) -> None:
         """Take from what is left."""

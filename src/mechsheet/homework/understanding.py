@@ -14,7 +14,7 @@ from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
 from mechsheet.homework.headings import heading, names_over
 from mechsheet.homework.inputs import Input, inputs_of, unread_inputs
-from mechsheet.homework.series import Graph, Run, Series, aligned, columns_of, likely_runs
+from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
@@ -73,10 +73,12 @@ def understand(
 ) -> Understanding:
     """Understand a workbook. Raises WorkbookError where nothing in it is a table of this mechanism.
 
-    unusual  the driver may be counted clockwise, or from another zero
+    unusual  the driver may be counted clockwise, or from another zero; or be computed from a column of times
     """
     graph = Graph(work)
     runs = likely_runs(graph)
+    if unusual:
+        runs = [*runs, *by_law(graph, runs)]
     if not runs:
         raise WorkbookError(Fault("no table", about="no table"))
     best: tuple[tuple[int, int], Understanding] | None = None
@@ -155,7 +157,8 @@ def ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[
         yield unit, 0.0
     for unit in units[:1] if unusual else ():
         yield from (
-            (sign * unit, turn) for sign, turn in ((-1, 0.0), (1, math.pi), (1, math.pi / 2), (1, -math.pi / 2))
+            (sign * unit, turn)
+            for sign, turn in ((-1, 0.0), (1, math.pi), (-1, math.pi), (1, math.pi / 2), (1, -math.pi / 2))
         )
 
 
