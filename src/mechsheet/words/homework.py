@@ -92,6 +92,10 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "the driver is counted clockwise or from another zero",
         "tahrik açısı saat yönünde veya başka bir doğrultudan ölçülmüş",
     ),
+    "remark.law.driver": (
+        "the driver's values are computed from another column, of times for example",
+        "tahrik değerleri başka bir sütundan, örneğin zamandan hesaplanmış",
+    ),
     "remark.rows": ("{symbol} is right in {right} of {rows} rows", "{symbol} {rows} satırın {right} tanesinde doğru"),
     "remark.suspect": (
         "{symbol} in {cell}: {found:.6g} found, {wanted:.6g} wanted",
