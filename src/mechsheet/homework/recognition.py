@@ -231,7 +231,7 @@ def _proven(
     for truth in _assembled(own, table.driver * factor + offset):
         found = Understanding(table.graph, table.run, factor, offset, inputs, truth, table.series, TOLERANCE)
         agreeing = _agreeing(found)
-        if any(_driven_on(mechanism, quantity) for _, quantity, _ in agreeing):
+        if any(driven_on(mechanism, quantity) for _, quantity, _ in agreeing):
             ranked.append((found, agreeing))
     ranked.sort(key=lambda pair: -sum(reading.plain for _, _, reading in pair[1]))
     for found, agreeing in ranked:
@@ -290,7 +290,7 @@ def _agreeing(found: Understanding) -> list[tuple[Series, Quantity, Reading]]:
     return [agreeing[number] for number in sorted(agreeing)]
 
 
-def _driven_on(mechanism: Mechanism, quantity: Quantity) -> bool:
+def driven_on(mechanism: Mechanism, quantity: Quantity) -> bool:
     """Whether a quantity says something of a link that is not driven itself: an output by what its formula reads."""
     near = {mechanism.ground.name, mechanism.driver.link}
     by_links = {point for link in mechanism.links if link.name in near for point in link.points}
@@ -298,16 +298,8 @@ def _driven_on(mechanism: Mechanism, quantity: Quantity) -> bool:
     own = {link.angle_symbol for link in mechanism.links if link.name not in near}
     own |= {joint.symbol for joint in mechanism.joints if joint.symbol != mechanism.driver.symbol}
     own |= {f"{point}.{axis}" for point in away for axis in "xy"}
-    outputs = {output.symbol: output.formula for output in mechanism.outputs}
-    waiting, seen = [quantity.name], set[str]()
-    while waiting:
-        name = waiting.pop()
-        if name in own:
-            return True
-        if name in outputs and name not in seen:
-            seen.add(name)
-            waiting += symbols(outputs[name])
-    return not away.isdisjoint(quantity.points)
+    read = {quantity.name}.union(*(symbols(one.formula) for one in mechanism.outputs if one.symbol == quantity.name))
+    return not own.isdisjoint(read) or not away.isdisjoint(quantity.points)
 
 
 def _lasting(
