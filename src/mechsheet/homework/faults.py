@@ -22,7 +22,7 @@ from mechsheet.homework.trial import Effort, Trial, UntriableError
 from mechsheet.homework.truth import Array, Quantity, Truth, vocabulary
 from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
-from mechsheet.homework.verdicts import Finding, Retyped, Sheet, findings, follows, retype
+from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, retype
 
 MOST_FAULTS = 5
 OF_VERIFYING = 10_000
@@ -120,7 +120,10 @@ class Search:
         return best or self._of_pairs()
 
     def _of_pairs(self) -> Mend | None:
-        """The first mend of two changes in one formula, of those that are not known to be right."""
+        """The first mend of two changes in one formula, of those that are not known to be right; for a column, not for one
+        number: that is soon hit."""
+        if not any(symbol in self.truth.columns for symbol, _ in self.goals):
+            return None
         doubtful = [n for n in self.suspects() if n not in self.known or self.derived.get(n) is False]
         for number in doubtful[:MOST_OF_PAIRS]:
             if self.effort.spent:
@@ -324,13 +327,20 @@ class Search:
             if finding.verdict in ("right", "not live") and after[symbol].verdict != "right":
                 return None
         fixed = tuple(symbol for symbol in self.results if symbol in rights and after[symbol].verdict == "right")
-        if not fixed:
+        if not fixed or not all(self._by_its_column(mended, strip, symbol) for symbol in fixed):
             return None
         understanding = mended.found
         live = all(
             follows(understanding, after[symbol], one.again(understanding)) for one in self.retyped for symbol in fixed
         )
         return Mend(strip, candidate.formula, candidate.kind, candidate.weight, fixed, live)
+
+    def _by_its_column(self, mended: Sheet, strip: Strip, symbol: str) -> bool:
+        """One number is soon hit: a mend in a column counts for a summary when there is the column that it is taken of."""
+        if symbol in self.truth.columns or not self._beside(strip):
+            return True
+        of = next(one.of for one in self.found.mechanism.summaries if one.symbol == symbol)
+        return agreeing(mended, self.truth, of) is not None
 
 
 def _inside(strip: Strip, series: Series) -> bool:

@@ -73,7 +73,7 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
     results: dict[str, Finding] = {}
     wanted = [symbol for symbol in sheet.asked if symbol in truth.columns]
     for symbol in wanted:
-        best = _agreeing(sheet, truth, symbol)
+        best = agreeing(sheet, truth, symbol)
         if best is not None:
             results[symbol] = Finding(symbol, "right", best[0], best[1])
     taken = {finding.series.key for finding in results.values() if finding.series is not None}
@@ -93,7 +93,7 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
     return {symbol: results.get(symbol, Finding(symbol, "missing")) for symbol in sheet.asked}
 
 
-def _agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] | None:
+def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] | None:
     """The series that is a quantity: read plainly before in another sense, headed so before not, computed before typed."""
     found = sheet.found
     quantity = truth.quantity(symbol)
