@@ -26,6 +26,7 @@ from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.sheet.table.start_table import assemblies_lost
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.equations import link_words
@@ -262,11 +263,12 @@ class _Block:
     def newton(self) -> None:
         """Whether each row is of the same assembly, how well the links meet, how many passes that took, the least |det|."""
         key, cell = "same_assembly", self.value("same_assembly")
-        kept, lost = self.text(f"{key}.kept"), self.text(f"{key}.lost")
-        words = formula('IF(closed=0,"",IF(count=0,kept,lost))', closed=self.value("rows_closed"), count=cell, kept=kept,
-                        lost=lost)  # fmt: skip
+        kept, lost, begun = (self.text(f"{key}.{word}") for word in ("kept", "lost", "begun"))
+        words = formula('IF(closed=0,"",IF(count>0,lost,IF(ends>0,begun,kept)))', closed=self.value("rows_closed"),
+                        count=cell, kept=kept, lost=lost, begun=begun, ends=assemblies_lost(self.plan))  # fmt: skip
         self.line(key, self.text(key), "", self.checks.worst("assembly"), 0, words)
         self.colour(key, "count>0", styles.BAD, count=cell)
+        self.colour(key, "said=begun", styles.WARN, said=self.words(key), begun=begun)
         self.colour(key, "said=kept", styles.GOOD, said=self.words(key), kept=kept)
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line("largest_residual", self.text("residual"), "", self.checks.worst("residual"), style,
@@ -537,6 +539,8 @@ class _Block:
         doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))
+        if lost is not None:
+            doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=self.text("same_assembly.begun"))
         self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
