@@ -48,8 +48,11 @@ NEWTON: dict[str, tuple[str, str]] = {
     "verdict.same_assembly.kept": ("the same assembly in every row", "her satırda aynı montaj"),
     "verdict.same_assembly.lost": ("rows that leap to another assembly", "başka montaja sıçrayan satır"),
     "verdict.same_assembly.begun": (
-        "perhaps not the assembly described: on the way to these dimensions it ends",
-        "tarif edilen montaj olmayabilir: o, bu boyutlara giden yolda sona eriyor",
+        "the assembly described ends: perhaps another", "tarif edilen montaj sona eriyor: belki başkası",
+    ),
+    "verdict.line.ended": (
+        "no position found: on the way to these dimensions the assembly described ends",
+        "konum bulunamadı: tarif edilen montaj bu boyutlara giden yolda sona eriyor",
     ),
     "verdict.least_det": ("least |det|", "en küçük |det|"),
     "verdict.least_det.words": ("nearest to where assemblies meet", "montajların birleştiği yere en yakın"),

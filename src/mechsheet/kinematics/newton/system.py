@@ -27,11 +27,14 @@ from mechsheet.kinematics.numeric import FUNCTIONS, Array, evaluate_equation
 Step: TypeAlias = "Callable[[Sequence[Any], Sequence[Any]], Pass]"
 """From the unknowns and what is given to a pass."""
 
-FIRST_PASSES = 20
+FIRST_PASSES = 32
 """Passes from the start values."""
 
-LED = 12
+LED = 24
 """So many of these go with the dimensions from those described to those that are there."""
+
+REFINING = 20
+"""Passes from a guess that may be far off."""
 
 CLOSED = 1e-11
 """Up to this residual a position exists: what is left of the gaps is 1e-9 of the size even in short links."""
@@ -113,7 +116,7 @@ def _led(system: System, step: Step, start: Sequence[float], there: Mapping[str,
 
 
 def refined(
-    system: System, known: Mapping[str, Any], guesses: Sequence[Array], passes: int = FIRST_PASSES
+    system: System, known: Mapping[str, Any], guesses: Sequence[Array], passes: int = REFINING
 ) -> tuple[list[Array], Array, Array]:
     """Many starts at once, row by row its own: unknowns, residuals, determinants after so many passes."""
     shape = np.shape(guesses[0])

@@ -519,12 +519,15 @@ class _Block:
         gap = self.words("largest_gap")
         good = joined(*parts)
         lost: Node | None = None
+        nowhere: Node = Text(self.text("line.nowhere"))
         if plan.found.newton:
+            nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(plan), ended=self.text("line.ended"),
+                              nowhere=nowhere)  # fmt: skip
             lost = self.words("same_assembly")
             good = formula("IF(lost=kept,good,lost)", lost=lost, kept=self.text("same_assembly.kept"), good=good)
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
-            fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
+            fine=Symbol("#fine"), count=count, nowhere=nowhere, gap=gap,
             closed=self.text("gap.closed"),
             good=good, inputs=self.words("inputs"),
         )  # fmt: skip
@@ -535,7 +538,7 @@ class _Block:
         bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
                       inputs=self.words("inputs"))  # fmt: skip
         if lost is not None:
-            bad = formula("OR(bad,AND(count>0,leapt>0))", bad=bad, count=count, leapt=self.value("same_assembly"))
+            bad = formula("OR(bad,count=0,leapt>0)", bad=bad, count=count, leapt=self.value("same_assembly"))
         doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))

@@ -2,7 +2,8 @@
 
 The start values belong to the dimensions of the description, which stand in the first row. From there the dimensions go in
 `LED` equal steps to those of the first sheet, a pass each; the passes that are left are made there. While the determinant
-keeps its sign the assembly is the described one; a row where it does not says 1 in the last column.
+keeps its sign and the unknowns their trend the assembly is the described one; a row where they do not says 1 in the last
+column.
 """
 
 from __future__ import annotations
@@ -20,6 +21,9 @@ from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW
 from mechsheet.sheet.table.start_columns import begun, start_columns
 from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Merge, Style
 from mechsheet.units import DEG
+
+TREND = 0.5
+"""Radians, or parts of the size, by which an unknown may leave its trend from one step to the next."""
 
 
 class StartTable:
@@ -118,11 +122,21 @@ class StartTable:
             self._fill(first, self.place[part.symbol], part.expression, FIRST_PASSES + 1)
 
     def _lost(self) -> None:
-        """1 in a row to which the assembly cannot be kept: the determinant has another sign than at the beginning."""
-        spot = self.plan.at.spots[f"#lost_{self.group.number}"]
-        begin = CellRef(self.first, self.place[self.system.determinant], True, True)
-        node = formula("IFERROR(IF(det*begin>0,0,1),1)", det=Symbol(self.system.determinant), begin=begin)
-        self._fill(self.first, spot.col, node, FIRST_PASSES + 1, 0)
+        """1 in a row to which the assembly cannot be kept: the determinant has another sign than at the beginning, or an
+        unknown leaps from its trend (past one end of the assembly to another of the same sign)."""
+        plan, system = self.plan, self.system
+        spot = plan.at.spots[f"#lost_{self.group.number}"]
+        begin = CellRef(self.first, self.place[system.determinant], True, True)
+        keeps = formula("IFERROR(IF(det*begin>0,0,1),1)", det=Symbol(system.determinant), begin=begin)
+        self._fill(self.first, spot.col, keeps, 2, 0)
+        leaps = []
+        for unknown, variable in zip(system.unknowns, system.variables, strict=True):
+            most = TREND * (1.0 if plan.equations.of(variable).unit.kind == "angle" else plan.size)
+            here, above, before = (CellRef(self.first + row, self.place[unknown], False, False) for row in (2, 1, 0))
+            leaps.append(formula("ABS(here-2*above+before)/most", here=here, above=above, before=before, most=most))
+        node = formula("IFERROR(IF(AND(det*begin>0,leap<1),0,1),1)", det=Symbol(system.determinant), begin=begin,
+                       leap=al.largest(leaps))  # fmt: skip
+        self._fill(self.first + 2, spot.col, node, FIRST_PASSES - 1, 0)
 
     def _starts(self) -> None:
         """The start values of each assembly: inputs."""
