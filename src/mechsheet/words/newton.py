@@ -51,8 +51,8 @@ NEWTON: dict[str, tuple[str, str]] = {
         "the assembly described ends: perhaps another", "tarif edilen montaj sona eriyor: belki başkası",
     ),
     "verdict.line.ended": (
-        "no position found: on the way to these dimensions the assembly described ends",
-        "konum bulunamadı: tarif edilen montaj bu boyutlara giden yolda sona eriyor",
+        "no position found: on the way to these values the assembly described ends",
+        "konum bulunamadı: tarif edilen montaj bu değerlere giden yolda sona eriyor",
     ),
     "verdict.least_det": ("least |det|", "en küçük |det|"),
     "verdict.least_det.words": ("nearest to where assemblies meet", "montajların birleştiği yere en yakın"),

@@ -22,7 +22,7 @@ from mechsheet.sheet.table.start_columns import begun, start_columns
 from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Merge, Style
 from mechsheet.units import DEG
 
-TREND = 0.5
+TREND = 0.4
 """Radians, or parts of the size, by which an unknown may leave its trend from one step to the next."""
 
 
