@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from laid import Laid, template_text
 
+import mechsheet
 from chosen import IN_CI, ITERATED, first, part
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.newton.leading import leading
@@ -164,6 +165,14 @@ def test_the_line_under_the_title_says_where_the_assembly_ends(language):
     sheet.change(v=1.65)
     assert not any(sheet.exists)
     assert sheet.verdict == sheet.plan.text("verdict.line.ended")
+
+
+@pytest.mark.parametrize("v", [2.2834089501311663, 1.65])
+def test_check_agrees_where_the_assembly_ends(tmp_path, v):
+    """Somebody has typed it and saved: nothing is wrong with the workbook."""
+    (path,) = mechsheet.template("stephenson-ii-class-iv").build(tmp_path, formats=["xlsx"])
+    mechsheet.recalc(path, {"v": v}).write(tmp_path / "typed.xlsx")
+    assert mechsheet.check(tmp_path / "typed.xlsx").agrees
 
 
 def test_what_leads_to_a_group():
