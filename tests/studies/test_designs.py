@@ -26,6 +26,7 @@ TEMPLATES = (
     "hoeken",
     "jansen",
     "cylinder-boom",
+    "excavator",
     "scotch-yoke",
     "drag-link",
     "geared-five-bar",
