@@ -13,6 +13,8 @@ from mechsheet.description.rewrite import with_value
 from mechsheet.description.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
+from mechsheet.synthesis.kinds import KINDS
+from mechsheet.units import NUMBER
 
 
 def _numbers(value: Any, place: Path) -> Iterator[Path]:
@@ -54,7 +56,9 @@ def with_task_value(source: Source, place: Path, value: str, option: str) -> tup
     if is_list or wants_list:
         return _with_list(source, path, value, option, is_list and wants_list)
     scope = scope_for(source, option)
-    text = typed_value(value, unit_in(place, scope), "its", scope)
+    kind = KINDS.get(str(source.data["synthesis"].get("kind")))
+    unit = unit_in(place, kind, scope) if kind else NUMBER  # without a kind the reader will complain
+    text = typed_value(value, unit, "its", scope)
     return (source if text is None else with_value(source, path, text)), scope.report.faults
 
 

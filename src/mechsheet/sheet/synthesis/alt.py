@@ -46,7 +46,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
-from mechsheet.synthesis.dead_centres import LONGEST
+from mechsheet.synthesis.over_ratio import LONGEST
 
 SWINGS = tuple(range(10, 130, 10))
 """psi of the columns, degrees; the task's own follows them."""

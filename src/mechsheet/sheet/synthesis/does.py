@@ -12,10 +12,9 @@ from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
-from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import largest
-from mechsheet.sheet.synthesis.tables import MU, curve_columns, sensitivity_columns
+from mechsheet.sheet.synthesis.tables import MU, curve_columns, has_points, sensitivity_columns
 from mechsheet.sheet.workbook import Area, Conditional
 from mechsheet.units import behind_number
 
@@ -137,8 +136,8 @@ class Does:
         """The largest error of what is asked, in parts of each unit."""
         page = self.page
         errors = self._column("asked", USED)
-        kinds = {each.kind for each in requirements(page.given)}
-        unit = page.unit_text(kinds.pop()) if len(kinds) == 1 else ""
+        measures = {each.measure for each in page.kind.asked(page.given)}
+        unit = page.unit_text(measures.pop()) if len(measures) == 1 else ""
         value = formula("MAX(MAX(errors),-MIN(errors))", errors=errors)
         missing = formula("COUNT(errors)<ROWS(errors)", errors=errors)
         largest_error = joined(page.text("meets.about"), formula("ROUND(number,4)", number=CellRef(
@@ -165,14 +164,9 @@ class Does:
     def _order(self, key: str) -> None:
         """Whether the input goes through the points one after the other."""
         page = self.page
-        if page.given.kind == "guidance":
-            two, three = page.tree("beta_A2"), page.tree("beta_A3")
-            value = formula("IF(AND(two*three>0,ABS(three)>ABS(two)),1,0)", two=two, three=three)
-        else:
-            count = int(page.given.chosen["points"])
-            steps = [page.tree(f"theta_p{n + 1} - theta_p{n}") for n in range(1, count)]
-            value = formula("IF(ABS(total)=count,1,0)", total=al.total(formula("SIGN(step)", step=step) for step in steps),
-                            count=len(steps))  # fmt: skip
+        steps = [page.tree(step) for step in page.kind.steps(page.given)]
+        total = al.total(formula("SIGN(step)", step=step) for step in steps)
+        value = formula("IF(ABS(total)=count,1,0)", total=total, count=len(steps))
         other = [("value=0", page.text("order.not"))]
         self._entry(key, value, "", other, page.text("order.kept"), amber="value=0", counted=True)
 
@@ -221,32 +215,22 @@ class Does:
     def _turns(self, key: str) -> None:
         """Whether the crank turns fully."""
         page = self.page
-        four_bar = page.given.kind == "dead-centres"
-        fits = page.tree("min(a3 + a4 - a1 - a2, a1 - a2 - abs(a3 - a4))" if four_bar else "a3 - a2 - abs(c)")
+        fits = page.tree(page.kind.turns)
         unit = page.unit_text("length")
         self._entry(key, fits, unit, [("value<0", page.text("turns.not"))], page.text("turns.fully"), red="value<0")
 
     def _at_dead_centre(self, key: str) -> None:
         """How near a point is to a dead centre."""
         page = self.page
-        at_points = page.given.kind == "function"
-        value = self._nearest_to_line(self._column("asked", MU)) if at_points else self._least_at_poses()
+        if has_points(page.given):
+            value = self._nearest_to_line(self._column("asked", MU))
+        else:
+            value = page.shown(page.tree(page.kind.beside), "angle")
         near = DEAD if page.degrees else formula("RADIANS(dead)", dead=DEAD)
         self._entry(
             key, value, page.unit_text("angle"), [("value<near", page.text("at_dead_centre.yes"))],
             page.text("at_dead_centre.no"), amber="value<near", near=near,
         )  # fmt: skip
-
-    def _least_at_poses(self) -> Node:
-        """The least angle between coupler and output at the poses of a guided body.
-
-        Of A→B and B0→B: their product's share of the two lengths'.
-        """
-        across = [
-            f"abs((x_B{n} - x_A{n})*(y_B{n} - y_B0) - (y_B{n} - y_A{n})*(x_B{n} - x_B0))" for n in ("", "_2", "_3")
-        ]
-        sine = f"min({', '.join(across)})/(a3*a4)"
-        return self.page.shown(self.page.tree(f"asin(min(1, {sine}))"), "angle")
 
     def _grashof(self, key: str) -> None:
         """What the first sheet says of the loop: red where it cannot be closed, amber at a change point."""

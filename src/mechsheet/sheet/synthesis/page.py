@@ -11,6 +11,7 @@ from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.synthesis.naming import Naming
 from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
 from mechsheet.sheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.synthesis.kinds import kind_of
 
 LARGE = 1e6
 """A number from here on would not fit its cell with six decimals."""
@@ -21,6 +22,7 @@ class Page:
 
     def __init__(self, plan: Plan, task: Synthesis, rows: Rows) -> None:
         self.plan, self.given, self.rows = plan, task, rows
+        self.kind = kind_of(task)
         self.title = plan.at.titles["synthesis"]
         self.naming = Naming(task)
         self.dimensions: dict[str, Dimension] = {dim.symbol: dim for dim in plan.mechanism.dimensions}
