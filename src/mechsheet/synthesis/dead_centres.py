@@ -10,7 +10,16 @@ u and 1/u, u = -cos(phi - psi/2)/cos(psi/2). The lam with the largest least tran
 
     Q^3 + 2 Q^2 - t^2 Q - t^2 (1 + t^2)/u^2 = 0,   t = tan(phi/2), u = tan((phi - psi)/2)
 
-Sources: Soeylemez, Mechanisms, section 7.1, equations 9 to 12; F. Freudenstein and E. J. F. Primrose, The classical
+The loop closure equations of the two dead centres, crank and coupler in line (the text's equations 9 and 10), are
+
+    (a2 + a3) e^(i beta) - a4 e^(i psi_1) = a1,   (a2 - a3) e^(i (beta + phi)) - a4 e^(i (psi_1 + psi)) = a1
+
+and with Z1 = a2 e^(i beta)/a1, Z2 = a4 e^(i psi_1)/a1 (equations 11 and 12)
+
+    (1 + lam) Z1 - Z2 = 1,   (1 - lam) e^(i phi) Z1 - e^(i psi) Z2 = 1
+
+of which the lengths above are the absolute values.
+Sources: Soeylemez, Mechanisms, section 7.1, "The classical transmission angle problem"; F. Freudenstein and E. J. F. Primrose, The classical
 transmission angle problem, IMechE conference on mechanisms (1972).
 """
 
@@ -18,7 +27,7 @@ from __future__ import annotations
 
 from mechsheet.model import Synthesis
 from mechsheet.synthesis.cubic import root
-from mechsheet.synthesis.four_bar import position
+from mechsheet.synthesis.four_bar import INPUT_TURNS, position
 from mechsheet.synthesis.kind import BETWEEN_DEAD_CENTRES, Curve, Kind, Line, Requirement
 from mechsheet.synthesis.over_ratio import LONGEST, curve_over_ratio
 from mechsheet.synthesis.writing import Writer
@@ -59,7 +68,7 @@ def _ratio(w: Writer) -> None:
         w.number("lam", words="lam")
         w.also("lam")
     elif w.task.has("a2"):
-        w.length("a2")
+        w.length("a2", words="crank")
         w.step("lam_squared", "(2*(sin(psi/2)*a1/a2)^2 - A)/B", plain, "lam_squared")
         w.result("lam", "sqrt(lam_squared)", plain, "lam_from_crank", "lam_squared - 1")
     else:
@@ -74,7 +83,7 @@ def _ratio(w: Writer) -> None:
 
 
 def _lengths(w: Writer) -> None:
-    """Equations 9 to 12 of the text."""
+    """The absolute values of Z1 and Z2."""
     length = w.units.length
     w.step("D", "sqrt(A + B*lam^2)", w.units.number, "D", "lam - 1")
     if w.task.has("a2"):
@@ -86,10 +95,7 @@ def _lengths(w: Writer) -> None:
 
 
 def _positions(w: Writer) -> None:
-    """Where B is at the first dead centre, seen from B0 in parts of a1: crank and coupler in line give two equations,
-
-    C (1 + lam) = 1 + R,   C (1 - lam) e^(i phi) = 1 + R e^(i psi)
-    """
+    """Where B is at the first dead centre, seen from B0 in parts of a1: R, the text's Z2, from its equations 11 and 12."""
     plain, angle = w.units.number, w.units.angle
     w.step("kappa", "(1 - lam)/(1 + lam)", plain, "kappa", "D")
     w.step("num_x", "1 - kappa*cos(phi)", plain, "numerator")
@@ -102,6 +108,7 @@ def _positions(w: Writer) -> None:
     w.result("psi_1", "atan2(R_y, R_x)", angle, "psi_1")
     w.step("together", "R_y*(R_x*sin(psi) + R_y*cos(psi))", plain, "together")
     w.result("mode", "where(R_y, 1, -1)", plain, "mode_dead")
+    w.one_of_two("mode")
 
 
 def _transmission(w: Writer) -> None:
@@ -156,6 +163,6 @@ KIND = Kind(
     numbers=("time_ratio", "lam"),
     positive=("a1", "a2", "time_ratio", "lam"),
     own=("a1",),
-    turns="min(a3 + a4 - a1 - a2, a1 - a2 - abs(a3 - a4))",
+    turns=INPUT_TURNS,
     alt=True,
 )

@@ -36,6 +36,9 @@ def position(key: str, n: int, theta: str, psi: str) -> Line:
     return Line(key, vertices, n - 1, number=n)
 
 
+INPUT_TURNS = "min(a3 + a4 - a1 - a2, abs(a1 - a2) - abs(a3 - a4))"
+"""Above 0 where the input link turns fully: A comes from one side of B0 to the other, and coupler and output reach it."""
+
 RANGE_ROWS = 81
 
 

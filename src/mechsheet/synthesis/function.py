@@ -13,7 +13,7 @@ from __future__ import annotations
 from mechsheet.formula.nodes import Symbol, with_symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import Synthesis
-from mechsheet.synthesis.four_bar import RANGE_ROWS, output_angle, part, position, transmission_angle
+from mechsheet.synthesis.four_bar import INPUT_TURNS, RANGE_ROWS, output_angle, part, position, transmission_angle
 from mechsheet.synthesis.kind import THROUGH_POINTS, Columns, Curve, Kind, Line, Requirement
 from mechsheet.synthesis.writing import DETERMINED, Writer
 from mechsheet.words.synthesis import ENDS
@@ -112,8 +112,10 @@ def _assembly(w: Writer, count: int) -> None:
         # (B0 - A) x (B - A), with A = a2 (cos theta, sin theta) and B - B0 = a4 (cos psi, sin psi)
         cross = f"a4_signed*(a1*sin(psi_p{n}) - a2_signed*sin(psi_p{n} - theta_p{n}))"
         w.step(f"side_p{n}", f"sign({cross})", plain, "side", "a3_squared", number=n)
+        w.one_of_two(f"side_p{n}")
     total = " + ".join(f"side_p{n}" for n in range(1, count + 1))
     w.result("mode", f"where(0.5 + {total}, 1, -1)", plain, "mode")
+    w.one_of_two("mode")
 
 
 # --- what the sheet says and draws ---------------------------------------------------------------------------------
@@ -164,5 +166,6 @@ KIND = Kind(
     positive=("a1",),
     own=("a1",),
     pairs=True,
+    turns=INPUT_TURNS,
     steps=lambda task: [f"theta_p{n + 1} - theta_p{n}" for n in _numbers(task)[:-1]],
 )

@@ -12,7 +12,7 @@ Source: R. L. Norton, Design of Machinery, sections 5.3 to 5.8.
 from __future__ import annotations
 
 from mechsheet.model import Synthesis
-from mechsheet.synthesis.four_bar import RANGE_ROWS, part, transmission_angle
+from mechsheet.synthesis.four_bar import INPUT_TURNS, RANGE_ROWS, part, transmission_angle
 from mechsheet.synthesis.kind import THROUGH_POINTS, Curve, Kind, Line, Requirement
 from mechsheet.synthesis.writing import DETERMINED, Writer
 
@@ -161,7 +161,9 @@ def _assembly(w: Writer) -> None:
         ax, ay, bx, by = f"x_A{end}", f"y_A{end}", f"x_B{end}", f"y_B{end}"
         side = f"sign((x_B0 - {ax})*({by} - {ay}) - (y_B0 - {ay})*({bx} - {ax}))"
         w.step(f"side_p{n}", side, plain, "side_pose", number=n)
+        w.one_of_two(f"side_p{n}")
     w.result("mode", "where(0.5 + side_p1 + side_p2 + side_p3, 1, -1)", plain, "mode_poses")
+    w.one_of_two("mode")
 
 
 # --- what the sheet says and draws ---------------------------------------------------------------------------------
@@ -212,6 +214,7 @@ KIND = Kind(
     THROUGH_POINTS,
     _curve,
     angles=("turns", "poses.3"),
+    turns=INPUT_TURNS,
     steps=lambda _: ["beta_A2", "beta_A3 - beta_A2"],
     beside=_least_angle(),
 )

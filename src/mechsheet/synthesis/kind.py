@@ -102,7 +102,7 @@ class Kind:
     asked     the rows of what is asked
     figure    the lines of the figure;  curve  the table over a range
     verdicts  names of what is said of the mechanism that comes out, in order: methods of `sheet/synthesis/does.py`
-    turns     above 0 where the crank turns fully, a length, over results; "" where that is not asked
+    turns     above 0 where the input link turns fully, a length, over results; "" where it always does
     steps     by how much the input link turns from each point to the next: for the verdict `order`
     beside    the least angle between coupler and output at the points, where they have no input angle: for `at_dead_centre`
     alt       whether the workbook has Alt's chart

@@ -54,7 +54,7 @@ def _ratio(w: Writer) -> None:
         return
     words = "lam_from_crank"
     if w.task.has("a2"):
-        w.length("a2")
+        w.length("a2", words="crank")
         w.step("lam_squared", "((stroke/a2)^2 - q)/p", plain, "lam_squared", NOT_EQUAL)
     elif w.task.has("c"):
         w.length("c", words="eccentricity")

@@ -70,6 +70,7 @@ class Writer:
         self.dimensions: list[Dimension] = []
         self.inputs: dict[TaskPlace, str] = {}
         self.steps: list[str] = []
+        self.sides: list[str] = []
         self.results: dict[str, str] = {}
         self.positive: list[str] = []
         self.reasons: list[tuple[str, Words]] = []
@@ -121,6 +122,10 @@ class Writer:
     def also(self, name: str) -> None:
         """An input or a step that is a result as it is, too."""
         self.results[name] = self.names[name]
+
+    def one_of_two(self, name: str) -> None:
+        """A step that is 1 or −1: on which of two sides something lies, which of two assemblies is meant."""
+        self.sides.append(self.names[name])
 
     def node(self, name: str, node: Node, unit: Unit, words: str, **parts: object) -> None:
         """A step whose expression is given as a tree; it need not have a value."""

@@ -51,8 +51,9 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
         for symbol, entry in given.items()
         if isinstance(entry, dict) and entry.get("synthesis", BAD) is not BAD
     }
+    scope.solved = data is None
     if not isinstance(data, dict) or not data:
-        for symbol in taken if data is not BAD else ():
+        for symbol in taken if data is None else ():
             message = "there is no part [synthesis] whose result it could be"
             scope.report.at(("dimensions", symbol, "synthesis"), message)
         return None
@@ -61,6 +62,7 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
         return None  # also what was told before: it is not among the data
     units = Units(unit_of(scope.length_unit, scope.length_unit), scope.angle_unit, NUMBER)
     plain = [symbol for symbol, entry in given.items() if _is_plain(entry)]
+    scope.solved = True
     writer = written(data["kind"], task, units, frozenset((*given, *others)), plain)
     return _found(data["kind"], task, writer, taken, scope)
 
@@ -99,6 +101,8 @@ def _task(data: dict[str, Any], given: Mapping[str, Any], scope: Scope) -> Task 
     for place, value in numbers.items():
         if place[0] in (*kind.positive, "round") and value <= 0:
             scope.report.at(("synthesis", *place), f"must be greater than 0, not {value:g}")
+    if data.get("best") is False:
+        scope.report.at(("synthesis", "best"), "is true, or left out with another key in its place")
     for key in kind.own:
         if key not in data and not _is_plain(given.get(key)):
             scope.report.at(("synthesis", key), "is missing: give it here, or as a number in [dimensions]")
@@ -237,7 +241,8 @@ def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], scop
     positive = tuple(writer.positive) + ((rounding,) if rounding else ())
     synthesis = Synthesis(
         kind, inputs, tuple(writer.steps), dict(writer.results), good, positive, dict(task.chosen), rounding,
-        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names), roots=dict(writer.roots),
+        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names), sides=tuple(writer.sides),
+        roots=dict(writer.roots),
     )  # fmt: skip
     return Found(synthesis, tuple(dimensions), units, trees)
 
@@ -279,6 +284,8 @@ def with_modes(task: Found | None, sketch: Mapping[str, Any], scope: Scope) -> S
             scope.report.at(
                 path, "only an assembly mode is a result of a synthesis", "mode_1 is that of the first group"
             )
+        elif task is None and not scope.solved:
+            continue
         elif task is None:
             scope.report.at(path, "there is no part [synthesis] whose result it could be")
         elif result is not BAD and (result != "mode" or result not in task.synthesis.results):

@@ -164,7 +164,7 @@ class _Alt:
 
     def _asked(self, name: str) -> Node:
         """An angle of the task's, in degrees."""
-        return formula("IF(ISNUMBER(cell),cell,NA())", cell=self._degrees(self.naming.used[name]))
+        return formula("IF(ISNUMBER(cell),cell,NA())", cell=self._degrees(self.naming.symbols[name]))
 
     def _degrees(self, symbol: str) -> Node:
         cell = self.plan.at.cell(symbol, self.title, None)

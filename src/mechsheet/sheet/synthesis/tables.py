@@ -34,9 +34,14 @@ def has_points(task: Synthesis) -> bool:
     return any(row.at for row in kind_of(task).asked(task))
 
 
+def exact_column(task: Synthesis) -> int:
+    """Where the errors of the exact lengths stand, if those that are used are rounded: beside what is asked."""
+    return MU + (2 if has_points(task) else 0)
+
+
 def sensitivity_columns(task: Synthesis) -> tuple[int, int]:
     """First and last column of the changes: beside the solution, behind all that is printed."""
-    first = MU + (2 if has_points(task) else 0)
+    first = exact_column(task) + (1 if task.rounding else 0)
     return first, first + sum(1 for symbol in task.inputs if symbol != task.rounding) - 1
 
 
@@ -44,9 +49,11 @@ def sensitivity_columns(task: Synthesis) -> tuple[int, int]:
 
 
 def write_asked(page: Page) -> None:
-    """Wanted, got, the difference."""
+    """Wanted, got, the difference; that of the exact lengths where they are rounded."""
     text = page.text
     page.heading("asked", REMARK, value=text("wanted"), rounded=text("got"), used=text("error"))
+    if page.rounds:
+        page.put(page.rows.heads["asked"], exact_column(page.given), text("error.exact"), styles.SECTION)
     if has_points(page.given):
         for col, over in ((MU, "μ"), (THETA, "θ")):
             page.put(page.rows.heads["asked"], col, over, styles.SECTION)
@@ -65,19 +72,27 @@ def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
         raw = CellRef(row, REMARK)
         page.formula(row, REMARK, page.shown(found, "angle"), style)
         apart = page.read(raw, "angle"), page.read(wanted, "angle")
-        # whole turns are none
-        off = formula("ATAN2(COS(raw-wanted),SIN(raw-wanted))", raw=apart[0], wanted=apart[1])
-        page.formula(row, ROUNDED, formula("wanted+off", wanted=wanted, off=page.shown(off, "angle")), style)
+        off = page.shown(_apart(*apart), "angle")
+        page.formula(row, ROUNDED, formula("wanted+off", wanted=wanted, off=off), style)
     else:
         page.formula(row, ROUNDED, page.shown(found, asked.measure), style)
         page.put(row, REMARK, None, styles.LABEL)
     page.formula(row, USED, formula("got-wanted", got=got, wanted=wanted), styles.numbered(style, "0.0E+00"))
+    if page.rounds:
+        exact, aim = page.exactly(asked.got), page.read(wanted, asked.measure)
+        off = _apart(exact, aim) if asked.measure == "angle" else formula("exact-aim", exact=exact, aim=aim)
+        page.formula(row, exact_column(page.given), page.shown(off, asked.measure), styles.numbered(style, "0.0E+00"))
     words = step_words(asked.key, **dict(asked.parts))
     page.put(row, MEANING, words.of(page.plan.language), styles.LABEL)
     if asked.at:
         mu = page.tree(transmission_angle(f"({asked.at} + theta_offset)"))
         page.formula(row, MU, page.shown(mu, "angle"), style)
         page.formula(row, THETA, page.shown(page.tree(asked.at), "angle"), style)
+
+
+def _apart(got: Node, wanted: Node) -> Node:
+    """The angle between two angles: whole turns are none."""
+    return formula("ATAN2(COS(got-wanted),SIN(got-wanted))", got=got, wanted=wanted)
 
 
 # --- the curve -----------------------------------------------------------------------------------------------------
