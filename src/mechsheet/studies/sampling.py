@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.model import Range, Study
+from mechsheet.studies.packages import sobol
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
@@ -47,7 +48,7 @@ class Grid:
 
     def __init__(self, vary: Sequence[Range]) -> None:
         self.vary = tuple(vary)
-        self.lengths = [_length(one) for one in vary]
+        self.lengths = [one.count for one in vary]
         self.total = math.prod(self.lengths)
         self._listed = [np.array(one.values, float) for one in vary]
         self._decimals = [_decimals(one) for one in vary]
@@ -64,10 +65,6 @@ class Grid:
             else:
                 found[:, column] = np.round(one.low + place * one.step, self._decimals[column])
         return found
-
-
-def _length(one: Range) -> int:
-    return len(one.values) or math.floor((one.high - one.low) / one.step + 1e-9) + 1
 
 
 def _decimals(one: Range) -> int:
@@ -104,9 +101,7 @@ class Sobol:
 
 def _powers(width: int, bits: int, seed: int) -> tuple[Numbers, list[Numbers]]:
     """Point 0 in steps of 2^-30, and by what points 1, 2, 4, 8 ... differ from it."""
-    from scipy.stats import qmc
-
-    engine = qmc.Sobol(width, scramble=True, bits=BITS, seed=np.random.default_rng(seed))
+    engine = sobol().Sobol(width, scramble=True, bits=BITS, seed=np.random.default_rng(seed))
     first = _steps(engine.random(1))
     found, at = [], 1
     for bit in range(bits):

@@ -19,8 +19,8 @@ and with Z1 = a2 e^(i beta)/a1, Z2 = a4 e^(i psi_1)/a1 (equations 11 and 12)
     (1 + lam) Z1 - Z2 = 1,   (1 - lam) e^(i phi) Z1 - e^(i psi) Z2 = 1
 
 of which the lengths above are the absolute values.
-Sources: Soeylemez, Mechanisms, section 7.1, "The classical transmission angle problem"; F. Freudenstein and E. J. F. Primrose, The classical
-transmission angle problem, IMechE conference on mechanisms (1972).
+Sources: Soeylemez, Mechanisms, section 7.1, "The classical transmission angle problem"; F. Freudenstein and E. J. F.
+Primrose, The classical transmission angle problem, IMechE conference on mechanisms (1972).
 """
 
 from __future__ import annotations
