@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 
+import openpyxl
 import pytest
 
 from chosen import first
@@ -16,9 +17,11 @@ from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.engine import evaluate
 from mechsheet.formats import read, write
+from mechsheet.library import changed
 from mechsheet.library.building import compile_workbook
 from mechsheet.synthesis.kinds import KINDS
 from synthesis_tasks import description, task
@@ -76,3 +79,49 @@ def test_gnumeric_computes_them(tmp_path):
         subprocess.run([shutil.which("ssconvert"), "--recalc", source, answer], check=True, capture_output=True)
         found = compared("gnumeric", source, answer)
         assert found.agrees, (source.name, found)
+
+
+TYPED = {
+    "function-generator": ("psi_p2", "psi.2", 79.5),
+    "crank-rocker-swing": ("psi", "psi", 70),
+    "rigid-body-guidance": ("alpha_p2", "poses.2.3", -11.0),
+    "quick-return-slider": ("stroke", "stroke", 110),
+    "quick-return-lever": ("time_ratio", "time_ratio", 1.6),
+}
+"""Packaged description -> symbol of a yellow cell, what `--set` calls it, the number that is typed."""
+
+
+@pytest.mark.slow
+@pytest.mark.libreoffice
+def test_what_is_typed_moves_everything_as_if_it_were_built_anew(tmp_path):
+    """Drawing, curves, table, verdicts: every formula of the workbook in which the number was typed."""
+    (tmp_path / "answers").mkdir()
+    typed, anew = [], []
+    for name, (symbol, key, value) in TYPED.items():
+        built, fresh = tmp_path / f"{name}.xlsx", tmp_path / f"{name}-anew.xlsx"
+        spots = compiled_into(built, name)
+        compiled_into(fresh, name, {key: str(value)})
+        anew.append(fresh)
+        typed.append(tmp_path / f"{name}-typed.xlsx")
+        type_into(built, typed[-1], spots[symbol], value)
+    for fresh, answer in zip(anew, convert_with_libreoffice(typed, "xlsx", tmp_path / "answers"), strict=True):
+        found = compared("libreoffice", fresh, answer)
+        assert found.agrees, (fresh.name, found)
+        assert found.cells > 1000
+
+
+def compiled_into(path, name, overrides=None):
+    """The workbook of a packaged description, with other values in its task; where its cells are."""
+    workbook, plan = compile_workbook(changed.loads(template_text(name), name, overrides))
+    write(workbook, path)
+    return plan.at.spots
+
+
+def type_into(source, target, spot, value):
+    """The same file with a number typed into a cell; openpyxl keeps no stored values, so nothing but computing helps."""
+    book = openpyxl.load_workbook(source)
+    cell = book[spot.sheet].cell(spot.row + 1, spot.col + 1)
+    assert isinstance(cell.value, int | float)
+    assert cell.value != value
+    cell.value = value
+    book.save(target)
