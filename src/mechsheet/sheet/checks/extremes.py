@@ -86,6 +86,9 @@ class Extremes:
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
                 spots[key] = Spot(title, cell.row, cell.col)
+            if self.plan.mechanism.driver.law is not None:  # its rows are equally far from each other in time
+                place = self.probes.cell(block.row + 2, SIDE + 3)
+                spots[f"#{way}_place_{symbol}"] = Spot(title, place.row, place.col)
         for symbol in self.quantities:
             wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
             spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
@@ -352,6 +355,8 @@ class Extremes:
             row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
         )
         place = self._place(row, count)
+        if plan.mechanism.driver.law is not None:
+            place = probes.work(row + 2, SIDE + 3, "place", place=place)
         if count == 1:
             probes.work(row + 2, SIDE + 1, "INDEX(drivers,place)", styles.RESULT, place=place,
                         drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
