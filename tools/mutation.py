@@ -2,9 +2,10 @@
 
     python tools/mutation.py --tests tests/kinematics tests/golden --sample 60 src/mechsheet/kinematics/rrr.py ...
 
-Faults: a comparison or its limit, + for -, * for /, a constant plus one, `and` for `or`, a condition turned round, a result
-that is None. Printed are the share that was noticed and each fault that was not, with its line. A fault that changes
-nothing a user could see (an order of tests, a limit that no number meets exactly) may stay.
+Faults: a comparison or its limit, + for -, * for /, a constant plus one, `and` for `or`, one of the conditions left out or
+turned round, two arguments for one another, a result that is None. Printed are the share that was noticed and each fault
+that was not, with its line. A fault that changes nothing a user could see (an order of tests, a limit that no number meets
+exactly) may stay. A module's own tests (those named as it, else those of its folder) run besides.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,6 +27,7 @@ from typing import Any
 
 ROOT = Path(__file__).parent.parent
 SOURCE = ROOT / "src"
+PACKAGE = SOURCE / "mechsheet"
 OTHER = {
     ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
     ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
@@ -32,6 +35,19 @@ OTHER = {
 }  # fmt: skip
 TURNED_BY_OPERATOR = (ast.Eq, ast.NotEq, ast.In, ast.NotIn, ast.Is, ast.IsNot)
 """Comparisons whose other operator is their opposite: turning the whole condition round would be the same fault twice."""
+
+SYMMETRIC = (
+    "min",
+    "max",
+    "math.hypot",
+    "np.hypot",
+    "np.minimum",
+    "np.maximum",
+    "math.gcd",
+    "math.isclose",
+    "np.isclose",
+)
+QUICK = "not (slow or ci or libreoffice or gnumeric or jing or octave or chromium or latex)"
 
 
 @dataclass(frozen=True)
@@ -75,6 +91,11 @@ def _faults(node: ast.AST) -> Iterator[tuple[Any, str, Any]]:
                 yield node, "ops", [*ops[:index], OTHER[type(op)](), *ops[index + 1 :]]
         case ast.BinOp(op=op) | ast.BoolOp(op=op) if type(op) in OTHER:
             yield node, "op", OTHER[type(op)]()
+            if isinstance(node, ast.BoolOp):
+                for index in range(len(node.values)):
+                    yield node, "values", [*node.values[:index], *node.values[index + 1 :]]
+        case ast.Call(func=called, args=[first, second, *others]) if _matters(called, first, second):
+            yield node, "args", [second, first, *others]
         case ast.Constant(value=value) if type(value) in (int, float):
             yield node, "value", value + 1
         case ast.Return(value=value) if value is not None and ast.unparse(value) != "None":
@@ -85,6 +106,11 @@ def _faults(node: ast.AST) -> Iterator[tuple[Any, str, Any]]:
             yield node, "op", ast.UAdd()
         case ast.UnaryOp(op=ast.Not(), operand=operand):
             yield node, "operand", ast.UnaryOp(ast.Not(), operand)
+
+
+def _matters(called: ast.expr, *arguments: ast.expr) -> bool:
+    """Whether the order of the arguments may matter."""
+    return ast.unparse(called) not in SYMMETRIC and not any(isinstance(each, ast.Starred) for each in arguments)
 
 
 def _turns(test: ast.expr) -> bool:
@@ -98,8 +124,17 @@ def _short(text: str) -> str:
     return line if len(line) <= 90 else line[:87] + "..."
 
 
-def passes(source: Path, tests: Sequence[str], seconds: float) -> bool:
-    """Whether the tests pass with the package in `source`; a run that takes longer than `seconds` does not."""
+def own_tests(module: Path) -> list[str]:
+    """The files of tests that carry a module's name, below those of its room; where there are none, those of its folder."""
+    own = module.relative_to(PACKAGE)
+    named = (ROOT / "tests" / own.parts[0]).rglob(f"test_{module.stem}.py")
+    return sorted(str(path.relative_to(ROOT)) for path in named) or sorted(
+        str(path.relative_to(ROOT)) for path in (ROOT / "tests" / own.parent).glob("test_*.py")
+    )
+
+
+def passes(source: Path, tests: Sequence[str], seconds: float) -> bool | None:
+    """Whether the tests pass with the package in `source`; None for a run that takes longer than `seconds`."""
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
     try:
         done = subprocess.run(
@@ -111,46 +146,64 @@ def passes(source: Path, tests: Sequence[str], seconds: float) -> bool:
             check=False,
         )
     except subprocess.TimeoutExpired:
-        return False
+        return None
     return done.returncode == 0
+
+
+def run(
+    tried: Sequence[Mutant], source: Path, tests: Sequence[str], limit: float, budget: float
+) -> Counter[bool | None]:
+    """How many runs passed, failed and did not end; the faults that were not noticed are printed."""
+    begin, found = time.monotonic(), Counter[bool | None]()
+    for mutant in tried:
+        if time.monotonic() - begin > budget:
+            break
+        place = source / mutant.module.relative_to(SOURCE)
+        kept = place.read_text(encoding="utf-8")
+        place.write_text(mutant.text, encoding="utf-8")
+        passed = passes(source, [*own_tests(mutant.module), *tests], limit)
+        found[passed] += 1
+        if passed is not False:
+            late = " (not ended)" if passed is None else ""
+            print(f"{mutant.module.relative_to(ROOT)}:{mutant.line}: {mutant.change}{late}", flush=True)
+        place.write_text(kept, encoding="utf-8")
+    return found
 
 
 def main() -> int:
     """Run the faults of the modules named, or a sample of them."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("modules", nargs="+", type=Path)
+    parser.add_argument("modules", nargs="+", type=Path, help="modules, or folders of them")
     parser.add_argument("--tests", nargs="+", required=True, help="what pytest is given, the fastest first")
+    parser.add_argument("--quick", action="store_true", help="without the tests that are slow or need other programs")
     parser.add_argument("--sample", type=int, default=0, help="so many faults, drawn from all (0: all of them)")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument(
+        "--limit", type=float, default=600.0, help="a run that takes longer than so many seconds is stopped"
+    )
     parser.add_argument("--budget", type=float, default=3600.0, help="no new fault after so many seconds")
     options = parser.parse_args()
-    found = [mutant for module in options.modules for mutant in mutants(module.resolve())]
+    modules = [
+        path for place in options.modules for path in ([place] if place.is_file() else sorted(place.rglob("*.py")))
+    ]
+    found = [mutant for module in modules for mutant in mutants(module.resolve())]
     tried = found
     if 0 < options.sample < len(found):
         tried = random.Random(options.seed).sample(found, options.sample)
+    tests = [*(["-m", QUICK] if options.quick else []), *options.tests]
     begin = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         source = Path(folder) / "src"
         shutil.copytree(SOURCE, source)
         shutil.copytree(ROOT / "templates", Path(folder) / "templates")  # the package finds them beside its source
-        if not passes(source, options.tests, 3600.0):
+        if not passes(source, tests, 3600.0):
             print("the tests fail without any fault")
             return 2
-        limit = max(20.0, 4.0 * (time.monotonic() - begin))
-        noticed, ran = 0, 0
-        for mutant in tried:
-            if time.monotonic() - begin > options.budget:
-                break
-            ran += 1
-            place = source / mutant.module.relative_to(SOURCE)
-            kept = place.read_text(encoding="utf-8")
-            place.write_text(mutant.text, encoding="utf-8")
-            if passes(source, options.tests, limit):
-                print(f"{mutant.module.relative_to(ROOT)}:{mutant.line}: {mutant.change}", flush=True)
-            else:
-                noticed += 1
-            place.write_text(kept, encoding="utf-8")
-    print(f"{noticed} of {ran} faults noticed ({len(found)} possible), {time.monotonic() - begin:.0f} s")
+        runs = run(tried, source, tests, options.limit, options.budget)
+    late = f", {runs[None]} runs did not end" if runs[None] else ""
+    print(
+        f"{runs[False]} of {runs.total()} faults noticed{late} ({len(found)} possible), {time.monotonic() - begin:.0f} s"
+    )
     return 0
 
 

@@ -34,8 +34,10 @@ def test_positions_are_those_of_the_reference(path):
         compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.modes, compiled.equations)
     )
     size = np.nanmax(np.abs(np.array([truth.points[name] for name in truth.points])))
-    rows = frames["rows"]
-    assert len(rows) == len(reading.compiled.driver)
+    places, driver = np.array(frames["driver"]), compiled.mechanism.driver.unit.to_shown(compiled.driver)
+    stepped = len(places) != len(driver)  # other sweeps show their rows alone
+    rows = [int(np.argmin(np.abs(places - each))) if stepped else row for row, each in enumerate(driver)]
+    assert places[rows] == pytest.approx(driver, abs=1e-8)
     for name, columns in frames["points"].items():
         true = np.asarray(truth.points[name], float)
         for axis, column in enumerate(columns):
@@ -75,7 +77,7 @@ def test_the_position_asked_for_is_among_those_shown():
     found = looked(FOUR_BAR.read_text(encoding="utf-8"), at=33.3)
     assert found["frames"]["driver"][found["at"]] == pytest.approx(33.3)
     assert found["frames"]["driver"] == sorted(found["frames"]["driver"])
-    assert [found["frames"]["driver"][row] for row in found["frames"]["rows"]] == pytest.approx(range(0, 361, 15))
+    assert set(range(0, 361, 15)) <= set(found["frames"]["driver"])
 
 
 def test_a_position_of_another_turn_is_the_same():

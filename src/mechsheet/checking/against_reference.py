@@ -362,7 +362,7 @@ def _reached(
     """Of a mechanism that Newton's method solves: the solution without the rows that it does not reach from row to row,
     and the rows behind a gap, in which any assembly will do."""
     values = sweep(mechanism, equations, driver)
-    there = np.logical_and.reduce([np.isfinite(values[group.closes]) for group in equations.groups])
+    there = equations.closed(values)
     exists = solution.exists & there
     home = next(group.system.row for group in equations.groups if group.system is not None)
     gaps = np.flatnonzero(~there)

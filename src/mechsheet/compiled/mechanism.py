@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.compiled.evaluation import computed
 from mechsheet.dynamics.flywheel import Flywheel, flywheel
@@ -68,12 +69,9 @@ class Compiled:
         return flywheel(self.mechanism, self.equations, self.values)
 
     @property
-    def closed(self) -> Array:
+    def closed(self) -> NDArray[np.bool_]:
         """True in the rows in which every group can be joined, by the equations' own values."""
-        found = np.ones(len(self.driver), bool)
-        for group in self.equations.groups:
-            found &= np.isfinite(self.values[group.closes])
-        return found
+        return self.equations.closed(self.values)
 
     @cached_property
     def _laid_out(self) -> tuple[Workbook, Plan]:

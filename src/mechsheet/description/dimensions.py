@@ -31,7 +31,7 @@ def declare(data: dict[str, Any], scope: Scope, units: Mapping[str, Unit] | None
             scope.inputs.append(symbol)
 
 
-def read(data: dict[str, Any], scope: Scope, task: synthesis.Found | None = None) -> tuple[Dimension, ...]:
+def read(data: dict[str, Any], scope: Scope, task: synthesis.Found) -> tuple[Dimension, ...]:
     """The dimensions in the order of the file; their values, and those of the steps of a synthesis, go into
     `scope.numbers`.
     """
@@ -40,7 +40,7 @@ def read(data: dict[str, Any], scope: Scope, task: synthesis.Found | None = None
         if value is not BAD:
             scope.numbers[symbol] = scope.units[symbol].to_internal(value)
     synthesis.declare(task, scope)
-    trees = _formulas(data, scope) | dict(synthesis.trees_of(task))
+    trees = _formulas(data, scope) | task.trees
     _compute(trees, scope)
     return tuple(_dimension(symbol, entry, trees, scope) for symbol, entry in data.items() if entry is not BAD)
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from mechsheet.description import dimensions, joints, links, results
+from mechsheet.description.asked import synthesis
 from mechsheet.description.driving import driver
 from mechsheet.description.head import part, scope_of
 from mechsheet.description.report import BAD, Report
@@ -64,7 +65,7 @@ def parts_of(source: Source) -> Parts:
     listed = part(data, "joints", [])
     bare = links.declare(bodies, scope)
     dimensions.declare(given, scope)
-    table = dimensions.read(given, scope)
+    table = dimensions.read(given, scope, synthesis.Found())
     made = links.read(bodies, bare, scope)
     ends = joints.Ends(bodies, made, scope)
     sliding = joints.read(listed, ends, scope)

@@ -125,9 +125,9 @@ def _read(source: Source, report: Report) -> Mechanism | None:
 
     bare_links = links.declare(bodies, scope)  # first: a dimension that takes an angle's name is the one to rename
     task = synthesis.read(data.get("synthesis"), given, scope, (*outputs, *summary))
-    dimensions.declare(given, scope, synthesis.defaults(task))
+    dimensions.declare(given, scope, task.units)
     scope.outputs.extend(outputs)  # known by name in messages, before they are entered after all variables
-    table = (*synthesis.dimensions_of(task), *dimensions.read(given, scope, task))
+    table = (*task.dimensions, *dimensions.read(given, scope, task))
     made = links.read(bodies, bare_links, scope)
     ends = joints.Ends(bodies, made, scope)
     sliding = joints.read(part(data, "joints", []), ends, scope)
@@ -186,7 +186,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
         "rate_points": rates.points(part(data, "rates", {}), scope),
         "dynamics": masses,
         "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
-        "synthesis": synthesis.with_modes(task, sketched, scope),
+        "synthesis": synthesis.with_modes(task.synthesis, sketched, scope),
         "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
         "study": study.read(part(data, "study", {}), bodies, summary, scope),
         "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),

@@ -51,7 +51,7 @@ def scope_for(source: Source, option: str) -> Scope:
     given = table_of(source, "dimensions")
     others = (*table_of(source, "outputs"), *table_of(source, "summary"))
     task = synthesis.read(table_of(source, "synthesis") or None, given, scope, others)
-    dimensions.declare(given, scope, synthesis.defaults(task))
+    dimensions.declare(given, scope, task.units)
     dimensions.read(given, scope, task)
     scope.report = AtOption(source, option=option)
     return scope

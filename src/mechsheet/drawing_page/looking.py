@@ -20,6 +20,7 @@ from mechsheet.drawing_page.reading import Reading, fault_entry
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.places import number
+from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.solve import dimension_values, largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
@@ -170,7 +171,6 @@ def _standing(parts: Parts, held: Mapping[str, Point]) -> dict[str, Any]:
             "lines": {name: line for name, line in lines.items() if line is not None},
             "why": [0],
             "reasons": [""],
-            "rows": [],
         },
         "at": 0,
         "curves": [],
@@ -192,25 +192,24 @@ def _standing_line(
 # --- solved ----------------------------------------------------------------------------------------------------------
 
 
-def driver_places(compiled: Compiled, at: float | None) -> tuple[Array, list[int], int]:
-    """The driver's values of all positions that are shown [rad or length unit], which of them are rows, and which is `at`.
+def driver_places(compiled: Compiled, at: float | None) -> tuple[Array, int]:
+    """The driver's values of all positions that are shown [rad or length unit], and the number of that which is `at`.
 
     A sweep that steps has further positions between its rows, and `at` itself; others have their rows alone.
     """
     mechanism, rows = compiled.mechanism, compiled.driver
     wanted = shown_value(compiled, at)
     if not mechanism.driver.stepped or mechanism.listed_symbols or len(rows) < 2:
-        return rows, list(range(len(rows))), int(np.argmin(np.abs(rows - wanted)))
+        return rows, int(np.argmin(np.abs(rows - wanted)))
     fine = max(1, round(FRAMES / (len(rows) - 1)))
     span = float(rows[-1] - rows[0])
     between = rows[:-1, None] + np.diff(rows)[:, None] * (np.arange(fine) / fine)
     driver = np.append(between.ravel(), rows[-1])
-    index = list(range(0, len(driver), fine))
     nearest = int(np.argmin(np.abs(driver - wanted)))
     if abs(driver[nearest] - wanted) <= ALIKE * abs(span):
-        return driver, index, nearest
+        return driver, nearest
     place = int(np.searchsorted(driver if span > 0 else -driver, wanted if span > 0 else -wanted))
-    return np.insert(driver, place, wanted), [row + (row >= place) for row in index], place
+    return np.insert(driver, place, wanted), place
 
 
 def shown_value(compiled: Compiled, at: float | None) -> float:
@@ -241,7 +240,7 @@ def values_at(compiled: Compiled, driver: Array) -> dict[str, Array]:
 def _moving(compiled: Compiled, at: float | None, language: Language) -> dict[str, Any]:
     """All positions of the sweep."""
     mechanism, equations = compiled.mechanism, compiled.equations
-    driver, rows, shown = driver_places(compiled, at)
+    driver, shown = driver_places(compiled, at)
     values = values_at(compiled, driver)
     size = largest_length(mechanism, dimension_values(mechanism)) or 1.0
     digits = max(0, DIGITS - math.floor(math.log10(size)))
@@ -262,27 +261,23 @@ def _moving(compiled: Compiled, at: float | None, language: Language) -> dict[st
             "lines": {joint.name: _line(mechanism, joint, values, digits) for joint in mechanism.joints},
             "why": why,
             "reasons": reasons,
-            "rows": rows,
         },
         "at": shown,
-        "limits": [round(unit.to_shown(each), 6) for each in _limits(compiled, driver, np.array(why) == 0)],
+        "limits": [round(float(unit.to_shown(each)), 6) for each in _limits(compiled, driver, np.array(why) == 0)],
         "curves": _curves(mechanism, equations.columns, values, language),
     }
 
 
-def _limits(compiled: Compiled, driver: Array, closes: NDArray[np.bool_]) -> list[float]:
+def _limits(compiled: Compiled, driver: Array, closes: NDArray[np.bool_]) -> Array:
     """Driver values at which it begins or stops closing, by halving between two positions; of a sweep that steps."""
-    changes = np.flatnonzero(closes[1:] != closes[:-1])
-    groups = compiled.equations.groups
-    if not len(changes) or not compiled.mechanism.driver.stepped or any(group.system for group in groups):
-        return []
-    low, high, state = driver[changes], driver[changes + 1], closes[changes]
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        values = sweep(compiled.mechanism, compiled.equations, middle)
-        there = np.logical_and.reduce([np.isfinite(values[group.closes]) for group in groups])
-        low, high = np.where(there == state, middle, low), np.where(there == state, high, middle)
-    return [float(each) for each in np.where(state, low, high)]
+    equations = compiled.equations
+    if not compiled.mechanism.driver.stepped or any(group.system for group in equations.groups):
+        return np.zeros(0)
+
+    def exists(values: Array) -> NDArray[np.bool_]:
+        return equations.closed(sweep(compiled.mechanism, equations, values))
+
+    return edges(driver, closes, exists, HALVINGS)
 
 
 def _rounded(number: float, digits: int) -> float:

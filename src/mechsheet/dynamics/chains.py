@@ -23,8 +23,8 @@ from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.newton.carriers import Solution, Span, holder, renamed
+from mechsheet.formula.nodes import Node, Symbol, renamed
+from mechsheet.kinematics.newton.carriers import Solution, Span, holder
 from mechsheet.kinematics.newton.chains import Binary, Carrier
 from mechsheet.kinematics.newton.rates import solved
 from mechsheet.kinematics.poses import Assembly, Poses

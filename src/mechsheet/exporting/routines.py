@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, transform
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
 from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.kinematics.solve import dimension_order
@@ -161,16 +161,13 @@ def mapped(routine: Routine, change: Callable[[Node], Node]) -> Routine:
     return replace(routine, steps=steps, result=change(routine.result), missing=condition(routine.missing))
 
 
-def with_names(routine: Routine, renamed: Mapping[str, str]) -> Routine:
+def with_names(routine: Routine, names: Mapping[str, str]) -> Routine:
     """The routine with other symbols."""
 
-    def change(part: Node) -> Node:
-        return Symbol(renamed[part.name]) if isinstance(part, Symbol) and part.name in renamed else part
-
     def name(symbol: str) -> str:
-        return renamed.get(symbol, symbol)
+        return names.get(symbol, symbol)
 
-    routine = mapped(routine, lambda node: transform(node, change))
+    routine = mapped(routine, lambda node: renamed(node, names))
     return replace(
         routine,
         parameters=tuple(replace(part, symbol=name(part.symbol)) for part in routine.parameters),

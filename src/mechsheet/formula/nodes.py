@@ -408,6 +408,11 @@ def with_symbols(node: Node, values: Mapping[str, Node]) -> Node:
     return transform(node, lambda part: values.get(part.name, part) if isinstance(part, Symbol) else part)
 
 
+def renamed(node: Node, names: Mapping[str, str]) -> Node:
+    """The tree with some of its symbols under other names."""
+    return with_symbols(node, {old: Symbol(new) for old, new in names.items()})
+
+
 def symbols(node: Node) -> tuple[str, ...]:
     """Names of the quantities read from this row, each once, in reading order."""
     return tuple(dict.fromkeys(part.name for part in walk(node) if isinstance(part, Symbol)))

@@ -17,7 +17,6 @@ from typing import Any
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.description.asked.exercise import steps
 from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, OutputError, readable_name
 from mechsheet.formats import write
 from mechsheet.formats.archive import make_folder, replace_file
@@ -192,7 +191,7 @@ def _all_alike(mechanism: Mechanism) -> str:
 
 
 def _value(one: Vary, draw: random.Random) -> float:
-    return round(one.low + draw.randrange(steps(one)) * one.step, 10)
+    return round(one.low + draw.randrange(one.count) * one.step, 10)
 
 
 def _never(mechanism: Mechanism, needs: Sequence[Need]) -> DescriptionError:

@@ -57,6 +57,18 @@ def given_at(mechanism: Mechanism, dimensions: Mapping[str, float], places: Arra
     return {driver.symbol: np.asarray(value(law.value, known), dtype=np.float64), TIME: time}
 
 
+def given_between(
+    mechanism: Mechanism, dimensions: Mapping[str, float], given: Mapping[str, Array], places: Array
+) -> dict[str, Array]:
+    """What is given at places between the rows (counted from 1) of a sweep that steps, or of a law."""
+    driver = mechanism.driver
+    if driver.law is not None:
+        return given_at(mechanism, dimensions, places)
+    rows = given[driver.symbol]
+    step = (rows[-1] - rows[0]) / max(1, len(rows) - 1)
+    return {driver.symbol: np.asarray(rows[0] + (places - 1.0) * step)}
+
+
 def rates_at(mechanism: Mechanism, dimensions: Mapping[str, float], given: Mapping[str, Array]) -> dict[str, Array]:
     """The driver's speed and acceleration where its value and what is given beside it are known."""
     driver, known = mechanism.driver, {**dimensions, **given}

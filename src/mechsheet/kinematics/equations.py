@@ -13,6 +13,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Node, Root, Symbol, symbols
 from mechsheet.kinematics.closures import Loop
@@ -299,6 +302,13 @@ class Equations:
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""
         return next(equation for equation in (*self.all, *self.listed) if equation.symbol == symbol)
+
+    def closed(self, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
+        """In which rows every group closes. `values`: of every symbol, row by row, NaN where it does not exist (`sweep`)."""
+        found = np.ones(len(next(iter(values.values()))), bool)
+        for group in self.groups:
+            found &= np.isfinite(values[group.closes])
+        return found
 
 
 def validate(equations: Equations, given: tuple[str, ...]) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.driving import given_at
+from mechsheet.kinematics.driving import given_between
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.solve import dimension_values, largest_length
@@ -37,6 +37,20 @@ NEARLY = 1e-9
 
 Change = Callable[[Array], Array]
 Mask = NDArray[np.bool_]
+
+
+def edges(places: Array, there: Mask, exists: Callable[[Array], Mask], halvings: int) -> Array:
+    """Places where it begins or stops closing, on the side where it closes: between two of `places`, by halving.
+
+    there  at which of them it closes;  exists  the same of any places
+    """
+    changes = np.flatnonzero(there[1:] != there[:-1])
+    low, high, state = places[changes], places[changes + 1], there[changes]
+    for _ in range(halvings if len(changes) else 0):
+        middle = (low + high) / 2
+        same = exists(middle) == state
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    return np.where(state, low, high)
 
 
 class Search:
@@ -61,7 +75,6 @@ class Search:
         driver = given[mechanism.driver.symbol]
         self.rows = len(driver)
         self.stepped = stepped and self.rows > 1
-        self.start = float(driver[0])
         self.step = float(driver[-1] - driver[0]) / (self.rows - 1) if self.stepped else 0.0
         self.dimensions = dimension_values(mechanism)
         self.size = largest_length(mechanism, self.dimensions) or 1.0
@@ -70,7 +83,7 @@ class Search:
         self.at = self.known(self.u)
         self.there = self.exists(self.at)
         self.row_there = self.there[:: self.fine]
-        self.edges = self._edges()
+        self.edges = edges(self.u, self.there, lambda u: self.exists(self.known(u)), HALVINGS if self.stepped else 0)
         self.dips: list[float] = []
         self.peeps: list[float] = []
         self.doubt: list[float] = []
@@ -90,9 +103,7 @@ class Search:
         if not self.stepped:
             rows = np.rint(places - 1).astype(int)
             return {name: np.asarray(column[rows]) for name, column in self.given.items()}
-        if self.mechanism.driver.law is not None:
-            return given_at(self.mechanism, self.dimensions, places)
-        return {self.mechanism.driver.symbol: np.asarray(self.start + (places - 1) * self.step)}
+        return given_between(self.mechanism, self.dimensions, self.given, places)
 
     def known(self, u: Array) -> dict[str, Array]:
         """Every symbol's values at places."""
@@ -101,21 +112,7 @@ class Search:
 
     def exists(self, known: dict[str, Array]) -> Mask:
         """Where every group closes."""
-        there = np.ones(len(known[self.mechanism.driver.symbol]), dtype=bool)
-        for group in self.equations.groups:
-            there &= np.isfinite(known[group.closes])
-        return there
-
-    def _edges(self) -> Array:
-        """Places where it begins or stops closing, on the side where it closes."""
-        changes = np.flatnonzero(self.there[1:] != self.there[:-1])
-        low, high = self.u[changes].copy(), self.u[changes + 1].copy()
-        state = self.there[changes]
-        for _ in range(HALVINGS if self.stepped and len(changes) else 0):
-            middle = (low + high) / 2
-            same = self.exists(self.known(middle)) == state
-            low, high = np.where(same, middle, low), np.where(same, high, middle)
-        return np.where(state, low, high)
+        return self.equations.closed(known)
 
     def _narrow(self, function: Change, places: Array) -> tuple[Array, Array]:
         """Around each place, up to the next of the grid, the one with the least value of the function; and that value."""

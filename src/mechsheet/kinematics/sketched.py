@@ -190,9 +190,7 @@ def _position(mechanism: Mechanism, equations: Equations, driver: Array) -> tupl
     """The first of the rows that exists, and the values there; one row is tried before all of them."""
     for count in dict.fromkeys((1, len(driver))):
         values = sweep(mechanism, equations, driver[:count])
-        exists = np.ones(count, dtype=bool)
-        for group in equations.groups:
-            exists &= np.isfinite(values[group.closes])
+        exists = equations.closed(values)
         if exists.any():
             return values, int(np.flatnonzero(exists)[0])
     return {}, None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
@@ -9,6 +10,11 @@ from typing import Literal, TypeAlias
 from mechsheet.formula.nodes import Node
 
 from .symbols import Words
+
+
+def values_in(low: float, high: float, step: float) -> int:
+    """How many values low, low + step, ... up to high are."""
+    return math.floor((high - low) / step + 1e-9) + 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +25,11 @@ class Vary:
     low: float
     high: float
     step: float
+
+    @property
+    def count(self) -> int:
+        """How many values it can have."""
+        return values_in(self.low, self.high, self.step)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +119,11 @@ class Range:
     high: float = 0.0
     step: float = 0.0
     values: tuple[float, ...] = ()
+
+    @property
+    def count(self) -> int:
+        """How many values it has where it steps or lists them."""
+        return len(self.values) or values_in(self.low, self.high, self.step)
 
 
 @dataclass(frozen=True, slots=True)

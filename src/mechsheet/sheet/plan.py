@@ -159,10 +159,7 @@ class Plan:
     @cached_property
     def first_existing(self) -> int:
         """The number of the first row that has a position, with the dimensions as described; 0 where none has."""
-        there = np.ones(self.rows, dtype=bool)
-        for group in self.equations.equations.groups:
-            there &= np.isfinite(self.nominal[group.closes])
-        return int(np.argmax(there))
+        return int(np.argmax(self.equations.equations.closed(self.nominal)))
 
     @cached_property
     def unguarded(self) -> frozenset[str]:

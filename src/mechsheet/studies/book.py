@@ -38,8 +38,6 @@ MOST_FRONT = 2_000
 """Designs of the front that a sheet holds: a chart of more is a blot."""
 
 HEAD_ROW, FIRST = 5, 6
-DIGITS = 7
-"""A value is shown with so many digits at most; the cell holds them all."""
 
 NUMBER = styles.numbered(styles.COLUMN, "0.0000")
 WHOLE = styles.numbered(styles.COLUMN, "0")

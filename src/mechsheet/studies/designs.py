@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.nodes import symbols
-from mechsheet.kinematics.driving import given_at, given_values
+from mechsheet.kinematics.driving import given_between, given_values
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.model import Condition, Mechanism, Study
@@ -143,11 +143,7 @@ class Designs:
 
     def driven(self, places: Array) -> dict[str, Array]:
         """The driver's values, and what is given beside them, at places counted in rows from 1."""
-        if self.mechanism.driver.law is not None:
-            return given_at(self.mechanism, self.dimensions, places)
-        driver = self.given[self.mechanism.driver.symbol]
-        step = (driver[-1] - driver[0]) / max(1, self.rows - 1)
-        return {self.mechanism.driver.symbol: driver[0] + (places - 1.0) * step}
+        return given_between(self.mechanism, self.dimensions, self.given, places)
 
     def whole(self, columns: Mapping[str, Array], designs: int) -> Array:
         """What the rows cover, for each design: 1 for whole turns whose last row is the first again, 2 where that row is

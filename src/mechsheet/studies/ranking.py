@@ -29,12 +29,11 @@ MOST = 200_000
 @dataclass(frozen=True, slots=True)
 class Ranked:
     """front: numbers of its designs (from 1), by the first objective; whole: False where it was thinned
-    best  numbers of the best designs, in order;  distance  of each from the ideal point, None where one objective decides"""
+    best  numbers of the best designs, in order"""
 
     front: Numbers
     best: Numbers
     whole: bool = True
-    distance: Array | None = None
 
 
 def ranked(paths: Sequence[Any], objectives: Sequence[Objective], count: int) -> Ranked:
@@ -65,7 +64,7 @@ def ranked(paths: Sequence[Any], objectives: Sequence[Objective], count: int) ->
         far, best = np.concatenate([far, distances]), np.concatenate([best, numbers])
         order = np.lexsort((best, far))[:count]
         far, best = far[order], best[order]
-    return Ranked(at, best, whole, None if len(names) == 1 else far)
+    return Ranked(at, best, whole)
 
 
 def front_of(points: Array) -> Numbers:

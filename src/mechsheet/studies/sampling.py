@@ -47,7 +47,7 @@ class Grid:
 
     def __init__(self, vary: Sequence[Range]) -> None:
         self.vary = tuple(vary)
-        self.lengths = [_length(one) for one in vary]
+        self.lengths = [one.count for one in vary]
         self.total = math.prod(self.lengths)
         self._listed = [np.array(one.values, float) for one in vary]
         self._decimals = [_decimals(one) for one in vary]
@@ -64,10 +64,6 @@ class Grid:
             else:
                 found[:, column] = np.round(one.low + place * one.step, self._decimals[column])
         return found
-
-
-def _length(one: Range) -> int:
-    return len(one.values) or math.floor((one.high - one.low) / one.step + 1e-9) + 1
 
 
 def _decimals(one: Range) -> int:

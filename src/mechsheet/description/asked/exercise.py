@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Mapping
 from typing import Any
@@ -96,8 +95,3 @@ def _needs(text: Any, summaries: Mapping[str, Any], scope: Scope) -> tuple[Need,
         if sides[0] is not None and sides[1] is not None:
             found.append(Need(sides[0], compared[2], sides[1], part.strip()))
     return tuple(found)
-
-
-def steps(vary: Vary) -> int:
-    """How many values a dimension can have."""
-    return math.floor((vary.high - vary.low) / vary.step + 1e-9) + 1

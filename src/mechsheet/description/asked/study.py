@@ -16,9 +16,6 @@ from mechsheet.model import EXTREME, POINT_RATES, Condition, Objective, Range, S
 
 MOST_OBJECTIVES = 3
 MOST_DESIGNS = 10**12
-MOST_SAMPLED = 2**30
-"""Points of Sobol's sequence: more tell nothing that these do not."""
-
 RATE = 200_000
 """Designs a second on one core, in round numbers: for what is said of a study that nobody should wait for."""
 
@@ -109,19 +106,14 @@ def _range(symbol: str, given: Any, sample: str, path: Path, scope: Scope) -> Ra
     return None
 
 
-def length(one: Range) -> int:
-    """How many values a range of a grid has."""
-    return len(one.values) or math.floor((one.high - one.low) / one.step + 1e-9) + 1
-
-
 def _check_size(vary: tuple[Range, ...], scope: Scope) -> None:
     """Refuse a grid that nobody lives to see, with the time it would take."""
-    total = math.prod(length(one) for one in vary)
+    total = math.prod(one.count for one in vary)
     if total <= MOST_DESIGNS:
         return
     days = total / RATE / 86_400
     took = f"{days:,.0f} days" if days < 10_000 else f"{days / 365.25:,.3g} years"
-    parts = " · ".join(f"{length(one):,}" for one in vary)
+    parts = " · ".join(f"{one.count:,}" for one in vary)
     message = f"{parts} = {total:,.4g} designs, at {RATE:,} a second {took}: the most are {MOST_DESIGNS:,}"
     hint = 'sample = "sobol" with count = 1_000_000 first; then a grid around what it finds'
     scope.report.at(("study", "vary"), message, hint)

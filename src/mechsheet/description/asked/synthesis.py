@@ -40,20 +40,20 @@ STEEPEST = 1e-9
 
 @dataclass(slots=True)
 class Found:
-    """What was read.
+    """What was read: nothing where there is no task, or nothing usable.
 
     dimensions  inputs of the task, and the steps of its solution
-    units       of the mechanism's dimensions that are results;  trees: what these are
+    units       of the mechanism's dimensions that are results, where the description says none;  trees: what these are
     """
 
-    synthesis: Synthesis
-    dimensions: tuple[Dimension, ...]
+    synthesis: Synthesis | None = None
+    dimensions: tuple[Dimension, ...] = ()
     units: dict[str, Unit] = field(default_factory=dict)
     trees: dict[str, Node] = field(default_factory=dict)
 
 
-def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str] = ()) -> Found | None:
-    """The task and its solution; None where there is none, or nothing usable.
+def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str] = ()) -> Found:
+    """The task and its solution.
 
     given   the part [dimensions];  others: further names of the description, that no step may have
     """
@@ -66,20 +66,18 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
         for symbol in taken if data is not BAD else ():
             message = "there is no part [synthesis] whose result it could be"
             scope.report.at(("dimensions", symbol, "synthesis"), message)
-        return None
+        return Found()
     task = _task(data, given, scope)
     if task is None or any(f"{fault.key}.".startswith("synthesis.") for fault in scope.report.faults):
-        return None  # also what was told before: it is not among the data
+        return Found()  # also what was told before: it is not among the data
     units = Units(unit_of(scope.length_unit, scope.length_unit), scope.angle_unit, NUMBER)
     plain = [symbol for symbol, entry in given.items() if _is_plain(entry)]
     writer = written(data["kind"], task, units, frozenset((*given, *others)), plain)
     return _found(data["kind"], task, writer, taken, scope)
 
 
-def declare(found: Found | None, scope: Scope) -> None:
+def declare(found: Found, scope: Scope) -> None:
     """Enter the names, units and values of the task's inputs and steps; a step that has no value stays without."""
-    if found is None:
-        return
     for dim in found.dimensions:
         hint = "rename it: a step of the synthesis has that name" if dim.derived else "rename it"
         scope.symbols.claim(dim.symbol, "synthesis", dim.place, hint)
@@ -261,25 +259,10 @@ def rounded(exact: str, rounding: str) -> Node:
     return al.mul(Symbol(rounding), steps)
 
 
-def defaults(found: Found | None) -> Mapping[str, Unit]:
-    """The units of dimensions that are results, where the description says none."""
-    return {} if found is None else found.units
-
-
-def trees_of(found: Found | None) -> Mapping[str, Node]:
-    """What the dimensions are that are results."""
-    return {} if found is None else found.trees
-
-
-def dimensions_of(found: Found | None) -> tuple[Dimension, ...]:
-    """The task's inputs and the steps."""
-    return () if found is None else found.dimensions
-
-
 _MODE = re.compile(r"mode_[0-9]+")
 
 
-def with_modes(task: Found | None, sketch: Mapping[str, Any], scope: Scope) -> Synthesis | None:
+def with_modes(task: Synthesis | None, sketch: Mapping[str, Any], scope: Scope) -> Synthesis | None:
     """The synthesis with the assembly modes of [assembly] that are its results."""
     asked = {name: entry for name, entry in sketch.items() if isinstance(entry, dict)}
     found: dict[str, str] = {}
@@ -292,10 +275,10 @@ def with_modes(task: Found | None, sketch: Mapping[str, Any], scope: Scope) -> S
             )
         elif task is None:
             scope.report.at(path, "there is no part [synthesis] whose result it could be")
-        elif result is not BAD and (result != "mode" or result not in task.synthesis.results):
-            message = f"{quoted(result)} is no assembly that a synthesis of kind {quoted(task.synthesis.kind)} gives"
-            allowed = [one for one in task.synthesis.results if one == "mode"]
+        elif result is not BAD and (result != "mode" or result not in task.results):
+            message = f"{quoted(result)} is no assembly that a synthesis of kind {quoted(task.kind)} gives"
+            allowed = [one for one in task.results if one == "mode"]
             scope.report.at((*path, "synthesis"), message, suggestion(result, allowed, "results"))
         else:
             found[name] = "mode"
-    return None if task is None else replace(task.synthesis, mode=found)
+    return None if task is None else replace(task, mode=found)

@@ -18,7 +18,7 @@ import numpy as np
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols, transform
+from mechsheet.formula.nodes import Call, Node, Number, Symbol, renamed, symbols
 from mechsheet.kinematics.equations import Condition, Equation, System
 from mechsheet.kinematics.newton.chains import Assembly, Binary, Carrier, Chain
 from mechsheet.kinematics.newton.cramer import Cramer, cramer
@@ -348,15 +348,6 @@ def _given(body: Sequence[Equation], iterated: dict[str, str]) -> tuple[str, ...
 def dot_of(way: Vector) -> Node:
     """|way|^2."""
     return al.add(al.square(way[0]), al.square(way[1]))
-
-
-def renamed(node: Node, names: dict[str, str]) -> Node:
-    """The expression with some of its symbols under other names."""
-
-    def change(part: Node) -> Node:
-        return Symbol(names[part.name]) if isinstance(part, Symbol) and part.name in names else part
-
-    return transform(node, change)
 
 
 def _reading(equation: Equation, names: dict[str, str]) -> Equation:

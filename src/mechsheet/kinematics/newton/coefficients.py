@@ -6,10 +6,9 @@ from collections.abc import Callable, Sequence
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.formula.nodes import Node, Symbol, renamed
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.equations import System
-from mechsheet.kinematics.newton.carriers import renamed
 from mechsheet.kinematics.newton.rates import Closing, Own, dead, known_sides, own_rate, solved, without
 from mechsheet.kinematics.rates.motions import PointRate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, order_words

@@ -26,9 +26,6 @@ NEARLY = 0.05
 LOOKED_AT = 40
 """Rows looked at for the first that has a position."""
 
-DEAD = 1e-7
-"""Below this sine-like measure of its determinant a position is one where two assemblies meet."""
-
 DEGREES_SHOWN = 3
 DIGITS = 5
 """Start values have so many decimals [deg], or digits of the size."""

@@ -21,11 +21,11 @@ from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary as NodeBinary
-from mechsheet.formula.nodes import Call, Node, Number, Symbol, transform
+from mechsheet.formula.nodes import Call, Node, Number, Symbol, renamed, transform
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.newton.carriers import Solution, holder, renamed
+from mechsheet.kinematics.newton.carriers import Solution, holder
 from mechsheet.kinematics.newton.chains import Binary
 from mechsheet.kinematics.newton.cramer import Cramer, cramer
 from mechsheet.kinematics.poses import Assembly

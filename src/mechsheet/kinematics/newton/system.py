@@ -32,7 +32,7 @@ CLOSED = 1e-11
 SETTLED = 1e-12
 """Below this residual a pass has arrived."""
 
-FEWEST_PASSES, MOST_PASSES = 3, 12
+MOST_PASSES = 12
 
 _SINGLE: Mapping[str, Callable[..., Any]] = FUNCTIONS | {
     "ABS": abs, "COS": portable.cos, "MAX": max, "MIN": min, "PI": lambda: math.pi, "RADIANS": math.radians,
