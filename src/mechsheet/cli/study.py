@@ -13,7 +13,7 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
 
-from .common import Changes, at_lines_of, change_options, described
+from .common import FORMATS_COMPLETED, Changes, at_lines_of, change_options, described
 from .helping import Explained
 
 if TYPE_CHECKING:
@@ -29,7 +29,12 @@ WIDTH = 24
 @click.option("--on", metavar="ADDRESS", help="A Dask scheduler that computes instead: tcp://HOST:8786.")
 @click.option("--resume", is_flag=True, help="Go on with a study that was begun in the folder.")
 @click.option("--limit-memory", metavar="SIZE", help="What all processes may have together: 2GiB.")
-@click.option("--format", "formats", help="Of the summary workbook: xlsx, ods, or both with a comma.  [default: xlsx]")
+@click.option(
+    "--format",
+    "formats",
+    shell_complete=FORMATS_COMPLETED,
+    help="Of the summary workbook: xlsx, ods, or both with a comma.  [default: xlsx]",
+)
 @change_options
 def study(
     description: Path,
