@@ -339,7 +339,8 @@ class _Judge:
             if key not in self.plan.at.spots:
                 continue
             shown = sheets.spot(key)
-            u = 1 + (shown / truth.scale - truth.start) / truth.step if isinstance(shown, float) else math.nan
+            begun = float(truth.driver(1.0))
+            u = 1 + (shown / truth.scale - begun) / truth.step if isinstance(shown, float) else math.nan
             tolerance = LIMIT if not truth.doubtful and self.verdict("about") not in words else 5e-2
             self.say("limit", any(abs(u - place) <= tolerance for place in places), number_, u, places)
             if isinstance(shown, float) and number_ <= 2:
