@@ -6,8 +6,9 @@ python tools/proof.py mutate-forces 12 [CASE...] [--seed S]
 python tools/proof.py perturb-forces 3 [TEMPLATE...] --with libreoffice,gnumeric [--seed S]
 python tools/proof.py perturb-forces-page 3 [TEMPLATE...] --with libreoffice,gnumeric,ironcalc [--seed S]
 
-`perturb-forces` is of workbooks with velocities and forces, `perturb-forces-page` of the same on one sheet (without flywheels
-and tolerances, which need sheets). `mutate-forces` damages the sheets of velocities and forces alone, of published cases.
+`perturb-forces` is of workbooks with velocities and forces, `perturb-forces-page` of the same on one sheet (without
+flywheels and tolerances, which need sheets). `mutate-forces` damages the sheets of velocities and forces alone, of published
+cases.
 Prints a table in Markdown, and puts it between its marks in docs/proof.md when all templates were run. --jobs N runs N
 templates at a time.
 """
