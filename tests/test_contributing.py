@@ -34,6 +34,19 @@ def modules_with(pattern):
     return found
 
 
+@pytest.mark.parametrize("page", ["architecture", "contributing"])
+def test_files_that_pages_name_are_there(page):
+    text = (ROOT / "docs" / f"{page}.md").read_text(encoding="utf-8")
+    named = {name for name in re.findall(r"`([\w/]+(?:/|\.py|\.txt))`", text) if "NEW" not in name}
+    there = {f"/{path.relative_to(SOURCE).as_posix()}" for path in SOURCE.rglob("*")}
+    assert named
+    assert {
+        name
+        for name in named
+        if not (ROOT / name).exists() and not any(path.endswith(f"/{name.rstrip('/')}") for path in there)
+    } == set()
+
+
 def covered(module, files):
     return any(module == name or (name.endswith("/") and module.startswith(name)) for name in files)
 

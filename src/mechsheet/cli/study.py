@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.diagnostics import Fault, MechanismError
 
 from .common import FORMATS_COMPLETED, Changes, at_lines_of, change_options, described
 from .helping import Explained
@@ -68,7 +68,8 @@ def study(
         found = studied(
             mechanism, output, workers=workers, on=on, resume=resume, limit_memory=memory, formats=forms, say=say
         )
-    _tell(found)
+    with at_lines_of(mechanism, description):
+        _tell(found)
     click.echo(_table(found))
 
 
@@ -78,7 +79,7 @@ def _tell(found: Studied) -> None:
     lines = [f"{count:>16,} fail {text}" for text, count in result.failed]
     if not result.kept and result.failed:
         hint = "each design is counted once, by the first condition that it fails:\n" + "\n".join(lines)
-        raise MechsheetError(
+        raise MechanismError(
             Fault(f"none of {result.designs:,} designs meets all conditions", key="study.keep", hint=hint)
         )
     share = 100 * result.kept / result.designs

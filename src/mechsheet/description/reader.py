@@ -102,7 +102,13 @@ def with_tolerance(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
     if mechanism.bands is not None:
         return mechanism
     source, _ = parse_as_meant(mechanism.text, file)
-    found = loads(f"{source.text.rstrip()}\n\n[tolerance]\n", file)
+    own = source.text.rstrip()
+    try:
+        found = loads(f"{own}\n\n[tolerance]\n", file)
+    except DescriptionError as error:
+        last = own.count("\n") + 1  # who asks by an option has no line [tolerance] to look at
+        told = [replace(each, line=None, source="") if (each.line or 0) > last else each for each in error.faults]
+        raise DescriptionError(told) from None
     sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
     return replace(found, file=mechanism.file, sketch=sketch)
 

@@ -20,6 +20,8 @@ MOST_ROWS = MAX_ROWS - HEADING_ROWS
 MOST_SERIES = 255
 """Curves in one chart: the limit of spreadsheet programs."""
 MOST_COLUMNS = MAX_COLUMNS - HEADING_ROWS
+MOST_SAMPLED = 2**30
+"""Points of Sobol's sequence in a study: more tell nothing that these do not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -517,7 +519,7 @@ STUDY = Table(
         "sample": Key(
             Text(("grid", "sobol")), '"grid": all combinations (the default); "sobol": `count` of them, evenly'
         ),
-        "count": Key(Integer(1, 2**30), "how many designs a Sobol sample has"),
+        "count": Key(Integer(1, MOST_SAMPLED), "how many designs a Sobol sample has"),
         "seed": Key(Integer(0, 2**32 - 1), "what scrambles the Sobol sequence; default 0"),
         "keep": Key(
             Items(Text(), 0, 50),

@@ -34,11 +34,9 @@ Way = Literal["min", "max"]
 
 @dataclass(frozen=True, slots=True)
 class Stretches:
-    """Where designs close: of each the rows, how many, how many stretches of rows that follow one another, and the first and
-    last row (from 1) of the first of them; `last_row`: of all; `shown`: the rows of which extremes are taken."""
+    """Where designs close: in how many rows, in how many stretches of rows that follow one another, and the first and last
+    row (from 1) of the first of them; `last_row`: of all. Columns (n,): nothing here is as long as the table."""
 
-    there: Mask
-    shown: Mask
     count: NDArray[np.int64]
     number: NDArray[np.int64]
     first: NDArray[np.int64]
@@ -46,12 +44,15 @@ class Stretches:
     last_row: NDArray[np.int64]
 
 
-def stretches_of(there: Mask, closes: Mask) -> Stretches:
-    """The stretches of designs; `there`: a row for each design, a column for each row of its table; `closes`: in all."""
+def stretches_of(there: Mask, closes: Mask) -> tuple[Stretches, Mask]:
+    """The stretches of designs, and the rows of which extremes are taken.
+
+    there  a row for each design, a column for each row of its table;  closes: in all
+    """
     designs, rows = there.shape
     ones = np.ones(designs, np.int64)
     if closes.all():
-        return Stretches(there, there, ones * rows, ones, ones, ones * rows, ones * rows)
+        return Stretches(ones * rows, ones, ones, ones * rows, ones * rows), there
     begins = np.diff(there, axis=1, prepend=False) & there
     begun = np.cumsum(begins, axis=1)
     shown = there & (begun <= STRETCHES)
@@ -59,16 +60,17 @@ def stretches_of(there: Mask, closes: Mask) -> Stretches:
     first = np.argmax(in_first, axis=1) + 1
     last = first + in_first.sum(axis=1) - 1
     last_row = rows - np.argmax(shown[:, ::-1], axis=1)
-    return Stretches(there, shown, there.sum(axis=1), np.asarray(begun[:, -1], np.int64), first, last, last_row)
+    number = np.asarray(begun[:, -1], np.int64)
+    return Stretches(there.sum(axis=1), number, first, last, last_row), shown
 
 
-def best_rows(way: Way, column: Array, stretches: Stretches | None) -> tuple[NDArray[np.intp], Array]:
+def best_rows(way: Way, column: Array, shown: Mask | None) -> tuple[NDArray[np.intp], Array]:
     """The best row of each design, from 0, and the value there; no finite one where no row is shown.
 
-    stretches  None where all designs that somebody asks of close in all rows
+    shown  the rows of which it is taken; None where all designs that somebody asks of close in all rows
     """
-    if stretches is not None and not stretches.shown.all():
-        column = np.where(stretches.shown, column, np.inf if way == "min" else -np.inf)
+    if shown is not None and not shown.all():
+        column = np.where(shown, column, np.inf if way == "min" else -np.inf)
     place = np.argmin(column, axis=1) if way == "min" else np.argmax(column, axis=1)
     return place, column[np.arange(len(column)), place]
 
