@@ -58,6 +58,8 @@ def test_a_students_sheet_holds_the_task_and_no_answer(week):
     (sheet,) = book.worksheets
     cells = [cell.value for row in sheet.iter_rows() for cell in row if cell.value is not None]
     assert sheet.sheet_state == "visible"
+    # which assembly, which side, what the columns mean: lengths alone leave that open
+    assert {"assembly: B left of A→B0", "C left of A→B", "theta13: angle of link 3, coupler"} <= set(cells)
     assert {"theta13", "theta14", "mu_min", "101"} <= set(cells)
     assert [value for value in cells if isinstance(value, float | int)][-25:] == STEPS
     assert not any(isinstance(value, str) and value.startswith("=") for value in cells)
@@ -139,6 +141,26 @@ def test_anothers_dimensions_are_named(week):
     assert any(text.startswith("Sayfa1!B") and text.endswith(" is wanted") for text in lines_of(line))
     assert line.private == ("the dimensions are those of 101",)
     assert "101" not in page(found, line)  # a student's page says nothing of another
+
+
+def test_a_dimension_typed_over_is_an_earlier_fault(week):
+    """35.25 in the cell of the student's own a2: what depends on it is right but for that; without follow-through it has
+    no marks."""
+    typed = week / "typed"
+    typed.mkdir()
+    own = key_of(week)["students"][0]["dimensions"]
+    given = [(name, name, 35.25 if name == "a2" else own[name]) for name in ("a1", "a2", "a3", "a4")]
+    Table(given, four_bar(), cells={"A40": "mu_min", "B40": "=MIN(L9:L33)"}).save(typed / "101.xlsx")
+    found = mechsheet.mark(typed, week / "week" / "key.json").students[0].audit
+    assert {one.verdict for one in found.asked.values()} == {"follows"}
+    assert [(fault.cells, fault.formula, fault.kind) for fault in found.faults] == [
+        ("Sayfa1!B3", "35.25", "other dimension")
+    ]
+    assert (found.plain, found.follow_through) == (0, 4)
+    key = json.loads((week / "week" / "key.json").read_text(encoding="utf-8"))
+    key["description"] = key["description"].replace("[exercise]", "[exercise]\nfollow_through = false")
+    (week / "strict.json").write_text(json.dumps(key), encoding="utf-8")
+    assert mechsheet.mark(typed, week / "strict.json").students[0].mark == 0
 
 
 WRONG = {
