@@ -52,6 +52,14 @@ def test_cells_beside_the_table(name):
     assert size.cells - size.two_way <= most
 
 
+def test_velocities_and_forces_of_a_four_bar_with_three_masses():
+    """Nineteen columns for velocities with a point, thirty-five for forces: 1,350 formulas where there are 25 rows."""
+    found = compiled("four-bar-forces")
+    size, rows = size_of(found), found.plan.rows
+    assert len(found.mechanism.dynamics.masses) == 3
+    assert (size.rates, size.forces) == (19 * rows, 35 * rows)
+
+
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_iterations(name):
     """Passes, unknowns and rows decide how large the sheet of Newton's method is, and its start of 21 rows."""
