@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from mechsheet.description import loads
-from mechsheet.diagnostics import MechanismError
+from mechsheet.description.templates import template_names
+from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.homework.truth import truth_of
 from mechsheet.studies.designs import Designs
 from studying import in_workbook, study_of, template_text
@@ -27,6 +28,7 @@ TEMPLATES = (
     "hoeken",
     "jansen",
     "cylinder-boom",
+    "excavator",
     "scotch-yoke",
     "drag-link",
     "geared-five-bar",
@@ -82,6 +84,21 @@ def test_conditions_over_outputs_of_summaries():
     angles = np.abs(np.array([all_of_them.columns["mu_min"], all_of_them.columns["mu_max"]]) - 90).max(axis=0)
     arcs = all_of_them.columns["a4"] * np.radians(all_of_them.columns["swing"])
     assert len(found.numbers) == np.count_nonzero((angles < 60) & (arcs > 50)) < len(all_of_them.numbers)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("template", template_names())
+def test_every_packaged_mechanism_is_studied_or_refused_by_name(template):
+    """Closing, links that turn, drivers of every kind: each design is kept or counted once, or a message says why not."""
+    plain = study_of("", template)
+    links = [link.name for link in plain.links if link.name != plain.ground.name][:2]
+    conditions = ", ".join(f'"crank({link})"' for link in links)
+    try:
+        designs, found = kept(study_of(f'{around(template)}\nkeep = ["closes", {conditions}]', template))
+    except MechsheetError as error:
+        assert any(word in str(error) for word in ("at least 1 dimension", "found all at once", "the driver's values"))
+    else:
+        assert found.failed.sum() + len(found.numbers) == designs.sampling.total
 
 
 # --- against the reference -------------------------------------------------------------------------------------------------

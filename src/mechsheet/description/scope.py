@@ -61,6 +61,7 @@ class Scope:
     variables  symbols of angles, displacements and the driver
     points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
+    solved     False when steps of a synthesis are missing because of a fault in its task
     summaries  name of a summary -> the quantity that it is of
     motion_outputs  outputs whose formulas name summaries -> the formula over summaries and dimensions in the units shown
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
@@ -84,6 +85,7 @@ class Scope:
     summaries: dict[str, Any] = field(default_factory=dict)
     motion_outputs: dict[str, Node] = field(default_factory=dict)
     complete: bool = True
+    solved: bool = True
     rates: dict[str, None] = field(default_factory=dict)
     moves: bool = False
     of_rates: set[str] = field(default_factory=set)
@@ -160,6 +162,8 @@ class Scope:
                 message = f"{quoted(name)} is an output; only dimensions are allowed here"
             elif name in self.variables or (dot and point in self.points):
                 message = f"{quoted(name)} differs from row to row; only dimensions are allowed here"
+            elif not self.solved:
+                continue  # it may be a step
             else:
                 message = f"{quoted(name)} is not a dimension"
             where = "" if name == text.strip() else f"in {quoted(text)}: "
