@@ -23,8 +23,8 @@ from pathlib import Path
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 BLOCK = re.compile(r"```(sh|toml)\n(.*?)```", re.DOTALL)
-CONTINUES = {"studies.md": "wiper.md"}
-"""Page -> the page whose descriptions and commands it goes on from."""
+DESCRIBED = {"studies.md": "wiper.md"}
+"""Page -> the page that shows the descriptions that it uses."""
 ELSEWHERE = ("--on ",)
 """Options that need another machine."""
 EXTRA = re.compile(r"mechsheet\[\w+\]")
@@ -46,24 +46,17 @@ def descriptions(page: Path) -> dict[str, str]:
 
 def run_page(program: str, page: Path, folder: Path) -> Iterator[tuple[str, str]]:
     """Every command of a page with what went wrong: "" for nothing."""
-    before = [page.parent / CONTINUES[page.name]] if page.name in CONTINUES else []
-    for source in (*before, page):
+    for source in (page, page.parent / DESCRIBED.get(page.name, page.name)):
         for name, text in descriptions(source).items():
             (folder / name).write_text(text, encoding="utf-8")
-    for source in (*before, page):
-        for line in commands(source):
-            if any(option in line for option in ELSEWHERE):
-                continue
-            done = subprocess.run(
-                [program, *shlex.split(line)[1:]],
-                cwd=folder,
-                capture_output=True,
-                text=True,
-                stdin=subprocess.DEVNULL,
-                check=False,
-            )
-            if source == page:
-                yield line, done.stderr.strip() if done.returncode else ""
+    for line in commands(page):
+        if any(option in line for option in ELSEWHERE):
+            continue
+        command = [program, *shlex.split(line)[1:]]
+        done = subprocess.run(
+            command, cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False
+        )
+        yield line, done.stderr.strip() if done.returncode else ""
 
 
 def main() -> int:

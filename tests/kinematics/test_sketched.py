@@ -240,3 +240,5 @@ def test_a_wheel_sketched_out_of_phase_is_told_the_phase_that_fits():
     assert fault.message == "B is sketched 90 degrees away from where the phase puts it"
     assert fault.hint == "write phase = 90, or sketch B elsewhere"
     assert not any("phase" in other.message for other in others)
+    elsewhere = text.replace("P = [0.2, 0.25]\n", "P = [0.28, 0.2]\nB = [0.3, 0]\n")  # P is no point of the wheel
+    assert not any("phase" in message for message in told(elsewhere))

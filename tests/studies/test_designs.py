@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from mechsheet.diagnostics import MechanismError
+from mechsheet.description.templates import template_names
+from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.homework.truth import truth_of
 from mechsheet.studies.designs import Designs
 from studying import in_workbook, study_of
@@ -26,6 +27,7 @@ TEMPLATES = (
     "hoeken",
     "jansen",
     "cylinder-boom",
+    "excavator",
     "scotch-yoke",
     "drag-link",
     "geared-five-bar",
@@ -63,6 +65,21 @@ def test_summaries_are_those_of_the_workbook(template):
         for name in names:
             study = float(found.columns[name][number])
             assert study == pytest.approx(book[name], rel=1e-12, abs=1e-12 * designs.size, nan_ok=True), (name, values)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("template", template_names())
+def test_every_packaged_mechanism_is_studied_or_refused_by_name(template):
+    """Closing, links that turn, drivers of every kind: each design is kept or counted once, or a message says why not."""
+    plain = study_of("", template)
+    links = [link.name for link in plain.links if link.name != plain.ground.name][:2]
+    conditions = ", ".join(f'"crank({link})"' for link in links)
+    try:
+        designs, found = kept(study_of(f'{around(template)}\nkeep = ["closes", {conditions}]', template))
+    except MechsheetError as error:
+        assert any(word in str(error) for word in ("at least 1 dimension", "found all at once", "the driver's values"))
+    else:
+        assert found.failed.sum() + len(found.numbers) == designs.sampling.total
 
 
 # --- against the reference -------------------------------------------------------------------------------------------------

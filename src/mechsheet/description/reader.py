@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, gears, joints, links, results
+from mechsheet.description import dimensions, gears, joints, links, redundant, results
 from mechsheet.description.asked import exercise, study, synthesis, tolerances
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
@@ -137,6 +137,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     made = links.read(bodies, bare_links, scope)
     ends = joints.Ends(bodies, made, scope)
     sliding = joints.read(part(data, "joints", []), ends, scope)
+    made, sliding, redundant_links = redundant.read(data, made, sliding, ends, scope)
     driven = driver.read(data["driver"], made, sliding, ends, scope) if made else None
     further, values = drivers.read(part(data, "drivers", []), driven, made, sliding, ends, scope) if made else ((), ())
     table = (*table, *values)
@@ -181,6 +182,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     parts: dict[str, Any] = {
         "sketch": sketch,
         "relations": relations,
+        "redundant": redundant_links,
         "drivers": further,
         "outputs": results.outputs(outputs, scope),
         "summaries": results.summaries(summary, scope),

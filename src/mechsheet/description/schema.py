@@ -183,6 +183,9 @@ LINK = Table(
         "points": Key(Named(Either((PAIR, POINT)), "point"), "its points, in its own frame", True),
         "label": _LABEL,
         "number": Key(Integer(1, 999), "overrides the counting; the ground is 1"),
+        "redundant": Key(
+            YesNo(), "true: it moves with the others anyway; left out of the solution, its length checked"
+        ),
         "mass": Key(Quantity(), "in kg; a number or an expression over dimensions"),
         "center": Key(_SPOT, "its mass centre: one of its points, or a place in its frame; default: its only point"),
         "inertia": Key(Quantity(), "moment of inertia about the mass centre, in kg m²; default 0"),

@@ -123,6 +123,17 @@ class Joint:
     symbol: str
 
 
+@dataclass(frozen=True, slots=True)
+class Redundant:
+    """A link that moves with the others anyway: the mechanism has it with a slot in place of its second revolute joint.
+
+    link   as described, with both joints;  symbol  the displacement in the slot: how long the link would have to be
+    """
+
+    link: Link
+    symbol: str
+
+
 PRESSURE: Node = Call("RADIANS", (NumberNode(20.0),))
 """The usual angle between a tooth force and the tangent of the pitch circles [rad]."""
 
@@ -442,6 +453,7 @@ class Mechanism:
     solution     how groups without a closed form are solved
     bands        what tolerances are followed to; None where nobody asks
     synthesis    the task from which dimensions are found; None where all of them are given
+    redundant    links that are left out of what has to be solved
     file         the stem of the file that it was read from, "" when it was read from none
     """
 
@@ -472,8 +484,21 @@ class Mechanism:
     bands: Tolerances | None = None
     study: Study | None = None
     synthesis: Synthesis | None = None
+    redundant: tuple[Redundant, ...] = ()
     text: str = ""
     file: str = field(default="", compare=False)
+
+    @property
+    def whole_links(self) -> tuple[Link, ...]:
+        """The links as described: redundant ones with both joints."""
+        whole = {each.link.name: each.link for each in self.redundant}
+        return tuple(whole.get(link.name, link) for link in self.links)
+
+    @property
+    def sliding(self) -> tuple[Joint, ...]:
+        """The sliding joints of the description: without the slots that stand for joints of redundant links."""
+        slots = {each.symbol for each in self.redundant}
+        return tuple(joint for joint in self.joints if joint.symbol not in slots)
 
     @property
     def stem(self) -> str:

@@ -31,6 +31,7 @@ from mechsheet.sheet.synthesis.rows import Rows
 from mechsheet.sheet.table.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
 from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
+from mechsheet.sheet.table.start_columns import start_columns
 from mechsheet.sheet.workbook import Name
 from mechsheet.words.workbook import Language, words
 
@@ -466,11 +467,12 @@ def _place_starts(plan: Plan, title: str) -> None:
         if system is None:
             continue
         plan.at.spots[f"#needed_{group.number}"] = Spot(title, first, col, column=True)
-        col += 2
-        plan.at.spots[f"#start_{group.number}"] = Spot(title, first, col)
-        for symbol in (*system.unknowns, *(each.symbol for each in system.body)):
-            plan.at.spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, col)
-            col += 1
+        columns = start_columns(plan.equations, system)
+        plan.at.spots[f"#start_{group.number}"] = Spot(title, first, col + 2)
+        col += 2 + columns.width
+        plan.at.spots[f"#lost_{group.number}"] = Spot(title, first, col - 1)
+        for place, symbol in enumerate(reversed(columns.passes), 2):
+            plan.at.spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, col - place)
         plan.at.spots[f"#starts_{group.number}"] = Spot(title, first, col + 1)
         col += len(system.unknowns) + 3
 

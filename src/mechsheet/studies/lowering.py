@@ -74,7 +74,7 @@ class Lowering:
 
     def constants(self, symbols_: Iterable[str], nodes: Mapping[str, Node]) -> Printed:
         """A program for what rows do not change: values of symbols, and of expressions by names of their own."""
-        writer = _Writer(self, True, frozenset())
+        writer = _Writer(self, True, frozenset(), constants=True)
         found = {symbol: writer.known[symbol] for symbol in symbols_}
         return writer.program.printed(found | {name: writer.value(node) for name, node in nodes.items()})
 
@@ -177,12 +177,13 @@ class Lowering:
 
 
 class _Writer:
-    """One program while it is written."""
+    """One program while it is written; `constants`: one for what rows do not change."""
 
-    def __init__(self, lowering: Lowering, rows: bool, turning: frozenset[str]) -> None:
+    def __init__(self, lowering: Lowering, rows: bool, turning: frozenset[str], constants: bool = False) -> None:
         self.program = Program()
         self.rows = rows
         self.turning = turning
+        self._constants = constants
         self.anchored: list[str] = []
         self._masks: dict[tuple[Condition, ...], Value] = {}
         self._areas: dict[frozenset[Value], Value] = {}
@@ -219,8 +220,10 @@ class _Writer:
         return value if mask.width == ONE and mask.number else self.program.step("_kept", value, mask)
 
     def _tolerance(self, equation: Equation) -> Value:
-        """No number where a length between joints is none: then no row claims a position."""
+        """No number where a length between joints is none, be it a driven one in its row: then no row claims a position."""
         lengths = [self.known[name] for name in self._equations.positive if name in self.known]
+        if self._constants:
+            lengths = [length for length in lengths if not length.width & PLACE]
         value = self.value(equation.expression)
         if not lengths:
             return value

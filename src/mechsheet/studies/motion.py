@@ -239,7 +239,7 @@ class _Rows:
             fine &= np.abs(column[:, -1] - column[:, 0]) > math.pi
         if not fine.any():
             return fine
-        tolerance = np.broadcast_to(self._out[designs.equations.tolerance], (self.count, 1))[fine, 0]
+        tolerance = self._whole(self._out[designs.equations.tolerance])[fine, 0]
         own = {name: column[fine] for name, column in self._given.items()}
         run = designs.closing.run
         of_designs = run.designs(own)

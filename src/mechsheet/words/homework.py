@@ -112,6 +112,11 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "Yellow cells are your dimensions. Fill in the empty columns with formulas that read them.",
         "Sarı hücreler sizin boyutlarınızdır. Boş sütunları bunları okuyan formüllerle doldurun.",
     ),
+    "task.assembly": ("assembly", "montaj"),
+    "task.angles": (
+        "Angles of links are counted counter-clockwise from the horizontal.",
+        "Uzuvların açıları yataydan başlayarak saat yönünün tersine ölçülür.",
+    ),
     # marks
     "marks.class": ("Class", "Sınıf"),
     "marks.faults": ("Faults", "Hatalar"),

@@ -118,6 +118,7 @@ function help() {
   }
   get("help-text").replaceChildren(heading("help.first"), steps, note(word("help.assembly")), heading("help.keys"), list);
   get("help").showModal();
+  get("help").scrollTop = 0; // its button, which has the focus, is at the end
 }
 
 document.addEventListener("keydown", (event) => {

@@ -26,6 +26,7 @@ from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.sheet.table.start_table import assemblies_lost
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.equations import link_words
@@ -262,11 +263,12 @@ class _Block:
     def newton(self) -> None:
         """Whether each row is of the same assembly, how well the links meet, how many passes that took, the least |det|."""
         key, cell = "same_assembly", self.value("same_assembly")
-        kept, lost = self.text(f"{key}.kept"), self.text(f"{key}.lost")
-        words = formula('IF(closed=0,"",IF(count=0,kept,lost))', closed=self.value("rows_closed"), count=cell, kept=kept,
-                        lost=lost)  # fmt: skip
+        kept, lost, begun = (self.text(f"{key}.{word}") for word in ("kept", "lost", "begun"))
+        words = formula('IF(closed=0,"",IF(count>0,lost,IF(ends>0,begun,kept)))', closed=self.value("rows_closed"),
+                        count=cell, kept=kept, lost=lost, begun=begun, ends=assemblies_lost(self.plan))  # fmt: skip
         self.line(key, self.text(key), "", self.checks.worst("assembly"), 0, words)
         self.colour(key, "count>0", styles.BAD, count=cell)
+        self.colour(key, "said=begun", styles.WARN, said=self.words(key), begun=begun)
         self.colour(key, "said=kept", styles.GOOD, said=self.words(key), kept=kept)
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line("largest_residual", self.text("residual"), "", self.checks.worst("residual"), style,
@@ -517,12 +519,15 @@ class _Block:
         gap = self.words("largest_gap")
         good = joined(*parts)
         lost: Node | None = None
+        nowhere: Node = Text(self.text("line.nowhere"))
         if plan.found.newton:
+            nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(plan), ended=self.text("line.ended"),
+                              nowhere=nowhere)  # fmt: skip
             lost = self.words("same_assembly")
             good = formula("IF(lost=kept,good,lost)", lost=lost, kept=self.text("same_assembly.kept"), good=good)
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
-            fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
+            fine=Symbol("#fine"), count=count, nowhere=nowhere, gap=gap,
             closed=self.text("gap.closed"),
             good=good, inputs=self.words("inputs"),
         )  # fmt: skip
@@ -533,10 +538,12 @@ class _Block:
         bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
                       inputs=self.words("inputs"))  # fmt: skip
         if lost is not None:
-            bad = formula("OR(bad,AND(count>0,leapt>0))", bad=bad, count=count, leapt=self.value("same_assembly"))
+            bad = formula("OR(bad,count=0,leapt>0)", bad=bad, count=count, leapt=self.value("same_assembly"))
         doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))
+        if lost is not None:
+            doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=self.text("same_assembly.begun"))
         self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))

@@ -67,11 +67,11 @@ class PageDrawing:
         self.x, self.y, self.half = self._window()
         bar = self._scale_bar()
         caption = self._caption()
-        links = [self._link(link) for link in plan.mechanism.links[1:]]
-        guides = [self._guide(joint) for joint in plan.mechanism.joints]
+        links = [self._link(link) for link in plan.mechanism.whole_links[1:]]
+        guides = [self._guide(joint) for joint in plan.mechanism.sliding]
         pins = self._pins()
         paths = [self._path(point, index) for index, point in enumerate(self._traced())]
-        blocks = [self._block(joint) for joint in plan.mechanism.joints]
+        blocks = [self._block(joint) for joint in plan.mechanism.sliding]
         series = [each for each in (*paths, *guides, *links, *blocks, *pins, *bar, caption) if each is not None]
         title = plan.mechanism.title.of(plan.language)
         self.chart = Chart(
@@ -124,7 +124,7 @@ class PageDrawing:
         wanted: list[Node] = []
         for point in moving_points(mechanism):
             wanted += [Symbol(f"{point}.{axis}") for axis in ("x", "y")]
-        for joint in mechanism.joints:
+        for joint in mechanism.sliding:
             wanted += [*through_of(mechanism, joint), direction_of(mechanism, joint)]
         for node in wanted:
             self._at_position(node)
