@@ -72,6 +72,15 @@ def test_a_worksheet_function_is_named_in_its_table_and_its_kernel():
         assert re.search(rf"^{name}\b", (SOURCE / "formula/functions.txt").read_text(encoding="utf-8"), re.MULTILINE)
 
 
+@pytest.mark.parametrize("name", ["dead-centres", "guidance", "quick-return-slider", "quick-return-lever"])
+def test_a_kind_of_synthesis_is_named_in_no_other_module(name):
+    """Not `function`, which names much else; `synthesis/` holds one module for each."""
+    files = ROWS["a kind of synthesis"]
+    found = modules_with(rf'["\.]{name}"')
+    assert "synthesis/kinds.py" in found
+    assert all(covered(module, files) for module in found), found
+
+
 @pytest.mark.parametrize("name", ["EXP", "LN"])
 def test_a_function_of_descriptions_is_named_where_it_is_said(name):
     found = {module for module in modules_with(rf'"{name}"') if not module.startswith("engine/")}

@@ -107,7 +107,7 @@ def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
     where = "" if name == text.strip() else f"in {quoted(text)}: "
     if name in scope.variables or known_rate(name, path, scope) or _is_coordinate(name, path, scope, where):
         return True
-    if "." in name or not scope.complete:
+    if "." in name or not (scope.complete and scope.solved):
         return False
     if name in scope.outputs:
         scope.report.at(path, f"{where}{quoted(name)} is an output; only variables and dimensions are allowed")

@@ -61,6 +61,7 @@ class Scope:
     variables  symbols of angles, displacements and the driver
     points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
+    solved     False when steps of a synthesis are missing because of a fault in its task
     summaries  name of a summary -> the quantity that it is of
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
     of_rates   names of outputs that read rates
@@ -82,6 +83,7 @@ class Scope:
     outputs: list[str] = field(default_factory=list)
     summaries: dict[str, Any] = field(default_factory=dict)
     complete: bool = True
+    solved: bool = True
     rates: dict[str, None] = field(default_factory=dict)
     moves: bool = False
     of_rates: set[str] = field(default_factory=set)
@@ -146,6 +148,8 @@ class Scope:
             point, dot, _ = name.partition(".")
             if name in self.variables or name in self.outputs or (dot and point in self.points):
                 message = f"{quoted(name)} differs from row to row; only dimensions are allowed here"
+            elif not self.solved:
+                continue  # it may be a step
             else:
                 message = f"{quoted(name)} is not a dimension"
             where = "" if name == text.strip() else f"in {quoted(text)}: "

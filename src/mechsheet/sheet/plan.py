@@ -33,6 +33,7 @@ from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
 from mechsheet.sheet.table.start_columns import start_columns
 from mechsheet.sheet.workbook import Name
+from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.workbook import Language, words
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
@@ -259,7 +260,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     ]
     further += ["tolerance"] if mechanism.bands else []
     further += ["synthesis"] if mechanism.synthesis else []
-    further += ["alt"] if mechanism.synthesis and mechanism.synthesis.kind == "dead-centres" else []
+    further += ["alt"] if mechanism.synthesis and kind_of(mechanism.synthesis).alt else []
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)

@@ -159,10 +159,14 @@ class Truth(Search):
         stepped = not (driver.values or self.plan.newton)
         super().__init__(mechanism, replace(equations, groups=groups), {driver.symbol: listed}, stepped=stepped)
 
+    def place(self, driver_shown):
+        """Where the driver has a value as shown, counted in rows."""
+        return 1 + (driver_shown / self.scale - float(self.driver(1.0))) / self.step
+
     def value_at(self, symbol, driver_shown, of=None):
         """The quantity at a value of the driver as shown, as the sweep reaches it."""
         if self.stepped:
-            u = 1 + (driver_shown / self.scale - self.start) / self.step
+            u = self.place(driver_shown)
         else:
             u = 1 + float(np.argmin(np.abs(self.listed - driver_shown / self.scale)))
         if not 1 - 1e-6 <= u <= self.rows + 1e-6:
@@ -339,7 +343,7 @@ class _Judge:
             if key not in self.plan.at.spots:
                 continue
             shown = sheets.spot(key)
-            u = 1 + (shown / truth.scale - truth.start) / truth.step if isinstance(shown, float) else math.nan
+            u = truth.place(shown) if isinstance(shown, float) else math.nan
             tolerance = LIMIT if not truth.doubtful and self.verdict("about") not in words else 5e-2
             self.say("limit", any(abs(u - place) <= tolerance for place in places), number_, u, places)
             if isinstance(shown, float) and number_ <= 2:

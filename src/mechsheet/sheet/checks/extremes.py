@@ -5,6 +5,9 @@ beside it, and one at the vertex of the parabola through the row and these two. 
 limit, the second probe is made at the limit. What is given has been attained: the best of the row, the probes and both ends
 of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows at its ends are
 neighbours, which is decided by formulas: start and step may change.
+
+Where the table has a quantity's derivatives by the driver, two probes do: an extreme is where the first derivative changes
+sign (`turning`).
 """
 
 from __future__ import annotations
@@ -17,6 +20,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks import turning
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
@@ -67,8 +71,9 @@ class Extremes:
         self.blocks: dict[tuple[str, Way], Block] = {}
         for symbol in self.quantities:
             for way in ("min", "max"):
-                self.blocks[symbol, way] = Block(row, PROBES)
-                row += PROBES + len(self.ends) + 2
+                probes = turning.PROBES if turning.known(plan, symbol) else PROBES
+                self.blocks[symbol, way] = Block(row, probes)
+                row += probes + len(self.ends) + 2
         self.bands: dict[tuple[str, Way], Block] = {}
         for extreme in () if plan.rows_only else banded_extremes(plan):
             self.bands[extreme] = Block(row, 1)
@@ -86,6 +91,9 @@ class Extremes:
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
                 spots[key] = Spot(title, cell.row, cell.col)
+            if self.plan.mechanism.driver.law is not None:  # its rows are equally far from each other in time
+                place = self.probes.cell(block.row + 2, SIDE + 3)
+                spots[f"#{way}_place_{symbol}"] = Spot(title, place.row, place.col)
         for symbol in self.quantities:
             wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
             spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
@@ -230,13 +238,18 @@ class Extremes:
             probes.work(row + 1, SIDE + 2, "0")
             self._result(symbol, way, block)
             return
-        probes.lay(block, [symbol])
-        self._first_probes(column, symbol, block)
-        self._further_probes(block)
-        for index in range(1, PROBES + 1):
+        wraps = self._wraps(symbol, block)
+        if turning.known(plan, symbol):
+            limits = self.limits.of_stretch(1, FIRST_ROW), self.limits.of_stretch(1, LAST_ROW)
+            turning.write(probes, block, symbol, way, wraps, limits, self._ends_of_stretch())
+        else:
+            probes.lay(block, [symbol])
+            self._first_probes(column, block, wraps)
+            self._further_probes(block)
+        for index in range(1, block.probes + 1):
             cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
-        for index, end in enumerate(self.ends.values(), PROBES + 1):
+        for index, end in enumerate(self.ends.values(), block.probes + 1):
             probes.work(row + index, AT, "place", place=probes.cell(end.row + 1, AT))
             cell = CellRef(end.row + 1, probes.at.spots[symbol].col, True, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
@@ -265,24 +278,29 @@ class Extremes:
         )  # fmt: skip
         return most
 
-    def _first_probes(self, column: Node, symbol: str, block: Block) -> None:
-        """At the vertex of the parabola through three rows of the stretch; then beside it, or at the limit."""
-        plan, probes, row = self.plan, self.probes, block.row
-        here = probes.cell(row, AT)
-        # of several stretches the rows are all, so the probes know the first one only
+    def _wraps(self, symbol: str, block: Block) -> CellRef:
+        """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
+        quantity has gone on by a turn."""
+        plan, probes = self.plan, self.probes
         first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
-        low, high = self._ends_of_stretch()
         turns = self._half_turn(symbol)
         near = "ABS(start-end)<half" if turns else "TRUE"
         start, end = (
             CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
         )
         holes: dict[str, Node | float | str] = {"half": turns, "start": start, "end": end} if turns else {}
-        # The ends of a whole turn are neighbours where nothing is missing and the quantity has not gone on by a turn.
-        wraps = probes.work(
-            row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
+        return probes.work(
+            block.row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
             first=first, last=last, rows=plan.rows, **holes,
         )  # fmt: skip
+
+    def _first_probes(self, column: Node, block: Block, wraps: CellRef) -> None:
+        """At the vertex of the parabola through three rows of the stretch; then beside it, or at the limit."""
+        plan, probes, row = self.plan, self.probes, block.row
+        here = probes.cell(row, AT)
+        # of several stretches the rows are all, so the probes know the first one only
+        first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
+        low, high = self._ends_of_stretch()
         around = self._around(wraps)
         middle = probes.work(
             row + 1, SIDE + 3, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))",
@@ -344,7 +362,7 @@ class Extremes:
     def _result(self, symbol: str, way: Way, block: Block) -> None:
         """The best of the row and the probes, where it is, and whether the probes have settled."""
         plan, probes, row = self.plan, self.probes, block.row
-        count = 1 if plan.rows_only else PROBES + len(self.ends) + 1
+        count = 1 if plan.rows_only else block.probes + len(self.ends) + 1
         values = probes.cells_down(row, VALUE, count)
         # each stretch would need probes of its own
         known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
@@ -352,6 +370,8 @@ class Extremes:
             row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
         )
         place = self._place(row, count)
+        if plan.mechanism.driver.law is not None:
+            place = probes.work(row + 2, SIDE + 3, "place", place=place)
         if count == 1:
             probes.work(row + 2, SIDE + 1, "INDEX(drivers,place)", styles.RESULT, place=place,
                         drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
@@ -367,16 +387,17 @@ class Extremes:
         # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
             row + 2, SIDE + 2, "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,ABS(value-last)>settled*ABS(value-other))",
-            value=value, last=probes.cell(row + PROBES, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
+            value=value, last=probes.cell(row + block.probes, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
             low=low, high=high,
         )  # fmt: skip
 
     def _band(self, symbol: str, way: Way, block: Block) -> None:
         """The derivatives by dimensions where a quantity is smallest or largest: as this changes, so does the extreme."""
-        probes, extreme = self.probes, self.blocks[symbol, way].row
+        probes, extreme = self.probes, self.blocks[symbol, way]
         probes.put(block.row, STATUS, self.plan.text("extremes.band", symbol=plain(symbol)), styles.LABEL)
-        probes.work(block.row, AT, "anchor", anchor=probes.cell(extreme, AT))
-        probes.work(block.row + 1, AT, "place", place=self._place(extreme, PROBES + len(self.ends) + 1))
+        probes.work(block.row, AT, "anchor", anchor=probes.cell(extreme.row, AT))
+        place = self._place(extreme.row, extreme.probes + len(self.ends) + 1)
+        probes.work(block.row + 1, AT, "place", place=place)
         probes.lay(block, self.plan.banded[symbol].derivatives)
 
     def _place(self, row: int, count: int) -> Node:

@@ -104,7 +104,7 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     first, last = marks(page, cells)
     toothed = _toothed(page, frame, cells, guides, wheels)
     behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *toothed, *_shapes(page, cells, guides)]
-    before = [*frame.series, _caption(page), *last, *arrows_of(page, cells)]
+    before = [*frame.series, _caption(page), *last, *arrows_of(page, frame, cells)]
     names = names_of(page, cells)[: max(0, MOST_SERIES - len(behind) - len(before))]
     series = [*behind, *names, *before]
     title = plan.mechanism.title.of(plan.language)

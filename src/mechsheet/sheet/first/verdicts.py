@@ -23,7 +23,7 @@ from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
-from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
@@ -357,14 +357,21 @@ class _Block:
         self._extent(f"stroke_{symbol}", symbol, unit, self._range(symbol), "length", Text(self.text("stroke")))
 
     def ratio(self, symbol: str) -> None:
-        """Time of the slower way between the extremes over that of the faster, for a driver that turns evenly."""
+        """Time of the slower way between the extremes over that of the faster: of a driver that turns evenly, or by its
+        motion law, again and again."""
+        law, ends = self.plan.mechanism.driver.law, "at"
         turn = whole_turn(self.driver.unit.in_degrees)
+        closes = formula("wraps>0", wraps=Symbol(f"#wraps_{symbol}"))
+        if law is not None:
+            first, last = Symbol(SHOWN + law.start), Symbol(SHOWN + law.stop)
+            closes = formula("AND(closes,ABS(ABS(last-first)/turn-1)<1E-9)", closes=closes, first=first, last=last,
+                             turn=turn)  # fmt: skip
+            ends, turn = "place", float(self.plan.rows - 1)
         way = formula(
-            "MOD(high-low,turn)", high=Symbol(f"#max_at_{symbol}"), low=Symbol(f"#min_at_{symbol}"), turn=turn
+            "MOD(high-low,turn)", high=Symbol(f"#max_{ends}_{symbol}"), low=Symbol(f"#min_{ends}_{symbol}"), turn=turn
         )
         value = formula("MAX(way,turn-way)/MIN(way,turn-way)", way=way, turn=turn)
-        node = self.bound("IF(wraps>0,IFERROR(value,NA()),NA())", value=value,
-                          wraps=Symbol(f"#wraps_{symbol}"))  # fmt: skip
+        node = self.bound("IF(closes,IFERROR(value,NA()),NA())", value=value, closes=closes)
         cell = self.value(f"time_ratio_{symbol}")
         words = self.bound(
             'IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
