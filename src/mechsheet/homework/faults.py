@@ -171,6 +171,7 @@ class Search:
         work = self.graph.work
         by_main = {strip: number for number, strip in enumerate(work.strips)}
         found = {number for number, strip in enumerate(work.strips) if not self._beside(strip)}
+        turned: set[int] = set()
         computed = [series for series in self.found.series if series.main is not None]
         columns = self.sheet.matrix(computed)
         for word in words:
@@ -180,8 +181,13 @@ class Search:
             for place in np.flatnonzero(likely(columns, word, allowed)).tolist():
                 reading = reading_of(columns[place], word, allowed)
                 main = computed[place].main
-                if reading is not None and main is not None and (reading.plain or word.kind == "length"):
+                if reading is None or main is None:
+                    continue
+                if reading.plain or word.kind == "length":  # a length the other way round is a choice
                     found.add(by_main[main])
+                if not reading.plain and says(self.found.heading(computed[place]), word.name):
+                    turned.add(by_main[main])  # but not where the column is called as the length itself
+        found -= turned
         right = [one.series for one in self.results.values() if one.verdict in ("right", "not live")]
         for series in right:
             if series is not None and series.rows > 1:

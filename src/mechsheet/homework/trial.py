@@ -234,6 +234,10 @@ class _Book:
                 raise UntriableError
             low = min(start.row, end.row)
             high = max(one.row if one.row_abs else one.row + length - 1 for one in (start, end))
+            last = max(low, self.trial.graph.work.ends[sheet] - 1)
+            if high > last:  # of a whole column what is there
+                high = last
+                end = replace(end, row=min(end.row, last)) if start is not end else end
             lines = [self._line(sheet, line, low, high) for line in range(start.col, end.col + 1)]
             if not any(moves for moves, _ in lines):
                 return [

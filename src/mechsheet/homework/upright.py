@@ -126,6 +126,17 @@ class Work:
         strips = self.strips
         return [n for n in self.lines.get((sheet, line), ()) if strips[n].start < end and start < strips[n].end]
 
+    @cached_property
+    def ends(self) -> Mapping[str, int]:
+        """The position after the last cell of each sheet that is not empty."""
+        found = {sheet.title: 0 for sheet in self.book.sheets}
+        for sheet in self.book.sheets:
+            for row, col, _ in sheet.constants.items():
+                found[sheet.title] = max(found[sheet.title], (col if self.across else row) + 1)
+        for strip in self.strips:
+            found[strip.sheet] = max(found[strip.sheet], strip.end)
+        return found
+
     def strip_at(self, place: Place) -> int | None:
         """The number of the strip that fills a cell."""
         found = self.strips_in(place[0], place[2], place[1], place[1] + 1)

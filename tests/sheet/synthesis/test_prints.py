@@ -66,3 +66,11 @@ def test_each_point_with_a_name_is_named_once(laid_out):
     }
     assert sorted(shown) == sorted(map(plain, names))
     assert {"A₀", "A₁", "B₁", "A₂", "B₂"} <= set(shown)
+
+
+@pytest.mark.parametrize(("lam", "high"), [(3, 10), (10, 10), (16, 20)])
+def test_the_solution_is_on_the_chart_over_the_ratio(lam, high):
+    text = (TEMPLATES / "crank-rocker-swing.toml").read_text(encoding="utf-8").replace("best = true", f"lam = {lam}")
+    compiled = Compiled(loads(text))
+    sheet = next(each for each in compiled.layout.sheets if each.title == compiled.plan.at.titles["synthesis"])
+    assert sheet.charts[1].x_axis.high == high

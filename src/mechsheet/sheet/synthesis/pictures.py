@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 from mechsheet.formula import algebra as al
@@ -141,7 +142,8 @@ def write_curve_chart(page: Page) -> None:
         series.append(_points(page))
     elif curve.x == "lam":
         series.append(_here(page))
-        x_axis = Axis(page.text("curve.axis.lam"), low=1.0, high=10.0, step=1.0)
+        tens = math.ceil(page.nominal[page.given.results["lam"]] / 10)  # so that the solution is on the chart
+        x_axis = Axis(page.text("curve.axis.lam"), low=0.0 if tens > 1 else 1.0, high=10.0 * tens, step=float(tens))
     title = page.text(f"curve.title.{page.given.kind}")
     anchor = Anchor(FIRST_ROW, CHARTS, SIZE, HEIGHT, dx=GAP, dy=SIZE + LEGEND + GAP)
     page.charts.append(
