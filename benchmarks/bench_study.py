@@ -114,7 +114,7 @@ def of_scheduler(tasks: int) -> tuple[float, float]:
     import distributed
 
     with (
-        distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None) as cluster,
+        distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0") as cluster,
         distributed.Client(cluster) as client,
     ):
         begun = time.process_time()

@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 import bench_engine
 import bench_forces
 import bench_rows
+import bench_study
 import bench_sweep
 import tables
 
@@ -58,3 +59,10 @@ def test_the_sweep_of_the_four_bar():
 def test_the_four_bar_with_forces():
     book, plan = bench_forces.tables_of(ROWS)
     assert bench_forces.worst_of(ROWS, evaluate(book), plan) < 1e-12
+
+
+def test_four_bars_by_the_thousand():
+    """Which designs are kept, their least angles and the heights of their coupler points."""
+    pytest.importorskip("pyarrow")
+    found = bench_study.agree(bench_study.designs_of(1_024, ROWS), 1_024)
+    assert len(found.numbers) > 50

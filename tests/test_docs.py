@@ -167,6 +167,7 @@ def test_pictures_that_pages_show_are_there_and_shown():
 def test_counts_that_pages_promise():
     assert number_in(ROOT / "README.md", r"All (\d+) mechanisms") == [str(len(template_names()))]
     assert number_in(DOCS / "lecturer.md", r"(\d+) mechanisms") == [str(len(template_names()))]
+    assert number_in(DOCS / "workbook.md", r"All (\d+)\s+templates") == [str(len(template_names()))]
     assert number_in(ROOT / "CHANGELOG.md", r"(\d+) functions") == [str(len(FUNCTIONS))]
     assert number_in(DOCS / "functions.md", r"The (\d+) functions") == [str(len(FUNCTIONS))]
     assert float(number_in(DOCS / "workbook.md", r"warning below (\d+)°")[0]) == POOR

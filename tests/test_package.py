@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from mechsheet.extras import EXTRAS
+
 ROOT = Path(__file__).parent.parent
 
 
@@ -40,12 +42,17 @@ def test_contents(wheel):
     assert outside == {"METADATA", "WHEEL", "RECORD", "entry_points.txt", "licenses/LICENSE"}
 
 
+PACKAGES_OF_EXTRAS = [package.replace("-", "_") for packages, _ in EXTRAS.values() for package in packages]
+
+
 @pytest.mark.ci
-def test_it_works_without_the_checkout(wheel, tmp_path):
-    """From templates to a checked workbook, with the modules of the wheel."""
+def test_it_works_without_the_checkout_and_without_extras(wheel, tmp_path):
+    """From templates to a checked workbook, with the modules of the wheel and what a bare install brings along."""
     place = tmp_path / "installed"
     command = [sys.executable, "-m", "pip", "install", "--no-deps", "-q", "--target", str(place), str(wheel)]
     subprocess.run(command, check=True, capture_output=True)
+    # read by Python when it starts: an import of these fails, as if they were not installed
+    (place / "sitecustomize.py").write_text(f"import sys\nsys.modules.update(dict.fromkeys({PACKAGES_OF_EXTRAS}))\n")
     environment = os.environ | {"PYTHONPATH": str(place)}
 
     def run(*arguments: str) -> str:
@@ -60,6 +67,15 @@ def test_it_works_without_the_checkout(wheel, tmp_path):
     run("-m", "mechsheet", "new", "four-bar", "-o", "mine.toml")
     run("-m", "mechsheet", "build", "mine.toml", "--format", "xlsx,ods")
     assert "all agree" in run("-m", "mechsheet", "check", "mine.xlsx", "mine.ods")
+    assert "a_1 = 65.0" in run("-m", "mechsheet", "recalc", "mine.xlsx", "--set", "a1=65")
+    assert "crank-rocker" in run("-m", "mechsheet", "show", "mine.toml", "--verdicts")
+    for arguments in (("export", "mine.toml", "--to", "python"), ("plot", "mine.toml", "-o", "mine.html")):
+        run("-m", "mechsheet", *arguments)
+    (tmp_path / "class.csv").write_text("id\n1\n", encoding="utf-8")
+    run("-m", "mechsheet", "exercise", "mine.toml", "class.csv", "-o", "week")
+    run("-m", "mechsheet", "mark", "week/solution", "--against", "week/key.json", "-o", "marks.xlsx")
+    with pytest.raises(AssertionError, match=r"mechsheet\[plot\]"):
+        run("-m", "mechsheet", "plot", "mine.toml", "-o", "mine.png")
 
 
 def test_nothing_heavy_at_the_start():

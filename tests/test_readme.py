@@ -2,6 +2,7 @@
 
 import re
 import shlex
+import sys
 from pathlib import Path
 
 import pytest
@@ -11,15 +12,10 @@ from chosen import IN_CI
 from mechsheet.cli import main
 
 ROOT = Path(__file__).parent.parent
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-BLOCK = re.compile(r"```sh\n(.*?)```", re.DOTALL)
+sys.path.insert(0, str(ROOT / "tools"))
+from documented import PAGES, commands  # noqa: E402
+
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
-
-
-def commands(page: Path) -> list[str]:
-    """Lines of `sh` blocks that call mechsheet, comments cut off."""
-    lines = "\n".join(BLOCK.findall(page.read_text(encoding="utf-8"))).splitlines()
-    return [line.split("  #")[0].strip() for line in lines if line.startswith("mechsheet ")]
 
 
 ELSEWHERE = ("studies.md", "wiper.md")

@@ -19,7 +19,8 @@ HEAD = """# Functions
 The {count} functions that `mechsheet recalc` knows, as Excel has them. Arguments in brackets may be left out; *numbers*
 means a range (its numbers count) or a single value; *range* stands for an array, too. Where a single value is wanted, an
 array gives one result for each of its cells. Functions marked *volatile* are computed anew at every change, and `recalc`
-says so.
+says so. Probability distributions, Bessel functions and GAMMALN need SciPy: `pip install "mechsheet[statistics]"`; without
+it `recalc` keeps their stored values and says so.
 
 This page is made by `tools/list_of_functions.py` from `src/mechsheet/formula/functions.txt`.
 """

@@ -5,7 +5,7 @@
 Faults: a comparison or its limit, + for -, * for /, a constant plus one, `and` for `or`, one of the conditions left out or
 turned round, two arguments for one another, a result that is None. Printed are the share that was noticed and each fault
 that was not, with its line. A fault that changes nothing a user could see (an order of tests, a limit that no number meets
-exactly) may stay. A module's own tests (those named as it) run first, so most faults are found within seconds.
+exactly) may stay. A module's own tests (those named as it, else those of its folder) run besides.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -124,13 +125,16 @@ def _short(text: str) -> str:
 
 
 def own_tests(module: Path) -> list[str]:
-    """The files of tests that carry a module's name, below the folder of its room."""
-    room = ROOT / "tests" / module.relative_to(PACKAGE).parts[0]
-    return sorted(str(path.relative_to(ROOT)) for path in room.rglob(f"test_{module.stem}.py"))
+    """The files of tests that carry a module's name, below those of its room; where there are none, those of its folder."""
+    own = module.relative_to(PACKAGE)
+    named = (ROOT / "tests" / own.parts[0]).rglob(f"test_{module.stem}.py")
+    return sorted(str(path.relative_to(ROOT)) for path in named) or sorted(
+        str(path.relative_to(ROOT)) for path in (ROOT / "tests" / own.parent).glob("test_*.py")
+    )
 
 
-def passes(source: Path, tests: Sequence[str], seconds: float) -> bool:
-    """Whether the tests pass with the package in `source`; a run that takes longer than `seconds` does not."""
+def passes(source: Path, tests: Sequence[str], seconds: float) -> bool | None:
+    """Whether the tests pass with the package in `source`; None for a run that takes longer than `seconds`."""
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
     try:
         done = subprocess.run(
@@ -142,26 +146,28 @@ def passes(source: Path, tests: Sequence[str], seconds: float) -> bool:
             check=False,
         )
     except subprocess.TimeoutExpired:
-        return False
+        return None
     return done.returncode == 0
 
 
-def run(tried: Sequence[Mutant], source: Path, tests: Sequence[str], limit: float, budget: float) -> tuple[int, int]:
-    """How many faults were noticed, of how many; those that were not are printed."""
-    begin, noticed, ran = time.monotonic(), 0, 0
+def run(
+    tried: Sequence[Mutant], source: Path, tests: Sequence[str], limit: float, budget: float
+) -> Counter[bool | None]:
+    """How many runs passed, failed and did not end; the faults that were not noticed are printed."""
+    begin, found = time.monotonic(), Counter[bool | None]()
     for mutant in tried:
         if time.monotonic() - begin > budget:
             break
-        ran += 1
         place = source / mutant.module.relative_to(SOURCE)
         kept = place.read_text(encoding="utf-8")
         place.write_text(mutant.text, encoding="utf-8")
-        if passes(source, [*own_tests(mutant.module), *tests], limit):
-            print(f"{mutant.module.relative_to(ROOT)}:{mutant.line}: {mutant.change}", flush=True)
-        else:
-            noticed += 1
+        passed = passes(source, [*own_tests(mutant.module), *tests], limit)
+        found[passed] += 1
+        if passed is not False:
+            late = " (not ended)" if passed is None else ""
+            print(f"{mutant.module.relative_to(ROOT)}:{mutant.line}: {mutant.change}{late}", flush=True)
         place.write_text(kept, encoding="utf-8")
-    return noticed, ran
+    return found
 
 
 def main() -> int:
@@ -172,6 +178,9 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="without the tests that are slow or need other programs")
     parser.add_argument("--sample", type=int, default=0, help="so many faults, drawn from all (0: all of them)")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument(
+        "--limit", type=float, default=600.0, help="a run that takes longer than so many seconds is stopped"
+    )
     parser.add_argument("--budget", type=float, default=3600.0, help="no new fault after so many seconds")
     options = parser.parse_args()
     modules = [
@@ -190,8 +199,11 @@ def main() -> int:
         if not passes(source, tests, 3600.0):
             print("the tests fail without any fault")
             return 2
-        noticed, ran = run(tried, source, tests, max(60.0, 4.0 * (time.monotonic() - begin)), options.budget)
-    print(f"{noticed} of {ran} faults noticed ({len(found)} possible), {time.monotonic() - begin:.0f} s")
+        runs = run(tried, source, tests, options.limit, options.budget)
+    late = f", {runs[None]} runs did not end" if runs[None] else ""
+    print(
+        f"{runs[False]} of {runs.total()} faults noticed{late} ({len(found)} possible), {time.monotonic() - begin:.0f} s"
+    )
     return 0
 
 

@@ -55,6 +55,17 @@ def drawing(name: str) -> Image.Image:
         return Image.open(found).convert("RGB").resize((DRAWN, DRAWN), Image.Resampling.LANCZOS)
 
 
+def assemblies() -> Image.Image:
+    """The four-bar at 75 degrees in its two assemblies, side by side."""
+    both = Image.new("RGB", (2 * DRAWN, DRAWN), "white")
+    with tempfile.TemporaryDirectory() as folder:
+        for place, mode in enumerate((1, -1)):
+            found = plot(mechsheet.template("four-bar", {"mode_1": mode}), Path(folder) / f"{place}.png", at=75)
+            one = Image.open(found).convert("RGB").resize((DRAWN, DRAWN), Image.Resampling.LANCZOS)
+            both.paste(one, (place * DRAWN, 0))
+    return both
+
+
 def drawn_page(theme: str) -> Image.Image:
     """The page of `mechsheet draw` with the four-bar, its crank at 60 degrees, in a window of a small notebook."""
     from playwright.sync_api import sync_playwright
@@ -181,6 +192,7 @@ def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
     """Every picture: its name, and what makes it."""
     for template in sorted(TEMPLATES.glob("*.toml")):
         yield template.stem, lambda name=template.stem: drawing(name)  # type: ignore[misc]
+    yield "assemblies", assemblies
     yield "opened", prints.opened
     yield "workbook-blocks", lambda: prints.sheet("Mechanism", 150, (0, 0, 0.385, 1))
     yield "workbook-charts", lambda: prints.sheet("Mechanism", 120, (0.395, 0.06, 1, 0.75))

@@ -3,8 +3,12 @@
 python tools/proof.py perturb 12 [TEMPLATE...] [--with libreoffice,gnumeric,ironcalc] [--seed S]
 python tools/proof.py mutate 8 [TEMPLATE...] [--seed S]
 python tools/proof.py mutate-forces 12 [CASE...] [--seed S]
+python tools/proof.py perturb-forces 3 [TEMPLATE...] --with libreoffice,gnumeric [--seed S]
+python tools/proof.py perturb-forces-page 3 [TEMPLATE...] --with libreoffice,gnumeric,ironcalc [--seed S]
 
-`mutate-forces` damages the sheets of velocities and forces alone, of published cases.
+`perturb-forces` is of workbooks with velocities and forces, `perturb-forces-page` of the same on one sheet (without
+flywheels and tolerances, which need sheets). `mutate-forces` damages the sheets of velocities and forces alone, of published
+cases.
 Prints a table in Markdown, and puts it between its marks in docs/proof.md when all templates were run. --jobs N runs N
 templates at a time.
 """
@@ -30,12 +34,26 @@ HERE = Path(__file__).parent.parent
 TEMPLATES = HERE / "templates"
 CASES = HERE / "tests" / "cases" / "published"
 DOCUMENT = HERE / "docs" / "proof.md"
+WITH_FORCES = ("engine", "four-bar-forces", "scissor-lift-between-arms", "six-link-dwell", "toggle-press")
+"""Templates of which `perturb-forces` is."""
+
 PLACES = ("positions", "mechanism", "checks", "extremes", "drawing", "tables")
 
 
 def perturbed(count: int, seed: int, programs: tuple[str, ...], name: str) -> Perturbation:
     """One template with random inputs."""
     return perturb(TEMPLATES / f"{name}.toml", count, seed, programs)
+
+
+def page_perturbed(count: int, seed: int, programs: tuple[str, ...], name: str) -> Perturbation:
+    """One template on a page, with random inputs."""
+    text = (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8")
+    text = re.sub(r"(?m)^\[(flywheel|tolerance)\]\n(?:\w.*\n)*", "", text)
+    text = re.sub(r"(?m)^\[workbook\]\n", "", re.sub(r"(?m)^layout *=.*\n", "", text))
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"{name}.toml"
+        path.write_text(text + '\n[workbook]\nlayout = "page"\n', encoding="utf-8")
+        return perturb(path, count, seed, programs)
 
 
 def mutated(count: int, seed: int, name: str) -> Mutation:
@@ -154,20 +172,21 @@ def put(mark: str, lines: list[str]) -> None:
 def main() -> None:
     """Run, print, and put in its place."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["perturb", "mutate", "mutate-forces"])
+    parser.add_argument("what", choices=["perturb", "perturb-forces", "perturb-forces-page", "mutate", "mutate-forces"])
     parser.add_argument("count", type=int)
     parser.add_argument("templates", nargs="*")
     parser.add_argument("--with", dest="programs", default="")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=1)
     given = parser.parse_args()
-    forces = given.what == "mutate-forces"
+    forces, typed = given.what == "mutate-forces", given.what.startswith("perturb")
     every = with_forces() if forces else sorted(path.stem for path in TEMPLATES.glob("*.toml"))
+    every = list(WITH_FORCES) if given.what.startswith("perturb-") else every
     names = given.templates or every
     programs = tuple(part for part in given.programs.split(",") if part)
     job: Callable[[str], object] = (
-        partial(perturbed, given.count, given.seed, programs)
-        if given.what == "perturb"
+        partial(page_perturbed if given.what.endswith("page") else perturbed, given.count, given.seed, programs)
+        if typed
         else partial(forces_mutated if forces else mutated, given.count, given.seed)
     )
     found = {}
@@ -175,14 +194,13 @@ def main() -> None:
         for name, one in zip(names, pool.map(job, names), strict=True):
             found[name] = one
             print(name, file=sys.stderr, flush=True)
-    tables = {"perturb": perturb_table, "mutate": mutate_table, "mutate-forces": forces_table}
-    table = tables[given.what]
-    what = f"{'sets' if given.what == 'perturb' else 'damages'} for each {'case' if forces else 'template'}"
+    table = perturb_table if typed else forces_table if forces else mutate_table
+    what = f"{'sets' if typed else 'damages'} for each {'case' if forces else 'template'}"
     head = f"{given.count} {what}, seed {given.seed}."
     lines = [head, "", *table(found)]  # type: ignore[arg-type]
     print("\n".join(lines))
     if not given.templates:
-        put(given.what + ("-programs" if programs else ""), lines)
+        put(given.what + ("-programs" if programs and given.what == "perturb" else ""), lines)
 
 
 if __name__ == "__main__":

@@ -8,10 +8,12 @@ from mechsheet.diagnostics import Fault, MissingProgramError
 
 EXTRAS = {
     "plot": (("matplotlib",), "pictures and animations: mechsheet plot, .png and .gif"),
-    "study": (("pyarrow",), "millions of designs: mechsheet study"),
-    "dask": (("distributed", "pyarrow"), "studies on many machines"),
+    "study": (("pyarrow", "scipy"), "millions of designs: mechsheet study"),
+    "dask": (("distributed", "pyarrow", "scipy"), "studies on many machines"),
     "notebook": (("matplotlib", "pandas"), "motion.frame() in notebooks"),
     "dxf": (("ezdxf",), "drawings for CAD: mechsheet export --to dxf"),
+    "statistics": (("scipy",), "probabilities and Bessel functions in workbooks of others: mechsheet recalc"),
+    "formulas": (("formulas", "openpyxl"), "one more judge: mechsheet check --with formulas"),
     "ironcalc": (("ironcalc",), "one more judge: mechsheet check --with ironcalc"),
     "onlyoffice": (("document-builder",), "one more judge: mechsheet check --with onlyoffice (100 MB, AGPL)"),
 }

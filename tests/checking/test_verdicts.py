@@ -10,7 +10,7 @@ from mechsheet.checking import check
 from mechsheet.checking.verdicts import EXACT, against_search
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import load
+from mechsheet.description import load, loads
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import compile_book
 from mechsheet.formula.references import cell_address
@@ -118,3 +118,28 @@ def test_show_prints_what_the_search_finds_not_what_the_probes_found():
     assert ratio != sheet
     assert ratio == pytest.approx(sheet, rel=5e-3)
     assert shown["time_ratio_s15"]["words"]
+
+
+# --- summaries and the outputs that follow from them -----------------------------------------------------------------------
+
+OF_SUMMARIES = """
+[outputs]
+arc = { formula = "a4*swing" }
+[summary]
+swing = { of = "theta14", take = "range" }
+middle = { of = "theta14", take = "mean" }
+"""
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+@pytest.mark.parametrize(("symbol", "by"), [("swing", 0.05), ("middle", 0.05), ("arc", 1e-5), (None, 0)])
+def test_a_wrong_summary_is_found(layout, symbol, by):
+    """A number of the whole sweep, and what follows from it: that formula is held against the summaries shown."""
+    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8").partition("[outputs]")[0] + OF_SUMMARIES
+    compiled = Compiled(replace(loads(text), layout=layout))
+    values = compile_book(book_of(compiled.layout)).evaluate({})
+    if symbol is not None:
+        values = Damaged(values, compiled.plan.at.spots[f"#summary {symbol}"], by)
+    found = against_search(book_of(compiled.layout), values, compiled.plan, "four-bar")
+    assert found.agrees == (symbol is None), found
+    assert symbol is None or found.where.endswith((f"({symbol})", "(arc)"))  # arc follows from what is shown of swing

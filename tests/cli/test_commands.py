@@ -230,8 +230,10 @@ def test_bands_by_an_option(tmp_path):
     assert "all agree" in run("check", tmp_path / "mine.xlsx").stdout
     result = run("build", FOUR_BAR, "--tolerance", "-o", tmp_path)
     assert result.exit_code == 2
-    assert "four-bar.toml:" in result.stderr
-    assert "no dimension has a tolerance" in result.stderr
+    assert (
+        "four-bar.toml: tolerance: no dimension has a tolerance" in result.stderr
+    )  # no line: nobody wrote [tolerance]
+    assert "a1 = { value = 70, tolerance = 0.1 }" in result.stderr
     result = run("build", mine, "--tolerance", "--layout", "page", "-o", tmp_path)
     assert result.exit_code == 2
     assert "which the layout page does not have" in result.stderr

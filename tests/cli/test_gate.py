@@ -115,16 +115,16 @@ def test_both_commands_agree(tmp_path, suffix):
 @BOTH
 def test_tolerances_and_ranges_that_are_ignored(tmp_path, suffix):
     stale = written(tmp_path, suffix, STALE)
-    assert both(stale, "--tolerance", "1e-5") == 1
-    assert both(stale, "--tolerance", "0.3") == both(stale, "--absolute", "1") == 0
+    assert both(stale, "--relative", "1e-5") == 1
+    assert both(stale, "--relative", "0.3") == both(stale, "--absolute", "1") == 0
     assert both(stale, "--ignore", "A", "--ignore", "B!B1:C9") == 0
     assert both(stale, "--ignore", "A!B1", "--ignore", "B!B:B") == 0
     assert both(stale, "--ignore", "A!B1") == 1
     assert (
-        both(stale, "--ignore", "Nowhere") == both(stale, "--tolerance", "-1") == both(stale, "--tolerance", "nan") == 2
+        both(stale, "--ignore", "Nowhere") == both(stale, "--relative", "-1") == both(stale, "--relative", "nan") == 2
     )
     other = written(tmp_path, suffix, {"Other": [[("1+1", 3.0)]]}, "other")
-    assert both(stale, other, "--ignore", "Other", "--tolerance", "0.3") == 0  # a sheet of one of the files
+    assert both(stale, other, "--ignore", "Other", "--relative", "0.3") == 0  # a sheet of one of the files
 
 
 @BOTH
@@ -316,7 +316,7 @@ def test_json_is_ascii(tmp_path):
 
 def test_options_of_the_gate_go_with_check_only(tmp_path):
     book = write_xlsx(tmp_path / "book.xlsx", GOOD)
-    assert "--tolerance: only with --check" in run("recalc", book, "--tolerance", "1").stderr
+    assert "--relative: only with --check" in run("recalc", book, "--relative", "1").stderr
     assert run("recalc", book, book).exit_code == 2
     assert run("recalc", book, "--check", "-o", tmp_path / "x.xlsx").exit_code == 2
     assert run("check", book, "--mutate", "1", "--baseline", "x").exit_code == 2

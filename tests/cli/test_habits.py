@@ -42,7 +42,15 @@ def test_nonsense_on_standard_input(content):
     assert b"<stdin>" in done.stderr and b"Traceback" not in done.stderr
 
 
-@pytest.mark.parametrize(("words", "expected"), [("mechsheet bu", "build"), ("mechsheet new ja", "jansen")])
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ("mechsheet bu", "build"),
+        ("mechsheet new ja", "jansen"),
+        ("mechsheet export mine.toml --to oc", "octave"),
+        ("mechsheet check mine.xlsx --with libreoffice,gn", "libreoffice,gnumeric"),
+    ],
+)
 def test_the_shell_completes(words, expected):
     completing = {
         "COMP_WORDS": words,

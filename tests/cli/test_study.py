@@ -90,6 +90,7 @@ def test_conditions_that_keep_nothing_are_told_with_their_counts(tmp_path):
     )
     done = run("study", path, "-o", tmp_path / "out", "--workers", 1)
     assert done.exit_code == 2
+    assert "none.toml:" in done.stderr
     assert "none of 41 designs meets all conditions" in done.stderr
     assert "fail closes" in done.stderr
     assert "fail mu_min > 89" in done.stderr

@@ -366,6 +366,45 @@ def test_a_link_that_is_dragged_moves_the_mechanism(opening, four_bar):
     assert re.search(r"^at = \d", opened.text(), re.MULTILINE)  # the sketch is of the position that was shown
 
 
+def test_a_whole_turn_can_be_dragged_backwards(opening, four_bar):
+    """At 0 degrees the crank goes on clockwise: the last position is the first one again."""
+    opened = opening(four_bar)
+    frame = "async () => (await import('./state.js')).state.frame"
+    assert opened.page.evaluate(frame) == 0
+    opened.page.keyboard.press("t")
+    opened.drag("A", (-20, 60))
+    assert opened.page.evaluate(frame) > opened.page.evaluate("Number(document.querySelector('#position').max)") / 2
+
+
+def test_help_begins_with_a_four_bar(opening, tmp_path):
+    opened = opening(None, tmp_path)
+    opened.page.click("#help-button")
+    steps = opened.page.locator("#help-text li").all_text_contents()
+    assert [step.partition(":")[0] for step in steps] == ["Ground pin", "Link", "Driver", "Workbook"]
+    tools = opened.page.locator("#tools .label").all_text_contents()
+    tabs = opened.page.locator("[role=tab]").all_text_contents()
+    assert {step.partition(":")[0] for step in steps} <= {*tools, *tabs}, "called as on the page"
+
+
+def test_while_the_description_is_read_the_page_does_not_call_it_empty(opening, four_bar):
+    opened = opening(four_bar)
+    with opened.held("look"):
+        opened.page.reload()
+        opened.said("Reading the description")
+        assert opened.page.locator("#title").text_content() == "mine"
+        assert opened.page.locator("#dimensions").text_content() == ""
+    opened.said("degrees of freedom: 1")
+    assert opened.page.locator("#title").text_content() == "Four-bar linkage"
+
+
+def test_the_buttons_over_a_narrow_sheet_cover_no_point(opening, four_bar):
+    opened = opening(four_bar)
+    opened.page.set_viewport_size({"width": 390, "height": 844})
+    opened.page.click("#fit")
+    left = opened.page.locator("#corner").bounding_box()["x"]
+    assert all(opened.place(point)[0] < left for point in ("A0", "A", "B", "B0", "C"))
+
+
 def test_curves_follow_the_position(opening, four_bar):
     opened = opening(four_bar)
     opened.page.click("#tab-curves")

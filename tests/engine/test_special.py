@@ -4,6 +4,7 @@ import subprocess
 import sys
 import time
 
+import openpyxl
 import pytest
 
 from asking import ours
@@ -86,3 +87,24 @@ def test_who_builds_a_mechanism_does_not_wait_for_scipy(tmp_path):
     )
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ran.stdout.split()[-1] == "False"
+
+
+def test_without_scipy_its_functions_keep_their_stored_values_and_say_what_is_missing(tmp_path):
+    """The bare install: a workbook with one NORM.DIST is recalculated all the same."""
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet["A1"], sheet["B1"], sheet["C1"], sheet["D1"] = 0.5, "=NORM.S.INV(A1)+1", "=B1*2", "=ERF(A1)+GAMMA(5)"
+    book.save(tmp_path / "book.xlsx")
+    code = (
+        "import sys; sys.modules['scipy'] = None\n"
+        "import mechsheet\n"
+        f"found = mechsheet.recalc({str(tmp_path / 'book.xlsx')!r})\n"
+        "cells = found.as_dict()['Sheet']\n"
+        "print([cells[cell] for cell in ('B1', 'C1', 'D1')])\n"
+        "print(found.remarks)"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    values, remarks = ran.stdout.splitlines()
+    assert values.startswith("['#NAME?', '#NAME?', 24.52"), "nothing is stored; what needs no scipy is computed"
+    assert "NORM.S.INV needs scipy, which is not installed" in remarks
+    assert "mechsheet[statistics]" in remarks

@@ -87,6 +87,12 @@ def test_it_reads_as_a_person_writes(node, text):
     assert shown(node) == text
 
 
+@pytest.mark.parametrize(("value", "root"), [(4.0, 2.0), (0.0, 0.0), (-1e-17, 0.0)])
+def test_a_root_of_what_rounding_has_made_negative_is_zero(value, root):
+    assert evaluate(al.rooted(al.mul(al.number(3), Call("SQRT", (A,)))), {"a": value}) == 3 * root
+    assert al.rooted(al.rooted(Call("SQRT", (A,)))) == al.rooted(Call("SQRT", (A,)))
+
+
 def test_constants():
     assert al.number(-0.0) == Number(0.0)
     assert [al.value_of(node) for node in (al.number(-2), Number(3.0), A, Unary("-", A), Unary("+", al.ONE))] == [

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechsheet.formula.book import BookSheet, CellStore
+from mechsheet.formula.book import Book, BookSheet, CellStore, DefinedName
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Number
 
 NUMBERS = st.integers(-9, 9).map(float)
@@ -108,3 +108,16 @@ def test_cells_that_keep_their_stored_values():
         sheet.cached.put(row, col, float(10 * row + col))
     sheet.keep([(1, 1, 2, 2)])
     assert list(sheet.constants.items()) == [(1, 1, 11), (2, 1, 21), (1, 2, 12)]
+
+
+def test_a_sheet_s_own_name_goes_before_the_book_s():
+    names = [
+        DefinedName("rate", Number(1)),
+        DefinedName("Rate", Number(2), "Data"),
+        DefinedName("other", Number(3), "S"),
+    ]
+    book = Book([], names=names)
+    assert book.name("RATE") is names[0]
+    assert book.name("rate", "data") is names[1]
+    assert book.name("rate", "S") is names[0]
+    assert book.name("other") is None

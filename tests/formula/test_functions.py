@@ -38,6 +38,14 @@ def test_arguments(name, least, most, kinds):
     assert (row.least, row.most, row.kinds_of(len(kinds))) == (least, most, kinds)
 
 
+def test_arguments_that_may_be_left_empty():
+    """`ROUND(A1,)` rounds to whole numbers, an empty criterion of COUNTIFS is one."""
+    assert [FUNCTIONS["ROUND"].needs(place) for place in range(2)] == [True, True]
+    assert [FUNCTIONS["LOG"].needs(place) for place in range(2)] == [True, False]
+    assert [FUNCTIONS["COUNTIFS"].needs(place) for place in range(5)] == [True] * 5
+    assert [FUNCTIONS["SUM"].needs(place) for place in range(3)] == [True] * 3
+
+
 def test_spellings_are_those_of_other_writers():
     """XlsxWriter's list of functions younger than the format: those it knows must have our prefix, and no others."""
     import inspect

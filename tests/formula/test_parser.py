@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from formula_trees import spelt_out
 from mechsheet.diagnostics import FormulaError
-from mechsheet.formula.nodes import Binary, Number, shifted, walk
+from mechsheet.formula.nodes import Binary, Call, CellRef, NameRef, Number, TableRef, shifted, walk
 from mechsheet.formula.parser import parse_description, parse_formula
 from mechsheet.formula.printer import print_formula
 
@@ -43,9 +43,8 @@ def test_sheet(case):
     assert parse_formula("of:=" + case["openformula"], "openformula") == node
 
 
-@pytest.mark.parametrize("dialect", ["description", "excel"])
-@pytest.mark.parametrize("what", ["said"])
-def test_faults(dialect, what):
+@pytest.mark.parametrize("dialect", FAULTS)
+def test_faults(dialect):
     for text, messages in FAULTS[dialect].items():
         with pytest.raises(FormulaError) as caught:
             parse_description(text) if dialect == "description" else parse_formula(text, dialect)
@@ -60,6 +59,10 @@ def test_faults(dialect, what):
         ("2a", 'a product is written with "*"'),
         ("2,5", 'the decimal sign is "."; "," stands between arguments only'),
         ("sinn(2)", 'did you mean "sin"?'),
+        (
+            "frob(2)",
+            "functions: sin cos tan asin acos atan atan2 sqrt abs sign min max exp ln radians degrees hypot where",
+        ),
         ("pi()", 'pi is a number: write it without parentheses, "2*pi"'),
         ("30°", 'angles are in radians here; write "radians(30)" for 30 degrees'),
     ],
@@ -68,6 +71,32 @@ def test_hints(text, hint):
     with pytest.raises(FormulaError) as caught:
         parse_description(text)
     assert caught.value.faults[0].hint == hint
+
+
+def test_cells_end_where_the_sheet_ends():
+    assert parse_formula("XFD1048576") == CellRef(1_048_575, 16_383)
+    assert parse_formula("A1048577") == NameRef("A1048577")
+    assert parse_formula("XFE1") == NameRef("XFE1")
+
+
+def test_an_at_sign_asks_for_one_value_of_a_range():
+    assert parse_formula("@A1:A3*2") == parse_formula("_xlfn.SINGLE(A1:A3)*2")
+
+
+def test_columns_of_tables_stand_in_formulas():
+    assert parse_formula("SUM(Sales[Qty])") == Call("SUM", (TableRef("Sales", frozenset(), "Qty", "Qty"),))
+
+
+@pytest.mark.parametrize(
+    ("excel", "openformula"),
+    [
+        ("_xlfn.LAMBDA(_xlpm.x,_xlop.y,_xlpm.x+1)(2)", "LAMBDA(x;y;x+1)(2)"),
+        ("_xlfn.MAP(A1:A3,_xleta.ABS)", "MAP([.A1:.A3];ABS)"),
+    ],
+)
+def test_names_of_functions_are_marked_in_excel_s_files_only(excel, openformula):
+    assert print_formula(parse_formula(excel), "excel") == excel
+    assert print_formula(parse_formula(excel), "openformula") == openformula
 
 
 def test_lower_case_and_spaces_do_not_matter_in_a_sheet():

@@ -36,6 +36,8 @@ BAD: list[tuple[Node, str]] = [
     (CellRef(0, 0), "CellRef has no numeric value"),
     (Call("VLOOKUP", (TWO,)), "VLOOKUP has no numeric value"),
     (Call("ATAN2", (TWO,)), "does not take 1 argument"),
+    (Call("POWER", (TWO,)), "does not take 1 argument"),
+    (Call("POWER", (TWO, TWO, TWO)), "does not take 3 arguments"),
 ]
 
 

@@ -35,7 +35,14 @@ def test_read_and_written(text, written):
 
 
 @pytest.mark.parametrize(
-    "text", ["Sales[[Item],[Qty]:]", "Sales[#Nothing]", "Sales[[Item]:[Qty]:[Item]]", "Sales[[Item]"]
+    "text",
+    [
+        "Sales[[Item],[Qty]:]",
+        "Sales[#Nothing]",
+        "Sales[[Item]:[Qty]:[Item]]",
+        "Sales[[Item],[Qty],[Item]]",
+        "Sales[[Item]",
+    ],
 )
 def test_what_says_nothing(text):
     assert parse_table(text) is None

@@ -53,6 +53,19 @@ def test_programs(text, octave, python):
     assert print_formula(node, "python", lambda part: part.name) == python
 
 
+@pytest.mark.parametrize(
+    ("text", "basic"),
+    [
+        ("max(a, b, c, 1)", "MaxOf(MaxOf(a, b), MaxOf(c, 1))"),
+        ("min(a, b, 0.5)", "MinOf(a, MinOf(b, 0.5))"),
+        ("radians(a)", "((a) * PiValue() / 180)"),
+        ("(-a)^2", "((-a) ^ (2))"),
+    ],
+)
+def test_basic(text, basic):
+    assert print_formula(parse_description(text), "basic", lambda part: part.name) == basic
+
+
 def test_programs_can_say_what_equations_say():
     """Every function of the equations has its counterpart, and a symbol needs a name."""
     for name in ("octave", "python"):

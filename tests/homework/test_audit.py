@@ -149,6 +149,27 @@ def test_numbers_in_place_of_dimensions_are_not_live(tmp_path, mechanism):
     assert set(verdicts(partly).values()) == {"not live"}
 
 
+def test_a_dimensions_cell_that_nobody_reads_is_not_live(tmp_path, mechanism):
+    """a2 = 36.5 in its cell, another length than the description's, and the formulas have the number instead."""
+    given = [(label, name, 36.5 if name == "a2" else value) for label, name, value in FOUR_BAR]
+    found = judged(tmp_path, mechanism, Table(given, four_bar(xA="36.5*COS({fi})", yA="36.5*SIN({fi})")))
+    assert verdicts(found) == dict.fromkeys(ASKED, "not live")
+    assert any("does not follow a2" in remark for remark in found.remarks)
+
+
+@pytest.mark.ci
+def test_a_long_table_is_mended_in_all_its_rows(tmp_path, mechanism):
+    """The fault is looked for in a part of 3,601 rows; a cell of its own among them is found, too."""
+    steps = [n / 10 for n in range(3601)]
+    columns = [("aci", "deg", steps), *four_bar(xB="{xA}+{a3}*SIN({t13})")[1:]]
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, columns))
+    assert [(fault.cells, fault.mend) for fault in found.faults] == [("Sayfa1!I9:I3609", "C9+$B$4*COS(H9)")]
+    assert verdicts(found) == {"theta13": "right", "theta14": "follows", "mu": "follows"}
+    columns = [("aci", "deg", steps), *four_bar()[1:]]
+    found = judged(tmp_path, mechanism, Table(FOUR_BAR, columns, cells={"E1234": "=SQRT((B2-C1234)^2+D1233^2)"}))
+    assert [(fault.cells, fault.kind) for fault in found.faults] == [("Sayfa1!E1234", "breaks its column")]
+
+
 def test_what_is_not_there_is_missing(tmp_path, mechanism):
     found = judged(tmp_path, mechanism, Table(FOUR_BAR, [c for c in four_bar() if c[1] != "mu"]))
     assert verdicts(found)["mu"] == "missing"

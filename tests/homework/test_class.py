@@ -13,6 +13,8 @@ from click.testing import CliRunner
 import mechsheet
 from homework.handmade import STEPS, Table, four_bar
 from mechsheet.cli import main
+from mechsheet.description import loads
+from mechsheet.homework.exercise import fulfils
 from mechsheet.homework.marks import lines_of
 from mechsheet.homework.marks_book import page
 
@@ -58,6 +60,8 @@ def test_a_students_sheet_holds_the_task_and_no_answer(week):
     (sheet,) = book.worksheets
     cells = [cell.value for row in sheet.iter_rows() for cell in row if cell.value is not None]
     assert sheet.sheet_state == "visible"
+    # which assembly, which side, what the columns mean: lengths alone leave that open
+    assert {"assembly: B left of A→B0", "C left of A→B", "theta13: angle of link 3, coupler"} <= set(cells)
     assert {"theta13", "theta14", "mu_min", "101"} <= set(cells)
     assert [value for value in cells if isinstance(value, float | int)][-25:] == STEPS
     assert not any(isinstance(value, str) and value.startswith("=") for value in cells)
@@ -141,6 +145,26 @@ def test_anothers_dimensions_are_named(week):
     assert "101" not in page(found, line)  # a student's page says nothing of another
 
 
+def test_a_dimension_typed_over_is_an_earlier_fault(week):
+    """35.25 in the cell of the student's own a2: what depends on it is right but for that; without follow-through it has
+    no marks."""
+    typed = week / "typed"
+    typed.mkdir()
+    own = key_of(week)["students"][0]["dimensions"]
+    given = [(name, name, 35.25 if name == "a2" else own[name]) for name in ("a1", "a2", "a3", "a4")]
+    Table(given, four_bar(), cells={"A40": "mu_min", "B40": "=MIN(L9:L33)"}).save(typed / "101.xlsx")
+    found = mechsheet.mark(typed, week / "week" / "key.json").students[0].audit
+    assert {one.verdict for one in found.asked.values()} == {"follows"}
+    assert [(fault.cells, fault.formula, fault.kind) for fault in found.faults] == [
+        ("Sayfa1!B3", "35.25", "other dimension")
+    ]
+    assert (found.plain, found.follow_through) == (0, 4)
+    key = json.loads((week / "week" / "key.json").read_text(encoding="utf-8"))
+    key["description"] = key["description"].replace("[exercise]", "[exercise]\nfollow_through = false")
+    (week / "strict.json").write_text(json.dumps(key), encoding="utf-8")
+    assert mechsheet.mark(typed, week / "strict.json").students[0].mark == 0
+
+
 WRONG = {
     "asked = { theta31 = 1 }": 'exercise.asked.theta31: no variable, coordinate, output or summary is called "theta31"',
     "vary = { gamma3 = [1, 2, 1] }": 'the dimension "gamma3" is derived',
@@ -170,6 +194,16 @@ def test_what_is_wrong_with_a_class_is_told_all_at_once(week, tmp_path):
     assert 'no column is called "id"' in run(
         "exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2
     )
+
+
+def test_what_is_needed_may_name_outputs_of_summaries():
+    """In the unit that they are shown in, as the summaries are."""
+    text = mechsheet.template("four-bar").text
+    text = text.replace("[summary]", 'half = { formula = "mu_min/2", unit = "deg" }\n[summary]', 1)
+    mechanism = loads(f'{text}\n[exercise]\nneed = "half > 16.94 and half < 16.95"\n')  # mu_min = 33.888
+    own = {dim.symbol: dim.shown for dim in mechanism.dimensions if dim.shown is not None}
+    assert fulfils(mechanism, own, mechanism.exercise.need)
+    assert not fulfils(mechanism, own | {"a2": 30.0}, mechanism.exercise.need)
 
 
 def test_an_exercise_in_which_nothing_varies_says_so(tmp_path):

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import mechsheet
 from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
+from mechsheet import description
 from mechsheet.cli import main
 from mechsheet.formats import read
 from mechsheet.homework.audit import audit
-from mechsheet.homework.recognition import deciding, recognise, tables
+from mechsheet.homework.recognition import deciding, driven_on, recognise, tables
+from mechsheet.homework.truth import Quantity
 from mechsheet.homework.upright import upright
 
 
@@ -86,6 +89,27 @@ def test_what_decides_a_motion():
     assert deciding(mechsheet.template("four-bar")) == ("a1", "a2", "a3", "a4")
     assert deciding(mechsheet.template("slider-crank")) == ("a1", "a2", "a3")
     assert "b4" in deciding(mechsheet.template("fivelink"))
+
+
+def test_what_says_something_of_a_link_that_is_not_driven():
+    """By what it reads, not by its letters: the crank's pin AB has the letter of the rocker's B in its name."""
+    text = (
+        mechsheet.template("four-bar")
+        .text.replace("A = ", "AB = ")
+        .replace(
+            "[outputs]\n",
+            """[outputs]
+height = { formula = "AB.y" }
+rocking = { formula = "2*B.y" }
+""",
+            1,
+        )
+    )
+    own = description.loads(text, "own")
+    assert not driven_on(own, Quantity("|A0AB|", "length", np.zeros(3), ("A0", "AB")))
+    assert driven_on(own, Quantity("|A0B|", "length", np.zeros(3), ("A0", "B")))
+    told = {name: driven_on(own, Quantity(name, "number", np.zeros(3))) for name in ("height", "rocking", "mu")}
+    assert told == {"height": False, "rocking": True, "mu": True}
 
 
 def test_a_description_is_asked_for_once(tmp_path):

@@ -228,3 +228,17 @@ def test_a_mode_that_cannot_be_sketched_there_is_sketched_at_the_first_position(
     new = with_modes(parse(text, "mine.toml"), {"mode_1": -1})
     assert modes_of(loads(new.text)) == {"mode_1": -1}
     assert "at = " not in new.text.partition("[assembly]")[2].partition("[outputs]")[0]
+
+
+def test_a_wheel_sketched_out_of_phase_is_told_the_phase_that_fits():
+    text = template_text("geared-five-bar")
+    sketch = "P = [0.2, 0.25]\nA = [0.12, 0]\n"
+    assert told(text.replace("P = [0.2, 0.25]\n", sketch + "B = [0.3, 0]\n")) == []
+    mechanism = loads(text.replace("P = [0.2, 0.25]\n", sketch + "B = [0.18, 0.12]\n"))
+    fault, *others = doubts(mechanism, solve(mechanism))
+    assert fault.key == "joints.0"
+    assert fault.message == "B is sketched 90 degrees away from where the phase puts it"
+    assert fault.hint == "write phase = 90, or sketch B elsewhere"
+    assert not any("phase" in other.message for other in others)
+    elsewhere = text.replace("P = [0.2, 0.25]\n", "P = [0.28, 0.2]\nB = [0.3, 0]\n")  # P is no point of the wheel
+    assert not any("phase" in message for message in told(elsewhere))

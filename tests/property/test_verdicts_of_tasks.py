@@ -25,9 +25,9 @@ SMALL = 0.01
 """The part of a change that is tried."""
 
 
-def verdicts(kind, seed):
+def verdicts(kind, seed, **further):
     """Key -> (mark, number) of a task typed into its workbook; the mechanism, its dimensions; None where it has none."""
-    asked = task(kind, seed)
+    asked = {**task(kind, seed), **further}
     mechanism = loads(description(asked))
     values = dimension_values(mechanism)
     if not all(math.isfinite(values[symbol]) for symbol in mechanism.synthesis.ends):
@@ -162,3 +162,32 @@ def test_of_how_much_a_small_change_changes(kind, seed):
             change = (around[0][length] - around[1][length]) / (2 * SMALL)
             largest = max(largest, 100 * abs(change / values[length]))
     assert found["sensitivity"][1] == pytest.approx(largest, rel=1e-3)
+
+
+COARSE = {"dead-centres": (0.5, 5.0), "quick-return-slider": (0.5, 5.0)}
+"""To what lengths are rounded: to what a drawing has, and so that some lose what they had."""
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("kind", COARSE)
+def test_a_full_turn_is_lost_by_rounding_alone(kind, seed):
+    """A doubt where the exact lengths turn fully and the rounded ones do not; never red where the exact ones do."""
+    for step in COARSE[kind]:
+        said = verdicts(kind, seed, round=step)
+        if said is None:
+            return
+        found, mechanism, values = said
+        exact = {name: values[symbol] for name, symbol in mechanism.synthesis.results.items()}
+        used = {name: values[symbol] for symbol, name in mechanism.synthesis.taken.items()}
+        turns, still = (margin(kind, lengths) >= 0 for lengths in (exact, {**exact, **used}))
+        assert found["turns"][0] == ("✓" if still else "!" if turns else NO)
+        if found["together"][0] != NO:
+            assert found["meets"][0] != NO
+
+
+def margin(kind, lengths):
+    """By how much the crank turns fully: what the triangle of the links lacks in its tightest position."""
+    if kind == "quick-return-slider":
+        return lengths["a3"] - lengths["a2"] - abs(lengths["c"])
+    a1, a2, a3, a4 = (lengths[name] for name in ("a1", "a2", "a3", "a4"))
+    return min(a3 + a4 - a1 - a2, abs(a1 - a2) - abs(a3 - a4))

@@ -27,7 +27,7 @@ def contents(folder):
 @pytest.fixture
 def two_workers():
     with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1", silence_logs=50
+        n_workers=2, threads_per_worker=1, dashboard_address=":0", host="127.0.0.1", silence_logs=50
     ) as running:
         yield running
 
@@ -55,18 +55,30 @@ def test_a_worker_that_is_killed_in_the_middle_takes_nothing_with_it(two_workers
 def test_a_cluster_without_workers_is_told(monkeypatch, tmp_path):
     monkeypatch.setattr(cluster, "SECONDS", 0.5)
     with (
-        distributed.LocalCluster(n_workers=0, dashboard_address=None, host="127.0.0.1", silence_logs=50) as running,
+        distributed.LocalCluster(n_workers=0, dashboard_address=":0", host="127.0.0.1", silence_logs=50) as running,
         pytest.raises(MechsheetError, match="has no workers"),
     ):
         studied(small(), tmp_path / "study", on=running.scheduler_address)
 
 
-@pytest.mark.parametrize("scheme", ["tcp://127.0.0.1:{port}", "nonsense://x", "127.0.0.1"])
-def test_an_address_that_nobody_answers_is_told(monkeypatch, tmp_path, scheme):
+def test_an_address_that_nobody_answers_is_told(monkeypatch, tmp_path):
     monkeypatch.setattr(cluster, "SECONDS", 1)
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     with pytest.raises(MechsheetError, match="nobody answers"):
-        studied(small(), tmp_path / "study", on=scheme.format(port=port))
+        studied(small(), tmp_path / "study", on=f"tcp://127.0.0.1:{port}")
+    assert not list((tmp_path / "study" / "parts").iterdir())
+
+
+@pytest.mark.parametrize(
+    ("address", "words"),
+    [("", "missing port"), ("127.0.0.1", "missing port"), ("nonsense://x", "unknown address scheme"),
+     ("tcp://x:port", "invalid literal"), ("tls://127.0.0.1:8786", "needs certificates")],
+)  # fmt: skip
+def test_what_is_no_address_is_told_at_once(monkeypatch, tmp_path, address, words):
+    """A client of such an address would wait for its own end, and say so in a traceback."""
+    monkeypatch.setattr(distributed, "Client", None)
+    with pytest.raises(MechsheetError, match=words):
+        studied(small(), tmp_path / "study", on=address)
     assert not list((tmp_path / "study" / "parts").iterdir())

@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
-from mechsheet.diagnostics import MechanismError
+from mechsheet.description import loads
+from mechsheet.description.templates import template_names
+from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.homework.truth import truth_of
 from mechsheet.studies.designs import Designs
-from studying import in_workbook, study_of
+from studying import in_workbook, study_of, template_text
 
 GRID = "vary = { a2 = [10, 80, 5], a3 = [10, 80, 5], a4 = [10, 80, 5] }"
 
@@ -26,6 +28,7 @@ TEMPLATES = (
     "hoeken",
     "jansen",
     "cylinder-boom",
+    "excavator",
     "scotch-yoke",
     "drag-link",
     "geared-five-bar",
@@ -63,6 +66,39 @@ def test_summaries_are_those_of_the_workbook(template):
         for name in names:
             study = float(found.columns[name][number])
             assert study == pytest.approx(book[name], rel=1e-12, abs=1e-12 * designs.size, nan_ok=True), (name, values)
+
+
+def test_conditions_over_outputs_of_summaries():
+    """An output of summaries is in its unit what its formula makes of the summaries: radians inside, degrees shown."""
+    own = 'worst = { formula = "max(abs(mu_max - pi/2), abs(mu_min - pi/2))", unit = "deg" }\n'
+    own += 'arc = { formula = "a4*swing" }\n[summary]'
+    text = template_text("four-bar").replace("[summary]", own, 1)
+    part = f'\n[study]\n{GRID}\nkeep = ["closes", "worst < 60", "arc > 50"]\nminimize = ["worst"]'
+    _, found = kept(loads(text + part))
+    angles = np.abs(np.array([found.columns["mu_min"], found.columns["mu_max"]]) - 90).max(axis=0)
+    assert found.columns["worst"] == pytest.approx(angles, rel=1e-12)
+    assert 0 < angles.max() < 60
+    arcs = found.columns["a4"] * np.radians(found.columns["swing"])
+    assert arcs.min() > 50
+    _, all_of_them = kept(loads(f'{text}\n[study]\n{GRID}\nkeep = ["closes"]'))
+    angles = np.abs(np.array([all_of_them.columns["mu_min"], all_of_them.columns["mu_max"]]) - 90).max(axis=0)
+    arcs = all_of_them.columns["a4"] * np.radians(all_of_them.columns["swing"])
+    assert len(found.numbers) == np.count_nonzero((angles < 60) & (arcs > 50)) < len(all_of_them.numbers)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("template", template_names())
+def test_every_packaged_mechanism_is_studied_or_refused_by_name(template):
+    """Closing, links that turn, drivers of every kind: each design is kept or counted once, or a message says why not."""
+    plain = study_of("", template)
+    links = [link.name for link in plain.links if link.name != plain.ground.name][:2]
+    conditions = ", ".join(f'"crank({link})"' for link in links)
+    try:
+        designs, found = kept(study_of(f'{around(template)}\nkeep = ["closes", {conditions}]', template))
+    except MechsheetError as error:
+        assert any(word in str(error) for word in ("at least 1 dimension", "found all at once", "the driver's values"))
+    else:
+        assert found.failed.sum() + len(found.numbers) == designs.sampling.total
 
 
 # --- against the reference -------------------------------------------------------------------------------------------------

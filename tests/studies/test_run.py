@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -13,10 +14,10 @@ import pytest
 
 from mechsheet.diagnostics import MechsheetError, MissingProgramError, OutputError
 from mechsheet.studies import folder as folders
-from mechsheet.studies import packages, parts
+from mechsheet.studies import packages, parts, running
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.run import studied
-from mechsheet.studies.running import OF_A_PROCESS, workers_within
+from mechsheet.studies.running import OF_A_PROCESS, memory_there, workers_within
 from studying import small, study_of
 
 pq = pytest.importorskip("pyarrow.parquet")
@@ -109,6 +110,23 @@ def test_a_study_that_is_killed_again_and_again_ends_with_the_same_bytes(whole, 
     assert contents(folder) == whole[1]
 
 
+@pytest.mark.slow
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="nothing kills a process without a word here")
+def test_a_study_that_is_killed_leaves_no_process_behind(tmp_path):
+    """Its processes would wait for parts for ever, and hold their memory."""
+    description = tmp_path / "four-bar.toml"
+    description.write_text(small(3_000_000).text, encoding="utf-8")
+    folder = tmp_path / "study"
+    command = [sys.executable, "-m", "mechsheet", "study", str(description), "-o", str(folder), "--workers", "2"]
+    run = subprocess.Popen(command, stdout=subprocess.PIPE)
+    until = time.monotonic() + 60
+    while not list(folder.glob("parts/*.parquet")):
+        assert run.poll() is None and time.monotonic() < until
+        time.sleep(0.05)
+    run.kill()
+    run.communicate(timeout=60)  # ends when nobody holds its output any more
+
+
 # --- folders ---------------------------------------------------------------------------------------------------------------
 
 
@@ -124,6 +142,18 @@ def test_the_folder_of_another_study_is_left_alone(whole, tmp_path):
     shutil.copytree(whole[0].folder.path, folder)
     with pytest.raises(OutputError, match=r"another study: it differs in designs.*description"):
         studied(small(20_000), folder, workers=1, resume=True)
+    assert contents(folder) == whole[1]
+
+
+def test_a_study_without_a_part_makes_room_for_another(whole, tmp_path):
+    """Nobody answered, or the disk was full from the beginning: another try needs no other folder."""
+    folder = tmp_path / "study"
+    (folder / "parts").mkdir(parents=True)
+    (folder / ".study.json.1234.tmp").touch()
+    studied(small(3_000), folder, workers=1)
+    for path in (*folder.glob("parts/*.parquet"), folder / ".study.json.1234.tmp"):
+        path.unlink()
+    studied(small(), folder, workers=1)
     assert contents(folder) == whole[1]
 
 
@@ -201,6 +231,51 @@ def test_memory_decides_how_many_processes_there_are():
     assert workers_within(1, OF_A_PROCESS) == 1
     with pytest.raises(MechsheetError, match="too little"):
         workers_within(2, 2**20)
+
+
+def test_a_container_with_little_memory_gets_fewer_processes(monkeypatch, tmp_path):
+    """What it may have counts, not the machine's cores; who asks for so many processes gets them."""
+    monkeypatch.setattr(running, "_cores", lambda: 64)
+    limit, none = tmp_path / "memory.max", tmp_path / "none"
+    monkeypatch.setattr(running, "LIMITS", (str(limit), str(none)))
+    limit.write_text(f"{12 * OF_A_PROCESS}\n")
+    assert memory_there() == 12 * OF_A_PROCESS
+    assert workers_within(None, None) == 8
+    assert workers_within(64, None) == 64
+    limit.write_text(f"{OF_A_PROCESS // 2}\n")
+    assert workers_within(None, None) == 1
+    limit.write_text("max\n")
+    assert memory_there() > 2**28
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the system does not say how much a process has had")
+def test_a_process_has_as_much_memory_as_is_counted_with(tmp_path):
+    """Whatever --limit-memory promises follows from this: a full part of which everything is kept, of many columns."""
+    summaries = "".join(f'more_{number} = {{ of = "theta14", take = "max" }}\n' for number in range(40))
+    text = study_of('[study]\nsample = "sobol"\ncount = 65536\nvary = { a2 = [20, 30] }', rows=13).text
+    path = tmp_path / "many.toml"
+    path.write_text(text.replace("[summary]\n", f"[summary]\n{summaries}"), encoding="utf-8")
+    script = (
+        "import re, sys; from pathlib import Path; from mechsheet.studies.parts import Order, compute, versions;"
+        "compute(Order(Path(sys.argv[1]).read_text('utf-8'), 65536, 65536, tuple(versions().items())), 0);"
+        "print(re.search('VmHWM:(.*) kB', Path('/proc/self/status').read_text()).group(1))"  # maxrss has its parent's, too
+    )
+    done = subprocess.run([sys.executable, "-c", script, str(path)], check=True, capture_output=True, text=True)
+    assert 1024 * int(done.stdout) < OF_A_PROCESS
+
+
+def test_a_chunk_takes_no_more_memory_for_a_long_table():
+    """2,048 designs over 1,801 rows: a column of all of them would take 28 MiB."""
+    designs = Designs(study_of("[study]\nvary = { a2 = [10, 30, 0.25], a3 = [55, 65, 0.25] }", rows=1_801))
+    designs.kept(0, 16)
+    tracemalloc.start()
+    try:
+        designs.kept(0, 2_048)
+        most = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert most < 2_048 * 1_801 * 2
 
 
 def test_a_design_without_a_number_is_null(tmp_path):

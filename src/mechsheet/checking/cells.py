@@ -61,7 +61,7 @@ def compare_cells(
     """
     angles, rules = angles or Angles(), rules or Rules()
     ignored = ignored_in(book, rules.ignore)
-    tally = Tally(judge, tolerance=rules.tolerance)
+    tally = Tally(judge, tolerance=rules.relative)
     number = -1
     for sheet in book.sheets:
         for block in sheet.blocks:
@@ -80,13 +80,13 @@ def compare_cells(
                     apart = difference(value, other, scale, period)
                     if what == "error" and isinstance(value, ErrorValue) == isinstance(other, ErrorValue):
                         apart = 0.0
-                    if apart > rules.tolerance and _is_near(value, other, rules.absolute):
+                    if apart > rules.relative and _is_near(value, other, rules.absolute):
                         apart = 0.0
-                    if apart > rules.tolerance:
+                    if apart > rules.relative:
                         formula = shifted(block.formula, row - block.row, col - block.col)
                         if names_an_equal_row(formula, sheet.title, values, other, angles.size):
                             apart = 0.0
-                    if apart > tally.worst or apart > rules.tolerance:
+                    if apart > tally.worst or apart > rules.relative:
                         tally.note(apart, cell_address(sheet.title, row, col), value, other)
                     else:
                         tally.cells += 1

@@ -172,7 +172,11 @@ def _formulas(path: Path) -> Answers:
     logging.getLogger("formulas").setLevel(logging.ERROR)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        import formulas
+        try:
+            import formulas
+            import openpyxl  # noqa: F401  (it reads the file for `formulas`, when asked)
+        except ImportError:
+            raise missing_package("formulas", "formulas") from None
 
         solution = formulas.ExcelModel().loads(str(path)).finish().calculate()
     values: dict[str, Scalar] = {}

@@ -16,19 +16,21 @@ from mechsheet.formula.book import Book
 class Rules:
     """What a check is to overlook.
 
-    tolerance  largest relative difference of two numbers that count as equal
+    relative   largest relative difference of two numbers that count as equal
     absolute   largest difference of two numbers that count as equal, however small they are
     ignore     cells that are left out: `Sheet!A1:B9`, a name, a whole sheet
     """
 
-    tolerance: float = TOLERANCE
+    relative: float = TOLERANCE
     absolute: float = 0.0
     ignore: tuple[str, ...] = field(default=())
 
     def __post_init__(self) -> None:
-        for name, value in (("tolerance", self.tolerance), ("absolute", self.absolute)):
+        for name, value in (("relative", self.relative), ("absolute", self.absolute)):
             if not (0 <= value < math.inf):
-                raise WorkbookError(Fault(f"{value} is no tolerance: a number from 0 on", key=name))
+                raise WorkbookError(
+                    Fault(f"{value} cannot be the largest difference: expected a number from 0 on", key=name)
+                )
 
 
 @dataclass(frozen=True, slots=True)

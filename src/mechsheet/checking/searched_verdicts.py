@@ -90,6 +90,11 @@ class SearchedVerdicts:
     def time_ratio(self, symbol: str) -> list[float]:
         """Time of the slower way between the extremes over that of the faster; of extremes that are flat, several."""
         search = self.search
+        step = abs(search.step)
+        if search.mechanism.driver.law is not None:  # its rows are equally far from each other in time
+            if abs(step * (search.rows - 1) / TURN - 1) > 1e-9:
+                return []
+            step = TURN / (search.rows - 1)
         turns = search.whole and search.closes_everywhere and not (search.is_angle(symbol) and search.is_crank(symbol))
         extremes = search.extremes(symbol) if turns else None
         if extremes is None or extremes[2] - extremes[0] < 1e-7 * (1.0 if search.is_angle(symbol) else search.size):
@@ -98,7 +103,7 @@ class SearchedVerdicts:
         ratios = []
         for one in (at_low, *self._ties(symbol, low, high - low)):
             for other in (at_high, *self._ties(symbol, high, high - low)):
-                way = abs(other - one) * abs(search.step) % TURN
+                way = abs(other - one) * step % TURN
                 if 0 < way < TURN:
                     ratios.append(max(way, TURN - way) / min(way, TURN - way))
         return ratios

@@ -292,12 +292,12 @@ class _Comparing:
             gap = abs(ours - theirs)
             size = gap / max(abs(ours), abs(theirs), 5e-324)
             unwritten = self.libreoffice and self.ods and gap <= WRITTEN
-            return ("" if size <= self.rules.tolerance or gap <= self.rules.absolute or unwritten else "number"), size
+            return ("" if size <= self.rules.relative or gap <= self.rules.absolute or unwritten else "number"), size
         if (ours is None or ours == "") and theirs == "":
             return "", 0.0
         if isinstance(ours, str) and isinstance(theirs, str):
             size = 0.0 if ours == theirs else texts_apart(ours, theirs)
-            return ("" if size <= self.rules.tolerance else "text"), size
+            return ("" if size <= self.rules.relative else "text"), size
         return "type", math.inf
 
     def result(self) -> Stored:

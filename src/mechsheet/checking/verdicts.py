@@ -14,8 +14,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
+from mechsheet import portable
 from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.report import Comparison, Tally
+from mechsheet.checking.searched_summaries import judge_summaries
 from mechsheet.checking.searched_verdicts import SearchedVerdicts
 from mechsheet.checking.summary_tables import judge_tables
 from mechsheet.checking.undefined_dimensions import missing_dimensions
@@ -24,6 +28,7 @@ from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.search import Search
+from mechsheet.sheet.drawing.outlines import number_places
 from mechsheet.sheet.plan import MEANING, Plan
 
 EXACT = 1e-4
@@ -70,6 +75,8 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
     if found is None:
         return None
     judge = _Judge(values, plan, found)
+    if not judge.page or not judge.filled_further():
+        judge_summaries(values, plan, judge.tally, found)
     if mechanism.layout == "sheets":
         judge_tables(values, plan, judge.tally, search)
     return judge.result()
@@ -86,7 +93,7 @@ class _Judge:
 
     def result(self) -> Comparison:
         """All verdicts that this layout has."""
-        if self.page and self._filled_further():
+        if self.page and self.filled_further():
             return self.tally.result()
         self._number("inputs", [0.0])
         self._number("rows_closed", [float(self.search.count)])
@@ -101,6 +108,19 @@ class _Judge:
         self._line()  # last: it repeats the others
         return self.tally.result()
 
+    def _misfit(self) -> float:
+        """By how much the length of a redundant link is off in the worst row: the only gap that there can be."""
+        search, mechanism = self.search, self.plan.mechanism
+        worst = 0.0
+        for each in mechanism.redundant:
+            slot = next(joint for joint in mechanism.joints if joint.symbol == each.symbol)
+            places = number_places(each.link, search.dimensions)
+            (x, y), (x_end, y_end) = places[str(slot.through)], places[slot.point]
+            length = portable.hypot(x_end - x, y_end - y)
+            column = search.at[each.symbol][:: search.fine][search.row_there]
+            worst = max(worst, float(np.max(np.abs(column - length))))
+        return worst
+
     def _motion(self) -> None:
         """What only the layout of several sheets says."""
         found, search = self.plan.found, self.search
@@ -110,9 +130,9 @@ class _Judge:
             if not search.doubtful:
                 self._warns("passes", bool(search.holes))
         if search.count:
-            gap = self._found("largest_gap")
-            small = isinstance(gap, float) and gap <= GAP * search.size
-            self._note("largest_gap", 0.0 if small else math.inf, 0.0)
+            gap, misfit = self._found("largest_gap"), self._misfit()
+            small = isinstance(gap, float) and abs(gap - misfit) <= GAP * search.size
+            self._note("largest_gap", 0.0 if small else math.inf, misfit)
         leaps = self.searched.leaps
         if self.searched.sure or (leaps and not (search.holes or search.doubtful)):
             self._warns("leaps", leaps)
@@ -125,7 +145,7 @@ class _Judge:
 
     # --- cells ---------------------------------------------------------------------------------------------------------
 
-    def _filled_further(self) -> bool:
+    def filled_further(self) -> bool:
         """Whether somebody has filled the page's table further down: then its verdicts are of more rows than the plan's."""
         return self.values.get(self.plan.main, self.plan.at.last + 1, 0) is not None
 
@@ -177,11 +197,16 @@ class _Judge:
             plan.text("verdict.inputs.wrong", symbol=plan.text("name.position")),
             plan.text("verdict.inputs.misfit"),
         ]
+        if plan.newton:  # which assembly it is the search does not ask
+            aside += [plan.text(f"verdict.{key}") for key in ("same_assembly.lost", "same_assembly.begun")]
         if line in aside:  # the position shown is none: nothing about the motion
             return
         some = f"{search.count} / {search.rows}"
         if search.count == 0:
             expected = plan.text("page.verdict.nowhere" if self.page else "verdict.line.nowhere")
+            right = line == expected or (plan.newton and line == plan.text("verdict.line.ended"))
+        elif not self.page and self._misfit() > GAP * search.size:
+            expected = plan.text("verdict.gap.open", sheet=plan.at.titles["checks"])
             right = line == expected
         elif search.count == search.rows:
             begin, end = plan.text("page.verdict.all"), plan.text("page.verdict.positions")

@@ -12,6 +12,7 @@ import click
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
 
 from .common import (
+    FORMATS_COMPLETED,
     STANDARD_INPUT,
     STANDARD_OUTPUT,
     Changes,
@@ -39,7 +40,9 @@ if TYPE_CHECKING:
     help="File to write (out.xlsx: its ending is the format), or folder to write into: an existing one, a name that ends "
     "with /, or a new name without an ending.",
 )
-@click.option("--format", "formats", help="xlsx, ods, or both with a comma.  [default: xlsx]")
+@click.option(
+    "--format", "formats", shell_complete=FORMATS_COMPLETED, help="xlsx, ods, or both with a comma.  [default: xlsx]"
+)
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the workbook.")
 @click.option("--layout", type=click.Choice(["sheets", "page"]), help="Several sheets, or all on one.")
 @click.option("--tolerance", is_flag=True, help="Bands of all outputs and summaries by the dimensions' tolerances.")

@@ -12,15 +12,25 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
 
-from .common import JSON
+from .common import JSON, completing
 from .gate import Gate, concluded, fails, gate_options, of_each, workbooks
 from .helping import Explained
+
+
+def _programs() -> tuple[str, ...]:
+    from mechsheet.checking.programs import PROGRAMS
+
+    return tuple(PROGRAMS)
 
 
 @click.command(cls=Explained, short_help="Recalculate and compare with the reference and other programs.")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option(
-    "--with", "programs", default="", help="Other judges: formulas, ironcalc, libreoffice, gnumeric, onlyoffice."
+    "--with",
+    "programs",
+    default="",
+    shell_complete=completing(_programs),
+    help="Other judges: formulas, ironcalc, libreoffice, gnumeric, onlyoffice.",
 )
 @click.option("--perturb", type=click.IntRange(min=1), metavar="N", help="Type N random sets of inputs and compare.")
 @click.option("--mutate", type=click.IntRange(min=1), metavar="N", help="Damage N formulas: would anybody notice?")

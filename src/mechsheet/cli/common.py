@@ -6,7 +6,7 @@ import contextlib
 import re
 import sys
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -171,6 +171,22 @@ def in_options(fault: Fault) -> Fault:
     if found:
         return replace(fault, key=f"--set {found[1]}")
     return replace(fault, key=_OPTIONS.get(fault.key, fault.key)) if fault.line is None else fault
+
+
+# --- what the shell completes ---------------------------------------------------------------------------------------
+
+
+def completing(names: Callable[[], Iterable[str]]) -> Callable[[click.Context, click.Parameter, str], list[str]]:
+    """`shell_complete` of a value, or of the last one of several with commas, out of `names`, read only then."""
+
+    def complete(context: click.Context, parameter: click.Parameter, begun: str) -> list[str]:
+        before, comma, last = begun.rpartition(",")
+        return [f"{before}{comma}{name}" for name in names() if name.startswith(last)]
+
+    return complete
+
+
+FORMATS_COMPLETED = completing(lambda: ("xlsx", "ods"))
 
 
 # --- where files go -------------------------------------------------------------------------------------------------

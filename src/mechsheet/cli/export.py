@@ -15,6 +15,7 @@ from .common import (
     Changes,
     at_lines_of,
     change_options,
+    completing,
     described,
     output_file,
     output_option,
@@ -37,9 +38,17 @@ class WithKinds(Explained):
         super().format_epilog(ctx, formatter)
 
 
+def _kinds() -> tuple[str, ...]:
+    from mechsheet.exporting import KINDS
+
+    return tuple(KINDS)
+
+
 @click.command(cls=WithKinds)
 @click.argument("description", type=click.Path(path_type=Path))
-@click.option("--to", "kind", required=True, metavar="KIND", help="What to write: see below.")
+@click.option(
+    "--to", "kind", required=True, metavar="KIND", shell_complete=completing(_kinds), help="What to write: see below."
+)
 @output_option("File to write, or - to print it; with --frames, a folder.")
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @click.option("--frames", type=int, metavar="N", help="Draw N positions of the sweep, one file each.")

@@ -28,7 +28,7 @@ LOCKS = ("~$", ".~lock.")
 
 OPTIONS = (
     click.option(
-        "--tolerance", type=float, metavar="X", help="Largest relative difference of numbers; 1e-9 if not given."
+        "--relative", type=float, metavar="X", help="Largest relative difference of numbers; 1e-9 if not given."
     ),
     click.option("--absolute", type=float, metavar="X", help="Largest difference of numbers, however small they are."),
     click.option(
@@ -51,7 +51,7 @@ def gate_options(command: Command) -> Command:
 class Gate:
     """The options as they were given."""
 
-    tolerance: float | None = None
+    relative: float | None = None
     absolute: float | None = None
     ignore: tuple[str, ...] = ()
     baseline: Path | None = None
@@ -70,8 +70,8 @@ class Gate:
         """What the options say of differences."""
         from mechsheet.checking import TOLERANCE, Rules
 
-        tolerance = TOLERANCE if self.tolerance is None else self.tolerance
-        return Rules(tolerance, self.absolute or 0.0, self.ignore)
+        relative = TOLERANCE if self.relative is None else self.relative
+        return Rules(relative, self.absolute or 0.0, self.ignore)
 
     def accepted(self) -> Baseline | None:
         """The baseline. Raises MechsheetError when it cannot be read."""

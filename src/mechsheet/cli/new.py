@@ -6,20 +6,19 @@ import click
 
 from mechsheet.arguments.outputs import folder_ready, is_there
 
-from .common import STANDARD_OUTPUT, output_file, output_option, refuse_existing
+from .common import STANDARD_OUTPUT, completing, output_file, output_option, refuse_existing
 from .helping import Explained
 from .streams import print_file
 
 
-def _templates(context: click.Context, parameter: click.Parameter, begun: str) -> list[str]:
-    """The templates' names that a shell may complete."""
+def _templates() -> tuple[str, ...]:
     from mechsheet.description.templates import template_names
 
-    return [name for name in template_names() if name.startswith(begun)]
+    return tuple(template_names())
 
 
 @click.command(cls=Explained)
-@click.argument("template", required=False, shell_complete=_templates)
+@click.argument("template", required=False, shell_complete=completing(_templates))
 @output_option("File to write; standard output without it.")
 @click.option("--list", "show_list", is_flag=True, help="List the templates with their titles.")
 def new(template: str | None, output: str | None, show_list: bool) -> None:

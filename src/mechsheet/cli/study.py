@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.diagnostics import Fault, MechanismError
 
-from .common import Changes, at_lines_of, change_options, described
+from .common import FORMATS_COMPLETED, Changes, at_lines_of, change_options, described
 from .helping import Explained
 
 if TYPE_CHECKING:
@@ -29,7 +29,12 @@ WIDTH = 24
 @click.option("--on", metavar="ADDRESS", help="A Dask scheduler that computes instead: tcp://HOST:8786.")
 @click.option("--resume", is_flag=True, help="Go on with a study that was begun in the folder.")
 @click.option("--limit-memory", metavar="SIZE", help="What all processes may have together: 2GiB.")
-@click.option("--format", "formats", help="Of the summary workbook: xlsx, ods, or both with a comma.  [default: xlsx]")
+@click.option(
+    "--format",
+    "formats",
+    shell_complete=FORMATS_COMPLETED,
+    help="Of the summary workbook: xlsx, ods, or both with a comma.  [default: xlsx]",
+)
 @change_options
 def study(
     description: Path,
@@ -63,7 +68,8 @@ def study(
         found = studied(
             mechanism, output, workers=workers, on=on, resume=resume, limit_memory=memory, formats=forms, say=say
         )
-    _tell(found)
+    with at_lines_of(mechanism, description):
+        _tell(found)
     click.echo(_table(found))
 
 
@@ -73,7 +79,7 @@ def _tell(found: Studied) -> None:
     lines = [f"{count:>16,} fail {text}" for text, count in result.failed]
     if not result.kept and result.failed:
         hint = "each design is counted once, by the first condition that it fails:\n" + "\n".join(lines)
-        raise MechsheetError(
+        raise MechanismError(
             Fault(f"none of {result.designs:,} designs meets all conditions", key="study.keep", hint=hint)
         )
     share = 100 * result.kept / result.designs

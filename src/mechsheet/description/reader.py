@@ -7,7 +7,8 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, gears, joints, links, results
+from mechsheet.description import dimensions, gears, joints, links, redundant, results
+from mechsheet.description import outputs as further_outputs
 from mechsheet.description.asked import exercise, study, synthesis, tolerances
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
@@ -102,7 +103,13 @@ def with_tolerance(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
     if mechanism.bands is not None:
         return mechanism
     source, _ = parse_as_meant(mechanism.text, file)
-    found = loads(f"{source.text.rstrip()}\n\n[tolerance]\n", file)
+    own = source.text.rstrip()
+    try:
+        found = loads(f"{own}\n\n[tolerance]\n", file)
+    except DescriptionError as error:
+        last = own.count("\n") + 1  # who asks by an option has no line [tolerance] to look at
+        told = [replace(each, line=None, source="") if (each.line or 0) > last else each for each in error.faults]
+        raise DescriptionError(told) from None
     sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
     return replace(found, file=mechanism.file, sketch=sketch)
 
@@ -131,6 +138,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     made = links.read(bodies, bare_links, scope)
     ends = joints.Ends(bodies, made, scope)
     sliding = joints.read(part(data, "joints", []), ends, scope)
+    made, sliding, redundant_links = redundant.read(data, made, sliding, ends, scope)
     driven = driver.read(data["driver"], made, sliding, ends, scope) if made else None
     further, values = drivers.read(part(data, "drivers", []), driven, made, sliding, ends, scope) if made else ((), ())
     table = (*table, *values)
@@ -164,6 +172,7 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     table = (*table, *cells)
 
     results.declare(outputs, summary, scope)
+    of_rows, of_motion = further_outputs.outputs(outputs, driven, scope)
     workbook, solution = part(data, "workbook", {}), part(data, "solution", {})
     wheel = part(data, "flywheel", {})
     flywheel.declare(wheel, scope)
@@ -175,8 +184,10 @@ def _read(source: Source, report: Report) -> Mechanism | None:
     parts: dict[str, Any] = {
         "sketch": sketch,
         "relations": relations,
+        "redundant": redundant_links,
         "drivers": further,
-        "outputs": results.outputs(outputs, scope),
+        "outputs": of_rows,
+        "motion_outputs": of_motion,
         "summaries": results.summaries(summary, scope),
         "charts": results.charts(part(data, "charts", []), scope),
         "tables": results.tables(part(data, "tables", []), driven, scope),

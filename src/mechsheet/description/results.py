@@ -1,4 +1,4 @@
-"""The parts that speak about variables: [assembly], [outputs], [summary], [[charts]] and [[tables]]."""
+"""The parts that speak about variables: [assembly], [summary], [[charts]] and [[tables]]; the names of [outputs]."""
 
 from __future__ import annotations
 
@@ -9,15 +9,13 @@ from mechsheet.description.driving.driver import LANDS
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
 from mechsheet.description.index import Path
-from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
+from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
-from mechsheet.formula.nodes import Node, symbols
-from mechsheet.model import ChartRequest, Driver, Output, Quantity, Sketch, Summary, TableRequest
-from mechsheet.units import Unit, unit_of
+from mechsheet.model import ChartRequest, Driver, Quantity, Sketch, Summary, TableRequest
 
 
 def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
@@ -60,65 +58,7 @@ def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) ->
     scope.summaries |= {name: entry["of"] for name, entry in summaries.items() if entry is not BAD}
 
 
-def outputs(data: dict[str, Any], scope: Scope) -> tuple[Output, ...]:
-    """The further quantities of every row."""
-    result = []
-    for name, entry in data.items():
-        if entry is BAD:
-            continue
-        path: Path = ("outputs", name)
-        word = entry.get("unit", scope.length_unit)
-        unit = unit_of(scope.length_unit if word is BAD else plain_unit(word), scope.length_unit)
-        tree = _formula(entry["formula"], unit, path, scope)
-        cell = scope.cell(entry, path)
-        if tree is not None:
-            result.append(Output(name, tree, unit, words(entry.get("label")), cell))
-    return tuple(result)
-
-
-def _formula(text: Any, unit: Unit, output: Path, scope: Scope) -> Node | None:
-    """The formula of an output; None where there is none to check."""
-    path = (*output, "formula")
-    tree = None if text is BAD else scope.parse(text, path)
-    if tree is None:
-        return None
-    names = symbols(tree)
-    good = [name in scope.units or _is_known(name, text, path, scope) for name in names]
-    if any(is_rate(name, scope) or name in scope.forces for name in names):
-        scope.of_rates.add(str(output[1]))
-    scope.fits(tree, text, unit_kind(unit), path)
-    if all(good) and all(name in scope.numbers for name in names):
-        scope.value(tree, path)
-    _check_label(tree, text, unit, output, scope)
-    return tree
-
-
-def _check_label(tree: Node, text: str, unit: Unit, path: Path, scope: Scope) -> None:
-    """A label of one's own must not stand behind radians, nor behind lengths in another unit."""
-    if unit.kind != "label":
-        return
-    message, hint = label_fault(tree, scope.kinds, unit.symbol, scope.length_unit)
-    if message:
-        scope.report.at((*path, "unit"), f"{quoted(text)} {message}", hint)
-
-
-def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
-    """True when a formula's symbol is a variable or a coordinate; reports what else it is."""
-    where = "" if name == text.strip() else f"in {quoted(text)}: "
-    if name in scope.variables or known_rate(name, path, scope) or _is_coordinate(name, path, scope, where):
-        return True
-    if "." in name or not scope.complete:
-        return False
-    if name in scope.outputs:
-        scope.report.at(path, f"{where}{quoted(name)} is an output; only variables and dimensions are allowed")
-        return False
-    rates = scope.rates if scope.moves else ()
-    hint = suggestion(name, [*scope.variables, *_coordinates(scope), *scope.units, *rates, *scope.forces], "allowed")
-    scope.report.at(path, f"{where}{quoted(name)} is not a variable or dimension", hint)
-    return False
-
-
-def _is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
+def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
     """True for `C.x` and `C.y` of a known point; reports other names with a dot."""
     point, dot, axis = name.partition(".")
     if not dot:
@@ -135,7 +75,8 @@ def _is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool
     return point in scope.points and axis in ("x", "y")
 
 
-def _coordinates(scope: Scope) -> list[str]:
+def coordinates(scope: Scope) -> list[str]:
+    """The names of all coordinates of points."""
     return [f"{point}.{axis}" for point in scope.points for axis in "xy"]
 
 
@@ -143,13 +84,15 @@ def check_column(name: Any, path: Path, scope: Scope) -> None:
     """`name` must be a variable, a coordinate or an output: something with a value in every row."""
     if name is BAD or name in scope.variables or name in scope.outputs or known_rate(name, path, scope):
         return
-    if _is_coordinate(name, path, scope) or "." in name or not scope.complete:
+    if is_coordinate(name, path, scope) or "." in name or not scope.complete:
         return
     rates = scope.rates if scope.moves else ()
-    hint = suggestion(name, [*scope.variables, *scope.outputs, *_coordinates(scope), *rates, *scope.forces], "allowed")
+    hint = suggestion(name, [*scope.variables, *scope.outputs, *coordinates(scope), *rates, *scope.forces], "allowed")
     message = f"no variable or output is called {quoted(name)}"
     if name in scope.charted:
         message, hint = f"{quoted(name)} follows from all rows together: only charts can show it", ""
+    if name in scope.motion_outputs:
+        message = f"{quoted(name)} is an output of summaries, one number of the whole motion: it has no value in a row"
     if name in scope.units:
         message = f"{quoted(name)} is a dimension, the same in every row; a variable or an output is needed"
     scope.report.at(path, message, hint)
@@ -261,6 +204,10 @@ def _check_summary(name: Any, path: Path, driver: Driver | None, scope: Scope) -
         return
     if name not in scope.summaries:
         message = f"no summary is called {quoted(name)}"
+        if name in scope.motion_outputs:
+            message = (
+                f"{quoted(name)} is an output of summaries: in a table over two dimensions each cell is one summary"
+            )
         if name in scope.variables or name in scope.outputs or "." in name:
             message = f"{quoted(name)} differs from row to row: over two dimensions the cells hold a summary"
         of_it = [summary for summary, of in scope.summaries.items() if of == name]

@@ -20,6 +20,8 @@ MOST_ROWS = MAX_ROWS - HEADING_ROWS
 MOST_SERIES = 255
 """Curves in one chart: the limit of spreadsheet programs."""
 MOST_COLUMNS = MAX_COLUMNS - HEADING_ROWS
+MOST_SAMPLED = 2**30
+"""Points of Sobol's sequence in a study: more tell nothing that these do not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,6 +183,9 @@ LINK = Table(
         "points": Key(Named(Either((PAIR, POINT)), "point"), "its points, in its own frame", True),
         "label": _LABEL,
         "number": Key(Integer(1, 999), "overrides the counting; the ground is 1"),
+        "redundant": Key(
+            YesNo(), "true: it moves with the others anyway; left out of the solution, its length checked"
+        ),
         "mass": Key(Quantity(), "in kg; a number or an expression over dimensions"),
         "center": Key(_SPOT, "its mass centre: one of its points, or a place in its frame; default: its only point"),
         "inertia": Key(Quantity(), "moment of inertia about the mass centre, in kg m²; default 0"),
@@ -387,7 +392,9 @@ LOAD = Table(
 
 OUTPUT = Table(
     {
-        "formula": Key(Text(longest=8000), "an expression over variables and dimensions", True),
+        "formula": Key(
+            Text(longest=8000), "an expression over variables and dimensions, or over summaries and dimensions", True
+        ),
         "unit": Key(
             Text(longest=20), 'as for a dimension, or any label but for an angle; "deg": the formula yields radians'
         ),
@@ -517,7 +524,7 @@ STUDY = Table(
         "sample": Key(
             Text(("grid", "sobol")), '"grid": all combinations (the default); "sobol": `count` of them, evenly'
         ),
-        "count": Key(Integer(1, 2**30), "how many designs a Sobol sample has"),
+        "count": Key(Integer(1, MOST_SAMPLED), "how many designs a Sobol sample has"),
         "seed": Key(Integer(0, 2**32 - 1), "what scrambles the Sobol sequence; default 0"),
         "keep": Key(
             Items(Text(), 0, 50),
@@ -632,7 +639,9 @@ DESCRIPTION = Table(
         "loads": Key(Items(LOAD), "forces and torques on links"),
         "flywheel": Key(FLYWHEEL, "how large one must be, for whole turns at constant speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
-        "outputs": Key(Named(OUTPUT, "output"), "further quantities of every row"),
+        "outputs": Key(
+            Named(OUTPUT, "output"), "further quantities of every row; of the whole motion where they name summaries"
+        ),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
         "tolerance": Key(TOLERANCES, "bands that follow from the tolerances of dimensions; needs no keys"),
         "charts": Key(Items(CHART), "charts; sensible ones are chosen when left out"),

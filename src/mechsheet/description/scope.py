@@ -15,7 +15,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.names import folded, name_fault
-from mechsheet.formula.nodes import Node, children, symbols
+from mechsheet.formula.nodes import Node, Symbol, children, symbols, transform
 from mechsheet.formula.parser import RESERVED, parse_description
 from mechsheet.formula.scalar import evaluate
 from mechsheet.model import Quantity, Words
@@ -61,7 +61,9 @@ class Scope:
     variables  symbols of angles, displacements and the driver
     points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
+    solved     False when steps of a synthesis are missing because of a fault in its task
     summaries  name of a summary -> the quantity that it is of
+    motion_outputs  outputs whose formulas name summaries -> the formula over summaries and dimensions in the units shown
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
     of_rates   names of outputs that read rates
     forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
@@ -81,7 +83,9 @@ class Scope:
     fixed: set[str] = field(default_factory=set)
     outputs: list[str] = field(default_factory=list)
     summaries: dict[str, Any] = field(default_factory=dict)
+    motion_outputs: dict[str, Node] = field(default_factory=dict)
     complete: bool = True
+    solved: bool = True
     rates: dict[str, None] = field(default_factory=dict)
     moves: bool = False
     of_rates: set[str] = field(default_factory=set)
@@ -139,13 +143,27 @@ class Scope:
             return None
         return tree
 
+    def condition_side(self, text: str, path: Path) -> Node | None:
+        """The tree of one side of a condition, in which quantities are in their units: an output of summaries is its
+        formula."""
+        tree = self.parse(text, path)
+        if tree is None:
+            return None
+        return transform(
+            tree, lambda part: self.motion_outputs.get(part.name, part) if isinstance(part, Symbol) else part
+        )
+
     def only_dimensions(self, tree: Node, text: str, path: Path, besides: str = "") -> bool:
         """True when all symbols are dimensions (or the one `besides`); reports the others."""
         others = [name for name in symbols(tree) if name not in self.units and name != besides]
         for name in others:
             point, dot, _ = name.partition(".")
-            if name in self.variables or name in self.outputs or (dot and point in self.points):
+            if name in self.outputs:
+                message = f"{quoted(name)} is an output; only dimensions are allowed here"
+            elif name in self.variables or (dot and point in self.points):
                 message = f"{quoted(name)} differs from row to row; only dimensions are allowed here"
+            elif not self.solved:
+                continue  # it may be a step
             else:
                 message = f"{quoted(name)} is not a dimension"
             where = "" if name == text.strip() else f"in {quoted(text)}: "

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from ..diagnostics import Fault, FormulaError, near_miss
+from ..extras import command_for
 from ..formula.book import Block, Book, DefinedName
 from ..formula.dialects import MAX_NESTING
 from ..formula.functions import FUNCTIONS, MANY
@@ -47,7 +48,7 @@ from .interpreter.deep import deeply
 from .interpreter.intersections import intersected
 from .interpreter.local_names import is_function, with_locals
 from .interpreter.regions import gives_region
-from .kernels.table import KERNELS
+from .kernels.table import lacks_scipy
 
 _MOST_SHEETS = 1024
 _ZEROS = re.compile(r"(?<![\w.])0+(?=[1-9])|(?<=[A-Za-z$])(?<![A-Za-z]{4})0+(?=[1-9][0-9]*(?![\w.]))")
@@ -236,7 +237,7 @@ class Resolver:
                     return transform(found, change) if isinstance(found, CellRef | RangeRef) else found
                 case SheetsRef(first, last, area):
                     return self.through_sheets(first, last, area)
-                case FunctionRef(name, "") if name not in FUNCTIONS:
+                case FunctionRef(name, "") if name not in FUNCTIONS or lacks_scipy(name):
                     return self.unknown_function(place, name)
                 case Foreign(text, why) if why != UNKNOWN_FUNCTION:
                     self.remark(place, f"{why}, {text}: stored values are kept")
@@ -294,12 +295,14 @@ class Resolver:
     def call(self, part: Call, block: Block, sheet: str, place: str) -> Node:
         """A function's call, if there is such a function and it takes as many arguments."""
         row = FUNCTIONS.get(part.name)
-        if row is None or part.name not in KERNELS:
+        if row is None:
             # the capitals in which calls are read are those of two letters: Açı and Açi
             defined = self.find(NameRef(part.name), sheet) or self.alike.get(folded(part.name))
             if defined is not None:
                 function = self.function_name(defined, with_locals(defined.formula), block, sheet, place)
                 return Apply(function, part.args)
+            return self.unknown_function(place, part.name)
+        if lacks_scipy(part.name):
             return self.unknown_function(place, part.name)
         if row.least <= len(part.args) <= row.most:
             return _same_size(part)
@@ -357,8 +360,10 @@ class Resolver:
         return ErrorValue("#NAME?")
 
     def unknown_function(self, place: str, name: str) -> Foreign:
-        """Remark a function that is not known. Its cells keep what is stored; without that it is #NAME?."""
-        if self.book.macros and name not in ELSEWHERE:
+        """Remark a function that is not known, or not without SciPy. Its cells keep what is stored; else they are #NAME?."""
+        if name in FUNCTIONS:
+            message, hint = f"{name} needs scipy, which is not installed", command_for("statistics")
+        elif self.book.macros and name not in ELSEWHERE:
             message, hint = f"{name} is defined in this file's {self.book.macros}", ""
         else:
             message, hint = f"unknown function {name}", near_miss(name, FUNCTIONS)

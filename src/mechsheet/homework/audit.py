@@ -10,9 +10,14 @@ from typing import Any
 from mechsheet import reference
 from mechsheet.diagnostics import WorkbookError, readable_name
 from mechsheet.formats import read
-from mechsheet.homework.faults import Mend, Suspect, first_wrong, many
+from mechsheet.homework.faults import Mend, Suspect, first_wrong, many, mended_sheet
+from mechsheet.homework.inputs import Input
 from mechsheet.homework.marking_rules import AskedFor, asked_of
+from mechsheet.homework.own_dimensions import changed_by, other_dimensions
 from mechsheet.homework.remarks import Judged, remarks_of
+from mechsheet.homework.series import Series
+from mechsheet.homework.thinned import thinned
+from mechsheet.homework.trial import Effort
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
 from mechsheet.homework.understanding import Understanding, understand
 from mechsheet.homework.upright import Work, upright
@@ -99,16 +104,20 @@ def audit(book: str | Path, mechanism: Mechanism, assembly: str = "") -> Audit:
     return audited(upright(read(path)), mechanism, asked_of(mechanism), readable_name(path), assembly == "any")
 
 
-def audited(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, any_assembly: bool = False) -> Audit:
-    """The audit of a workbook that has been read; `shown` is what messages call it."""
+def audited(
+    work: Work,
+    mechanism: Mechanism,
+    wanted: AskedFor,
+    shown: str,
+    any_assembly: bool = False,
+    own_dimensions: bool = False,
+) -> Audit:
+    """The audit of a workbook that has been read.
+
+    shown           what messages call it
+    own_dimensions  the mechanism has a student's own dimensions: another one in the sheet is a fault of its own
+    """
     judged = _judged(work, mechanism, wanted, shown)
-    if mechanism.synthesis is not None and any(one.verdict != "right" for one in judged.first.values()):
-        typed = _judged(work, _found_once(mechanism), wanted, shown)
-        judged = max(judged, typed, key=lambda one: sum(found.verdict == "right" for found in one.first.values()))
-    if not judged.promising:
-        other = _judged(work, mechanism, wanted, shown, unusual=True)
-        if any(one.verdict == "right" for one in other.first.values()):
-            judged = other
     asked, first, last, mends = judged.asked, judged.first, judged.last, judged.mends
     results = {symbol: _result(judged.found, first[symbol], last[symbol], mends) for symbol in asked}
     if any_assembly:
@@ -116,6 +125,12 @@ def audited(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, any_
     faults = [_fault(judged.found, mend) for mend in mends]
     if judged.suspect is not None and not mends:
         faults.append(_unmended(judged.found, judged.suspect))
+    if own_dimensions:
+        others = other_dimensions(judged.found)
+        faults = [_other(judged.found, one) for one in others] + faults
+        for symbol in changed_by(judged, others):
+            if results[symbol].verdict == "right":
+                results[symbol] = replace(results[symbol], verdict="follows", plain="wrong")
     plain = _earned(asked, wanted, {symbol: one.plain for symbol, one in results.items()})
     earned = _earned(asked, wanted, {symbol: one.verdict for symbol, one in results.items()})
     return Audit(
@@ -152,12 +167,42 @@ def _given(found: Understanding) -> dict[str, Given]:
     }
 
 
-def _judged(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, unusual: bool = False) -> Judged:
-    """Everything found in a workbook. `unusual`: the driver may be counted clockwise, or from another zero."""
+@dataclass(frozen=True, slots=True)
+class _Seen:
+    """A workbook understood, before faults are looked for; the parts as `Judged` has them."""
+
+    sheet: Sheet
+    truth: Truth
+    asked: Mapping[str, float]
+    first: dict[str, Finding]
+    unusual: bool
+
+    @property
+    def right(self) -> int:
+        """How many asked quantities are right."""
+        return sum(one.verdict == "right" for one in self.first.values())
+
+
+def _judged(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str) -> Judged:
+    """Everything found in a workbook."""
+    effort = Effort()
     try:
-        found = understand(work, mechanism, list(wanted.marks), wanted.tolerance, unusual)
+        seen = _seen(work, mechanism, wanted)
+        if mechanism.synthesis is not None and seen.right < len(seen.first):
+            seen = max(seen, _seen(work, _found_once(mechanism), wanted), key=lambda one: one.right)
+        judged = _with_mends(seen, effort)
+        if not judged.promising:
+            other = _seen(work, mechanism, wanted, unusual=True)
+            if other.right:
+                judged = _with_mends(other, effort)
     except WorkbookError as error:
         raise _told(error, mechanism, shown) from error
+    return judged
+
+
+def _seen(work: Work, mechanism: Mechanism, wanted: AskedFor, unusual: bool = False) -> _Seen:
+    """A workbook understood. `unusual`: the driver may be counted clockwise, or from another zero."""
+    found = understand(work, mechanism, list(wanted.marks), wanted.tolerance, unusual)
     asked = _moving(found, wanted)
     sheet = Sheet(found, list(asked))
     first = findings(sheet)
@@ -167,17 +212,45 @@ def _judged(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str, unus
         sheet = Sheet(found, list(asked))
         first = findings(sheet)
     truth, first = _assembly(sheet, first)
+    return _Seen(sheet, truth, asked, first, unusual)
+
+
+def _with_mends(seen: _Seen, effort: Effort) -> Judged:
+    """Mends, where something is wrong; what is right and does not follow the dimensions."""
+    found, first, truth = seen.sheet.found, seen.first, seen.truth
     start = {s: replace(f, verdict="right") if f.verdict == "other assembly" else f for s, f in first.items()}
-    if unusual:
-        mends, last_sheet, last = list[Mend](), sheet, start
+    if seen.unusual:
+        mends, last_sheet, last = list[Mend](), seen.sheet, start
     else:
-        mends, last_sheet, last = many(sheet, truth, start)
+        mends, last_sheet, last = _mends(seen.sheet, truth, start, effort)
     suspect = None
-    if any(last[symbol].verdict == "wrong" for symbol in asked):
+    if any(one.verdict == "wrong" for one in last.values()):
         suspect = first_wrong(last_sheet, truth, last)
-    if truth is found.truth and mechanism.synthesis is None:  # lengths that a task gives have no say of their own
+    if truth is found.truth and found.mechanism.synthesis is None:  # lengths that a task gives have no say of their own
         first = with_liveness(found, first)
-    return Judged(found, truth, asked, first, last, mends, suspect, unusual)
+    return Judged(found, truth, seen.asked, first, last, mends, suspect, seen.unusual)
+
+
+def _mends(
+    sheet: Sheet, truth: Truth, start: dict[str, Finding], effort: Effort
+) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
+    """As `many`; of a long table the mends are looked for in a part of its rows."""
+    wrong = any(one.verdict in ("wrong", "missing") for one in start.values())
+    part = thinned(sheet.found, truth) if wrong else None
+    if part is None:
+        return many(sheet, truth, start, effort)
+    small = Sheet(part.found, sheet.asked)
+    found, _, _ = many(small, part.truth, findings(small, part.truth), effort)
+    mends: list[Mend] = []
+    last = start
+    for mend in found:
+        whole = part.back(mend, sheet.found.work)
+        if whole is not None:
+            mends.append(whole)
+            sheet = mended_sheet(sheet, whole.strip, whole.formula)
+            after = findings(sheet, truth)
+            last = {symbol: after.get(symbol, one) for symbol, one in last.items()}
+    return mends, sheet, last
 
 
 def _moving(found: Understanding, wanted: AskedFor) -> dict[str, float]:
@@ -201,7 +274,7 @@ def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str,
         return base, first
     for truth in other_assemblies(base):
         found = findings(sheet, truth)
-        if all(found[symbol].verdict == "right" for symbol in there):
+        if all(_as_right(found[symbol], first[symbol]) for symbol in there):
             return truth, {
                 symbol: replace(one, verdict="other assembly")
                 if one.verdict == "right" and first[symbol].verdict != "right"
@@ -211,6 +284,13 @@ def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str,
     return base, first
 
 
+def _as_right(other: Finding, own: Finding) -> bool:
+    """Whether a quantity is right for another assembly, and not less plainly so than for the description's own."""
+    if other.verdict != "right" or other.reading is None:
+        return False
+    return other.reading.plain or own.verdict != "right" or own.reading is None or not own.reading.plain
+
+
 def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence[Mend]) -> AskedResult:
     """The verdict with the mends in place: a quantity whose own cells hold a fault stays wrong."""
     series = first.series or last.series
@@ -218,14 +298,16 @@ def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence
     verdict = first.verdict
     if verdict in ("wrong", "missing") and last.verdict == "right":
         verdict = "follows"
-    if series is not None and any(_holds(series.places(), mend) for mend in mends):
+    if series is not None and any(_holds(series, mend) for mend in mends):
         verdict = "wrong"
     plain: Verdict = verdict if verdict != "follows" else "wrong"
     return AskedResult(cells, verdict, plain)
 
 
-def _holds(places: Sequence[tuple[str, int, int]], mend: Mend) -> bool:
-    return not set(places).isdisjoint(mend.strip.places())
+def _holds(series: Series, mend: Mend) -> bool:
+    strip = mend.strip
+    inside = series.origin < strip.end and strip.start < series.origin + series.rows
+    return (series.sheet, series.line) == (strip.sheet, strip.line) and inside
 
 
 def _earned(asked: Mapping[str, float], wanted: AskedFor, verdicts: Mapping[str, Verdict]) -> dict[str, float]:
@@ -244,6 +326,14 @@ def _fault(found: Understanding, mend: Mend) -> FaultFound:
         mend.rights,
         mend.kind,
     )
+
+
+def _other(found: Understanding, one: Input) -> FaultFound:
+    """A dimension that is not the student's own."""
+    dim = next(dim for dim in found.mechanism.dimensions if dim.symbol == one.symbol)
+    own = reference.dimension_values(found.mechanism)[one.symbol]
+    there, wanted = (f"{float(dim.unit.to_shown(value)):.10g}" for value in (found.truth.dimensions[one.symbol], own))
+    return FaultFound(found.work.where(*one.place), there, wanted, (), "other dimension")
 
 
 def _unmended(found: Understanding, suspect: Suspect) -> FaultFound:

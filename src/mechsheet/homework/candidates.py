@@ -54,17 +54,19 @@ class Surroundings:
     """What else the formula could have read: `single` cells or names, and cells of the same `row`, as it would write them.
 
     numbers  of single cells, what they hold: a typed number may stand for one of them
+    columns  whole columns of the table, for a cell that reads ranges
     """
 
     single: tuple[Node, ...]
     row: tuple[Node, ...]
     numbers: tuple[float, ...]
+    columns: tuple[RangeRef, ...] = ()
 
 
 def candidates(formula: Node, around: Surroundings) -> list[Candidate]:
     """Every single change of a formula, each formula once, the lightest first."""
     paths = _paths(formula)
-    parts = [part for part in paths if not isinstance(part, RangeRef)]
+    parts = list(paths)
     angles = _angles(formula)
     arguments = {arg for part in parts for arg in _sums(part)}
     terms = set(_terms(formula)) | {term for arg in arguments for term in _terms(arg)}
@@ -177,6 +179,9 @@ def _variants(
     part: Node, formula: Node, angles: set[Node], terms: set[Node], arguments: set[Node], around: Surroundings
 ) -> Iterator[_Variant]:
     """(what may have been meant by a part, what kind of slip it is, its weight)."""
+    if isinstance(part, RangeRef):
+        yield from _of_range(part, around)
+        return
     match part:
         case Binary("+" | "-"):
             yield from _of_sum(part)
@@ -300,6 +305,9 @@ def _of_call(part: Call) -> Iterator[_Variant]:
     match part:
         case Call("ATAN", (Binary("/", y, x),)):
             yield Call("ATAN2", (x, y)), "quadrant", 0.9
+        case Call("MAX" | "MIN", (RangeRef() as column,)):
+            low, high = Call("MIN", (column,)), Call("MAX", (column,))
+            yield Binary("-", high, low), "term missing", 1.8
         case Call("ATAN2", (x, y)):
             yield Call("ATAN2", (Unary("-", x), Unary("-", y))), "order of a difference", 1.2
         case Call(_, (Binary(op, left, right),)) if op in "+-*/":
@@ -332,6 +340,17 @@ def _of_reference(part: CellRef | NameRef, around: Surroundings) -> Iterator[_Va
             row, col = part.row + down, part.col + right
             if 0 <= row < MAX_ROWS and 0 <= col < MAX_COLUMNS:
                 yield replace(part, row=row, col=col), "reference", 1.7
+
+
+def _of_range(part: RangeRef, around: Surroundings) -> Iterator[_Variant]:
+    """A column of the table from end to end, anchored as the range is: the same column, then another."""
+    if not (isinstance(part.start, CellRef) and isinstance(part.end, CellRef)):
+        return
+    for column in around.columns:
+        if isinstance(column.start, CellRef) and isinstance(column.end, CellRef):
+            start = replace(column.start, row_abs=part.start.row_abs, col_abs=part.start.col_abs)
+            end = replace(column.end, row_abs=part.end.row_abs, col_abs=part.end.col_abs, sheet=part.end.sheet)
+            yield RangeRef(start, end), "range", 1.0 if start.col == part.start.col else 1.5
 
 
 def _of_any(part: Node) -> Iterator[_Variant]:

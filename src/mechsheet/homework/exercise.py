@@ -75,8 +75,9 @@ def exercise(mechanism: Mechanism, class_list: str | Path, output: str | Path, s
     files = []
     for student, own in changed:
         files += [folder / "student" / f"{student.file}.xlsx", folder / "solution" / f"{student.file}.xlsx"]
-        write(task_sheet(own, student.id, student.name), files[-2])
-        write(Compiled(own).workbook, files[-1])
+        compiled = Compiled(own)
+        write(task_sheet(compiled, student.id, student.name), files[-2])
+        write(compiled.workbook, files[-1])
     key = folder / KEY
     replace_file(key, json.dumps(key_of(mechanism, students, seed), indent=1, ensure_ascii=False).encode())
     return Exercises(tuple(students), folder, (*files, key), tuple(remarks))
@@ -214,7 +215,8 @@ def fulfils(mechanism: Mechanism, dimensions: Mapping[str, float], needs: Sequen
     for summary in mechanism.summaries:
         kind = truth.kinds.get(summary.of, "number")
         number = taken(truth.columns[summary.of], summary.take, kind)
-        values[summary.symbol] = math.degrees(number) if kind == "angle" else number
+        own = next((output.unit for output in mechanism.outputs if output.symbol == summary.of), mechanism.angle_unit)
+        values[summary.symbol] = math.degrees(number) if kind == "angle" and own.in_degrees else number
     return all(_holds(need, values, bool(truth.exists.all())) for need in needs)
 
 

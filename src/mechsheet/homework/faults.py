@@ -1,33 +1,40 @@
-"""Where the first fault is, and what would mend it: every single change of the formulas that wrong columns depend on."""
+"""Where the first fault is, and what would mend it: every single change of the formulas that wrong columns depend on, then
+two changes in one formula."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import CellRef, Node
-from mechsheet.homework.agreement import Reading, agrees, likely, reading_of, units_of
+from mechsheet.formula.nodes import CellRef, Node, RangeRef
+from mechsheet.homework.agreement import Reading, agrees, gaps, likely, reading_of, units_of
 from mechsheet.homework.candidates import Candidate, Surroundings, candidates
+from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
+from mechsheet.homework.pairs import pairs
 from mechsheet.homework.series import Graph, Series, aligned
-from mechsheet.homework.trial import Trial, UntriableError
-from mechsheet.homework.truth import Truth, vocabulary
+from mechsheet.homework.summaries import holding, span_of
+from mechsheet.homework.trial import Effort, Trial, UntriableError
+from mechsheet.homework.truth import Array, Quantity, Truth, vocabulary
+from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
-from mechsheet.homework.verdicts import Finding, Retyped, Sheet, findings, follows, retype
+from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, retype
 
 MOST_FAULTS = 5
-LONGEST = 10.0
-"""Seconds that are spent on one workbook's mends."""
+OF_VERIFYING = 10_000
+"""What it costs to try a mend in the workbook itself, in cells computed, besides the workbook's own cells."""
 VERIFIED = 12
 """Mends of one formula that are tried under retyped dimensions."""
 SURE = 1.3
-"""A mend of less weight that puts all right is looked no further for."""
+"""Where a mend of less weight puts all right, only smaller changes are looked for."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
+MOST_OF_PAIRS = 3
+"""Formulas in which two changes are tried."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,11 +61,12 @@ class Suspect:
 
 
 def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Series]]:
-    """What is wrong, and the series that should be it; for what is missing every series that nothing is known of."""
+    """What is wrong, and the series (of a summary the cell) that should be it; for what is missing every series that nothing
+    is known of."""
     goals = [
         (symbol, finding.series)
         for symbol, finding in results.items()
-        if finding.verdict == "wrong" and finding.series is not None and symbol in sheet.found.truth.columns
+        if finding.verdict == "wrong" and finding.series is not None
     ]
     claimed = {finding.series.key for finding in results.values() if finding.series is not None}
     lost = [
@@ -75,12 +83,12 @@ def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Se
 class Search:
     """One search for a mend in one workbook."""
 
-    def __init__(self, sheet: Sheet, truth: Truth, results: Mapping[str, Finding], deadline: float) -> None:
-        self.sheet, self.truth, self.results, self.deadline = sheet, truth, results, deadline
+    def __init__(self, sheet: Sheet, truth: Truth, results: Mapping[str, Finding], effort: Effort) -> None:
+        self.sheet, self.truth, self.results, self.effort = sheet, truth, results, effort
         self.found = replace(sheet.found, truth=truth)
         self.graph: Graph = sheet.found.graph
         self.goals = goals_of(sheet, results)
-        self.trial = Trial(self.graph)
+        self.trial = Trial(self.graph, effort)
 
     @cached_property
     def retyped(self) -> list[Retyped]:
@@ -96,24 +104,39 @@ class Search:
         best: Mend | None = None
         wanted = {symbol for symbol, _ in self.goals if self.results[symbol].verdict == "wrong"}
         for number in self.suspects():
-            if time.process_time() > self.deadline:
+            if self.effort.spent:
                 break
-            mend = self._of_strip(number)
-            if mend is not None and number in self.known:
-                mend = replace(mend, weight=mend.weight + 1.0)  # it is something of the mechanism as it stands
-            if mend is not None and (best is None or _rank(mend) < _rank(best)):
-                best = mend
-            if best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE:
+            later = (
+                1.0 if number in self.known and self.derived.get(number) is not False else 0.0
+            )  # it is right as it stands
+            sure = best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE
+            tried = self._candidates(number)
+            if sure and best is not None:  # only what is a smaller change still
+                tried = [one for one in tried if one.weight + later < best.weight]
+            mend = self._of_strip(number, tried) if tried else None
+            if mend is not None:
+                mend = replace(mend, weight=mend.weight + later)
+                best = mend if best is None or _rank(mend) < _rank(best) else best
+        return best or self._of_pairs()
+
+    def _of_pairs(self) -> Mend | None:
+        """The first mend of two changes in one formula, of those that are not known to be right; for a column, not for one
+        number: that is soon hit."""
+        if not any(symbol in self.truth.columns for symbol, _ in self.goals):
+            return None
+        doubtful = [n for n in self.suspects() if n not in self.known or self.derived.get(n) is False]
+        for number in doubtful[:MOST_OF_PAIRS]:
+            if self.effort.spent:
                 break
-        return best
+            mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)))
+            if mend is not None and mend.live:
+                return mend
+        return None
 
     def suspects(self) -> list[int]:
         """Formulas that wrong series depend on: those that are nothing of the mechanism though all they read is, first."""
         work = self.graph.work
-        ends = {
-            strip for _, series in self.goals for place in series.places() if (strip := work.at.get(place)) is not None
-        }
-        above = self.graph.above({number for number, strip in enumerate(work.strips) if strip in ends})
+        above = self.graph.above({strip for _, series in self.goals for strip in series.strips(work)})
         driver = self.found.driver
         above = {
             number
@@ -127,37 +150,76 @@ class Search:
         def rank(number: int) -> tuple[int, int, int]:
             fine = number in known
             fed = all(other in known for other in self.graph.reads[number] - {number})
-            first = 0 if number in odd else 1 if not fine and fed else 2 if not fine else 3
+            first = (
+                0
+                if number in odd or self.derived.get(number) is False
+                else 1
+                if not fine and fed
+                else 2
+                if not fine
+                else 3
+            )
             return first, order[number], number
 
         return sorted(above, key=rank)
 
     @cached_property
     def known(self) -> set[int]:
-        """Strips that are plainly something of the mechanism, or beside no table; not what is to be something else."""
+        """Strips that are plainly something of the mechanism or lead to what is right, or beside no table; not what is to be
+        something else."""
         words = vocabulary(self.truth)
         work = self.graph.work
         by_main = {strip: number for number, strip in enumerate(work.strips)}
         found = {number for number, strip in enumerate(work.strips) if not self._beside(strip)}
+        turned: set[int] = set()
         computed = [series for series in self.found.series if series.main is not None]
         columns = self.sheet.matrix(computed)
         for word in words:
             allowed = self.found.allowed(word)
+            if word.spread <= MOVING * allowed:
+                continue
             for place in np.flatnonzero(likely(columns, word, allowed)).tolist():
                 reading = reading_of(columns[place], word, allowed)
                 main = computed[place].main
-                if reading is not None and main is not None and (reading.plain or word.kind == "length"):
+                if reading is None or main is None:
+                    continue
+                if reading.plain or word.kind == "length":  # a length the other way round is a choice
                     found.add(by_main[main])
+                if not reading.plain and says(self.found.heading(computed[place]), word.name):
+                    turned.add(by_main[main])  # but not where the column is called as the length itself
+        found -= turned
+        right = [one.series for one in self.results.values() if one.verdict in ("right", "not live")]
+        for series in right:
+            if series is not None and series.rows > 1:
+                found |= self.graph.above(set(series.strips(work)))
         wrong = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
         return found - {by_main[strip] for strip in wrong if strip is not None}
 
+    @cached_property
+    def derived(self) -> dict[int, bool]:
+        """Single computed cells that are called as a derived dimension: whether they have its value."""
+        dims = [dim for dim in self.found.mechanism.dimensions if dim.derived]
+        work = self.graph.work
+        found = {}
+        for number, strip in enumerate(work.strips) if dims else ():
+            place = (strip.sheet, strip.start, strip.line)
+            if strip.length > 1 or self._beside(strip):
+                continue
+            words = [*around(work, place)[:1], *names_over(work, [place])]
+            called = [dim for dim in dims if any(says(text, dim.symbol) for text in words)]
+            if len(called) == 1:
+                value = np.array([self.truth.dimensions[called[0].symbol]])
+                kind = called[0].unit.kind
+                quantity = Quantity(
+                    "", "angle" if kind == "angle" else "length" if kind == "length" else "number", value
+                )
+                apart = [gaps(np.array([work.number(place)]), quantity, Reading(unit)) for unit in units_of(quantity)]
+                found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(quantity))
+        return found
+
     def _beside(self, strip: Strip) -> bool:
         """Whether a single cell stands in a series."""
-        return any(
-            (series.sheet, series.line) == (strip.sheet, strip.line)
-            and series.origin <= strip.start < series.origin + series.rows
-            for series in self.found.series
-        )
+        return any(_inside(strip, series) for series in self.found.series)
 
     def _odd(self) -> set[int]:
         """Formulas that break the run they stand in."""
@@ -171,17 +233,15 @@ class Search:
     def _run_of(self, strip: Strip) -> Strip | None:
         """The run that a strip breaks: the main formula of its series, where it is another one."""
         for series in self.found.series:
-            own = (series.sheet, series.line) == (strip.sheet, strip.line) and series.main not in (None, strip)
-            if own and series.origin <= strip.start < series.origin + series.rows:
+            if series.main not in (None, strip) and _inside(strip, series):
                 return series.main
         return None
 
     # --- one formula --------------------------------------------------------------------------------------------------
 
-    def _of_strip(self, number: int) -> Mend | None:
-        work = self.graph.work
-        strip = work.strips[number]
-        tried = self._candidates(number)
+    def _of_strip(self, number: int, tried: Sequence[Candidate]) -> Mend | None:
+        """The best of some changes of one formula."""
+        strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
             columns = self.trial.columns(number, [one.formula for one in tried], goals)
@@ -190,12 +250,7 @@ class Search:
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
         told: list[dict[str, None]] = [{} for _ in tried]
         for symbol, series in self.goals:
-            quantity = self.truth.quantity(symbol)
-            allowed = self.found.allowed(quantity)
-            good = np.zeros(len(tried), bool)
-            for unit in units_of(quantity):
-                good |= agrees(by_key[series.key], quantity, Reading(unit), allowed)
-            for index in np.flatnonzero(good).tolist():
+            for index in np.flatnonzero(self._are(symbol, by_key[series.key])).tolist():
                 told[index][symbol] = None
         rights = np.array([len(each) for each in told])
         best = [int(index) for index in np.lexsort((np.array([one.weight for one in tried]), -rights)) if rights[index]]
@@ -207,6 +262,18 @@ class Search:
                 return mend
             spare = spare or mend
         return spare
+
+    def _are(self, symbol: str, columns: Array) -> NDArray[np.bool_]:
+        """Which columns, shape (columns, rows), are what is asked, in whatever unit."""
+        if symbol not in self.truth.columns:
+            summary = next(one for one in self.found.mechanism.summaries if one.symbol == symbol)
+            return holding(columns[:, 0], span_of(self.truth, summary), self.truth.size, self.found.tolerance)
+        quantity = self.truth.quantity(symbol)
+        allowed = self.found.allowed(quantity)
+        good = np.zeros(len(columns), bool)
+        for unit in units_of(quantity):
+            good |= agrees(columns, quantity, Reading(unit), allowed)
+        return good
 
     def _candidates(self, number: int) -> list[Candidate]:
         """The changes of a strip's formula; a cell that breaks its run may first have the run's formula."""
@@ -222,45 +289,71 @@ class Search:
         """What the formula could have read, but for what depends on it."""
         work = self.graph.work
         strip = work.strips[number]
-        below = {place for other in self.graph.below({number}) for place in work.strips[other].places()}
+        below = self.graph.below({number})
+
+        def free(place: Place) -> bool:
+            return work.strip_at(place) not in below
+
         single = single_cells(self.graph, self.found.driver)
         single += [
             (other.sheet, other.start, other.line)
             for other in work.strips
             if other.length == 1 and not self._beside(other)
         ]
-        single = [place for place in dict.fromkeys(single) if place not in below][:MOST_AROUND]
+        single = [place for place in dict.fromkeys(single) if free(place)][:MOST_AROUND]
         driver = self.found.driver
-        own = next((s for s in self.found.series if (s.sheet, s.line) == (strip.sheet, strip.line)), None)
+        own = next((one for one in self.found.series if _inside(strip, one)), None)
         lines = [(driver.sheet, driver.line, driver.start), *(series.key for series in self.found.series)]
         row = []
-        for sheet, line, first in lines if own is not None else ():
-            pos = first + strip.start - own.origin if own is not None else -1
-            if pos >= 0 and (sheet, pos, line) not in below:
+        columns = []
+        for sheet, line, first in lines:
+            pos = first if own is None else first + strip.start - own.origin
+            if pos < 0 or not free((sheet, pos, line)):
+                continue
+            if own is None:
+                end = CellRef(first + driver.length - 1, line, True, True, sheet)
+                columns.append(RangeRef(CellRef(first, line, True, True, sheet), end))
+            else:
                 row.append(CellRef(pos, line, False, False, sheet))
         return Surroundings(
             tuple(CellRef(pos, line, True, True, sheet) for sheet, pos, line in single),
             tuple(row[:MOST_AROUND]),
             tuple(work.number(place) for place in single),
+            tuple(columns[:MOST_AROUND]),
         )
 
     # --- in the workbook itself ---------------------------------------------------------------------------------------
 
     def verified(self, strip: Strip, candidate: Candidate, rights: tuple[str, ...]) -> Mend | None:
         """The mend, when with it nothing that was right is wrong; `live` when it stays right under retyped dimensions."""
+        self.effort.spend(OF_VERIFYING + sum(one.length for one in self.graph.work.strips))
         mended = mended_sheet(Sheet(self.found, self.sheet.asked), strip, candidate.formula)
         after = findings(mended, self.truth)
         for symbol, finding in self.results.items():
             if finding.verdict in ("right", "not live") and after[symbol].verdict != "right":
                 return None
         fixed = tuple(symbol for symbol in self.results if symbol in rights and after[symbol].verdict == "right")
-        if not fixed:
+        if not fixed or not all(self._by_its_column(mended, strip, symbol) for symbol in fixed):
             return None
         understanding = mended.found
         live = all(
             follows(understanding, after[symbol], one.again(understanding)) for one in self.retyped for symbol in fixed
         )
         return Mend(strip, candidate.formula, candidate.kind, candidate.weight, fixed, live)
+
+    def _by_its_column(self, mended: Sheet, strip: Strip, symbol: str) -> bool:
+        """One number is soon hit: a mend in a column counts for a summary when there is the column that it is taken of."""
+        if symbol in self.truth.columns or not self._beside(strip):
+            return True
+        of = next(one.of for one in self.found.mechanism.summaries if one.symbol == symbol)
+        return agreeing(mended, self.truth, of) is not None
+
+
+def _inside(strip: Strip, series: Series) -> bool:
+    """Whether a strip begins in a series."""
+    return (series.sheet, series.line) == (strip.sheet, strip.line) and (
+        series.origin <= strip.start < series.origin + series.rows
+    )
 
 
 def _rank(mend: Mend) -> tuple[bool, int, float]:
@@ -279,42 +372,41 @@ def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
 
 def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> Suspect | None:
     """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is."""
-    search = Search(sheet, truth, results, 0.0)
+    search = Search(sheet, truth, results, Effort())
     numbers = search.suspects()
     if not numbers:
         return None
     strip = sheet.found.work.strips[numbers[0]]
     for symbol, series in search.goals:
         if series.main == strip:
-            quantity = truth.quantity(symbol)
-            return _nearest(sheet, strip, series, quantity.values, symbol, sheet.found.allowed(quantity))
+            return _nearest(sheet, truth, strip, series, symbol)
     place = (strip.sheet, strip.start, strip.line)
     return Suspect(strip, place, sheet.found.work.number(place), None, "")
 
 
-def _nearest(sheet: Sheet, strip: Strip, series: Series, wanted: np.ndarray, symbol: str, allowed: float) -> Suspect:
-    column = sheet.column(series)
-    quantity = sheet.found.truth.quantity(symbol)
+def _nearest(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str) -> Suspect:
+    """The first cell of what is asked that is not what it should be, in the unit in which it comes nearest."""
+    if symbol in truth.columns:
+        quantity = truth.quantity(symbol)
+        column, wanted = sheet.column(series), quantity.values
+    else:
+        summary = next(one for one in sheet.found.mechanism.summaries if one.symbol == symbol)
+        quantity = span_of(truth, summary).quantity
+        column, wanted = sheet.column(series), quantity.values[-1:]
     unit = min(units_of(quantity), key=lambda each: float(np.nanmedian(np.abs(column * each - wanted))))
-    rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= allowed) & np.isfinite(wanted))
+    rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
     row = int(rows[0]) if len(rows) else 0
     return Suspect(strip, series.places()[row], float(column[row]), float(wanted[row] / unit), symbol)
 
 
-def search(sheet: Sheet, truth: Truth, results: Mapping[str, Finding], deadline: float) -> Mend | None:
-    """The best single change that puts wrong quantities right."""
-    return Search(sheet, truth, results, deadline).mend()
-
-
-def many(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
+def many(
+    sheet: Sheet, truth: Truth, results: Mapping[str, Finding], effort: Effort
+) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
     """One mend after the other, up to MOST_FAULTS: (mends, the sheet with all of them, what is found in it)."""
-    deadline = time.process_time() + LONGEST
     mends: list[Mend] = []
     current = dict(results)
-    while len(mends) < MOST_FAULTS and any(
-        one.verdict == "wrong" or one.verdict == "missing" for one in current.values()
-    ):
-        mend = search(sheet, truth, current, deadline)
+    while len(mends) < MOST_FAULTS and any(one.verdict in ("wrong", "missing") for one in current.values()):
+        mend = Search(sheet, truth, current, effort).mend()
         if mend is None:
             break
         mends.append(mend)

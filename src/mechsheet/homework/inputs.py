@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from mechsheet.formula.nodes import symbols
@@ -17,6 +17,8 @@ SAME = 1e-6
 """Two numbers that differ by less than this part of them are one number typed twice."""
 ROUNDED = 1e-3
 """A derived dimension worked out on paper may be rounded so far."""
+MOST_UNREAD = 400
+"""Typed numbers that no formula reads, looked at for a dimension's name beside them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,12 +48,39 @@ def single_cells(graph: Graph, driver: Run) -> list[Place]:
             if start is not end or sheet is None or not (start.row_abs or strip.length == 1):
                 continue
             place = sheet, start.row, start.col
-            filled = graph.number_of.get(place)
+            filled = work.strip_at(place)
             constant = filled is None or (work.strips[filled].length == 1 and not graph.corners(filled))
             if place not in found and place not in along and constant and math.isfinite(work.number(place)):
                 found[place] = None
     order = {sheet.title: number for number, sheet in enumerate(work.book.sheets)}
     return sorted(found, key=lambda place: (order[place[0]], place[2], place[1]))
+
+
+def unread_inputs(
+    graph: Graph, mechanism: Mechanism, values: Mapping[str, float], driver: Run, known: Sequence[Input]
+) -> tuple[Input, ...]:
+    """Cells that are called as a dimension that none of the `known` ones is, though no formula reads them: the number
+    may have been typed into the formulas instead."""
+    taken = {one.place for one in known} | set(driver.places())
+    found = {one.symbol for one in known}
+    dims = [dim for dim in mechanism.dimensions if not (dim.place or dim.derived or dim.symbol in found)]
+    power = next((one.factor for one in known if _is_length(mechanism, one.symbol)), 1.0)
+    typed = [place for place in _typed_numbers(graph) if place not in taken][:MOST_UNREAD] if dims else []
+    texts = [_texts(graph, place) for place in typed]
+    told = [n for n, (names, words) in enumerate(texts) if any(_told(dim, names, words) for dim in dims)]
+    return tuple(_chosen(graph, dims, values, [typed[n] for n in told], [texts[n] for n in told], power, True))
+
+
+def _is_length(mechanism: Mechanism, symbol: str) -> bool:
+    return any(dim.symbol == symbol and dim.unit.kind == "length" for dim in mechanism.dimensions)
+
+
+def _typed_numbers(graph: Graph) -> Iterator[Place]:
+    work = graph.work
+    for sheet in work.book.sheets:
+        for row, col, value in sheet.constants.items():
+            if isinstance(value, float) and math.isfinite(value):
+                yield (sheet.title, col, row) if work.across else (sheet.title, row, col)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,10 +11,10 @@ from typing import Any
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 from mechsheet.formats import FORMATS, read
-from mechsheet.homework.audit import Audit, FaultFound, audited
+from mechsheet.homework.audit import Audit, audited
 from mechsheet.homework.exercise import Student, safe, with_dimensions
-from mechsheet.homework.inputs import SAME
 from mechsheet.homework.marking_rules import AskedFor, asked_of
+from mechsheet.homework.own_dimensions import OTHER
 from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
@@ -150,7 +150,7 @@ def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool) -> _Judg
         work = upright(read(path))
         student = _owner(path, work, key.students)
         mechanism = key.mechanism if student is None else with_dimensions(key.mechanism, student.dimensions)
-        audit = audited(work, mechanism, wanted, readable_name(path), any_assembly)
+        audit = audited(work, mechanism, wanted, readable_name(path), any_assembly, student is not None)
     except MechsheetError as error:
         return _Judged(path, work, None, "; ".join(fault.message for fault in error.faults), student)
     return _Judged(path, work, audit, "", student or _by_dimensions(audit, key.students))
@@ -188,7 +188,7 @@ def _others(audit: Audit, student: Student) -> list[str]:
         symbol
         for symbol, given in audit.given.items()
         if symbol in student.dimensions
-        and abs(given.value - student.dimensions[symbol]) > 1e3 * SAME * max(abs(student.dimensions[symbol]), 1e-12)
+        and abs(given.value - student.dimensions[symbol]) > OTHER * max(abs(student.dimensions[symbol]), 1e-12)
     ]
 
 
@@ -203,10 +203,8 @@ def _assigned(books: Sequence[_Judged], key: Key) -> tuple[Marked, ...]:
             continue
         best = max(own, key=lambda book: (book.audit is not None, book.audit.follow_through if book.audit else 0.0))
         remarks = [said(language, "marks.twice")] if len(own) > 1 else []
-        audit, private = best.audit, list[str]()
-        if audit is not None:
-            audit, private = _with_own_dimensions(audit, student, key)
-        line = _line(student.id, student.name, best, audit, remarks, language)
+        private = [] if best.audit is None else _whose(best.audit, student, key)
+        line = _line(student.id, student.name, best, best.audit, remarks, language)
         found.append(replace(line, private=tuple(private)))
     for book in books:
         if book.student is None:
@@ -222,24 +220,12 @@ def _line(
     return Marked(identifier, name, readable_name(book.path), audit, why, tuple(remarks))
 
 
-def _with_own_dimensions(audit: Audit, student: Student, key: Key) -> tuple[Audit, list[str]]:
-    """Dimensions that are not the student's are faults of their own; whose they are is said."""
-    others = _others(audit, student)
-    if not others:
-        return audit, []
-    faults = [
-        FaultFound(
-            audit.given[symbol].cell,
-            f"{audit.given[symbol].value:.10g}",
-            f"{student.dimensions[symbol]:.10g}",
-            (),
-            "other dimension",
-        )
-        for symbol in others
-    ]
+def _whose(audit: Audit, student: Student, key: Key) -> list[str]:
+    """Whose the dimensions of a workbook are, where they are not the student's."""
+    if not _others(audit, student):
+        return []
     owners = [other.id for other in key.students if other is not student and not _others(audit, other)]
-    remarks = [said(audit.language, "marks.others", who=", ".join(owners))] if owners else []
-    return replace(audit, faults=(*faults, *audit.faults)), remarks
+    return [said(audit.language, "marks.others", who=", ".join(owners))] if owners else []
 
 
 def _asked(wanted: AskedFor, students: Sequence[Marked]) -> dict[str, float]:

@@ -231,7 +231,7 @@ def _proven(
     for truth in _assembled(own, table.driver * factor + offset):
         found = Understanding(table.graph, table.run, factor, offset, inputs, truth, table.series, TOLERANCE)
         agreeing = _agreeing(found)
-        if any(_driven_on(mechanism, quantity.name) for _, quantity, _ in agreeing):
+        if any(driven_on(mechanism, quantity) for _, quantity, _ in agreeing):
             ranked.append((found, agreeing))
     ranked.sort(key=lambda pair: -sum(reading.plain for _, _, reading in pair[1]))
     for found, agreeing in ranked:
@@ -290,18 +290,16 @@ def _agreeing(found: Understanding) -> list[tuple[Series, Quantity, Reading]]:
     return [agreeing[number] for number in sorted(agreeing)]
 
 
-def _driven_on(mechanism: Mechanism, name: str) -> bool:
-    """Whether a quantity says something of a link that is not driven itself."""
+def driven_on(mechanism: Mechanism, quantity: Quantity) -> bool:
+    """Whether a quantity says something of a link that is not driven itself: an output by what its formula reads."""
     near = {mechanism.ground.name, mechanism.driver.link}
-    angles = {link.angle_symbol for link in mechanism.links if link.name not in near}
-    outputs = {output.symbol for output in mechanism.outputs}
-    if name in angles | outputs | {
-        joint.symbol for joint in mechanism.joints if joint.symbol != mechanism.driver.symbol
-    }:
-        return True
-    away = {point for link in mechanism.links for point in link.points}
-    away -= {point for link in mechanism.links if link.name in near for point in link.points}
-    return any(point in name for point in away)
+    by_links = {point for link in mechanism.links if link.name in near for point in link.points}
+    away = {point for link in mechanism.links for point in link.points} - by_links
+    own = {link.angle_symbol for link in mechanism.links if link.name not in near}
+    own |= {joint.symbol for joint in mechanism.joints if joint.symbol != mechanism.driver.symbol}
+    own |= {f"{point}.{axis}" for point in away for axis in "xy"}
+    read = {quantity.name}.union(*(symbols(one.formula) for one in mechanism.outputs if one.symbol == quantity.name))
+    return not own.isdisjoint(read) or not away.isdisjoint(quantity.points)
 
 
 def _lasting(

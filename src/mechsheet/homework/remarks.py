@@ -51,7 +51,8 @@ def remarks_of(judged: Judged, language: str) -> Iterator[str]:
     """The remarks, in sentences."""
     found = judged.found
     if judged.unusual:
-        yield said(language, "remark.zero.driver")
+        usual = found.factor > 0 and found.offset == 0.0
+        yield said(language, "remark.law.driver" if usual else "remark.zero.driver")
     for text in found.work.remarks:
         key, _, rest = text.partition(" ")
         yield said(language, "remark.comma", count=rest) if key == "comma" else text

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -12,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from mechsheet.engine import Values
-from mechsheet.formula.nodes import CellRef, Node
+from mechsheet.formula.nodes import Call, CellRef, Node, walk
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place, Strip, Work, references
 
@@ -40,6 +39,10 @@ class Run:
         """Its cells."""
         return [(self.sheet, pos, self.line) for pos in range(self.start, self.end)]
 
+    def column(self, work: Work, values: Values | None = None) -> Array:
+        """Its numbers."""
+        return work.column(self.sheet, self.start, self.line, self.length, values)
+
 
 @dataclass(frozen=True, slots=True)
 class Series:
@@ -63,7 +66,11 @@ class Series:
 
     def column(self, work: Work, values: Values | None = None) -> Array:
         """Its numbers, NaN where it has none."""
-        return np.array([work.number(place, values) for place in self.places()], float)
+        return work.column(self.sheet, self.origin, self.line, self.rows, values)
+
+    def strips(self, work: Work) -> list[int]:
+        """The numbers of the strips that fill its cells."""
+        return work.strips_in(self.sheet, self.line, self.origin, self.origin + self.rows)
 
     def where(self, work: Work) -> str:
         """Its cells by name."""
@@ -80,9 +87,6 @@ class Graph:
 
     def __init__(self, work: Work) -> None:
         self.work = work
-        self.lines: dict[tuple[str, int], list[int]] = {}
-        for number, strip in enumerate(work.strips):
-            self.lines.setdefault((strip.sheet, strip.line), []).append(number)
         self.formulas: list[Node] = [work.bound(strip.formula, strip) for strip in work.strips]
         self.titles = {sheet.title.casefold(): sheet.title for sheet in work.book.sheets}
 
@@ -115,7 +119,7 @@ class Graph:
                 for line in range(left, min(right, left + 500) + 1):
                     read |= {
                         other
-                        for other in self.lines.get((sheet, line), ())
+                        for other in self.work.lines.get((sheet, line), ())
                         if self.work.strips[other].start <= high and low < self.work.strips[other].end
                     }
             found.append(read)
@@ -154,11 +158,6 @@ class Graph:
             for sheet, *area in self.areas(number):
                 found.setdefault(sheet, []).append((*area, number))  # type: ignore[arg-type]
         return found
-
-    @cached_property
-    def number_of(self) -> dict[Place, int]:
-        """The number of the strip that fills a cell."""
-        return {place: number for number, strip in enumerate(self.work.strips) for place in strip.places()}
 
     @cached_property
     def order(self) -> dict[int, int]:
@@ -222,18 +221,30 @@ def drivers(graph: Graph) -> list[Run]:
         cells = sum(
             work.strips[number].length for number in graph.below(direct) if work.strips[number].length >= SHORTEST - 1
         )
-        column = np.array([work.number(place) for place in run.places()])
+        column = run.column(work)
         if cells and np.isfinite(column).all() and np.ptp(column) > 0:
             weighed.append((cells, run))
+    weighed = weighed or [(1, run) for run in runs_of_numbers(work) if _beside_formulas(graph, run)]
     weighed.sort(key=lambda pair: (-pair[0], -pair[1].length))
     return [run for cells, run in weighed if 2 * cells >= weighed[0][0]]
+
+
+def _beside_formulas(graph: Graph, run: Run) -> bool:
+    """Whether formulas stand beside a run from end to end, though none of them reads it row by row."""
+    return bool(np.ptp(run.column(graph.work)) > 0) and any(
+        (strip.sheet, strip.start, strip.end) == (run.sheet, run.start, run.end) for strip in graph.work.strips
+    )
 
 
 def _reads_along(graph: Graph, number: int, run: Run) -> bool:
     """Whether a strip reads a run cell by cell, not as a whole."""
     strip = graph.work.strips[number]
     return any(
-        start is end and not start.row_abs and start.col == run.line
+        start is end
+        and not start.row_abs
+        and start.col == run.line
+        and start.row < run.end
+        and run.start < start.row + strip.length
         for start, end in graph.corners(number)
         if graph.titles.get((start.sheet or strip.sheet).casefold()) == run.sheet
     )
@@ -266,7 +277,7 @@ def _reads_rows(graph: Graph, number: int) -> bool:
 
 def _linear(work: Work, strip: Strip) -> float | None:
     """The step of a strip whose numbers go on by equal steps, None where they do not."""
-    column = np.array([work.number(place) for place in strip.places()])
+    column = work.column(strip.sheet, strip.start, strip.line, strip.length)
     steps = np.diff(column)
     if len(steps) < SHORTEST - 2 or not np.isfinite(column).all() or not steps[0]:
         return None
@@ -276,8 +287,8 @@ def _linear(work: Work, strip: Strip) -> float | None:
 def counted(graph: Graph, run: Run) -> list[Run]:
     """Where a run only counts the rows (0, 1, 2 ...), what is computed from it by equal steps: start + number * step."""
     work = graph.work
-    column = [work.number(place) for place in run.places()]
-    if column[0] not in (0.0, 1.0) or any(one + 1 != other for one, other in itertools.pairwise(column)):
+    column = run.column(work)
+    if column[0] not in (0.0, 1.0) or (np.diff(column) != 1).any():
         return []
     found = []
     for number in sorted(graph.readers_of(run.sheet, run.line, run.start, run.end)):
@@ -287,6 +298,34 @@ def counted(graph: Graph, run: Run) -> list[Run]:
         if step is not None and len(rows) == 1 and abs(abs(step) - math.pi / 180) > 1e-6:
             found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
     return found
+
+
+def by_law(graph: Graph, runs: Sequence[Run]) -> list[Run]:
+    """Columns that go on one way, by unequal steps, computed from a run (of times) alone, of which sines are taken."""
+    work = graph.work
+    found = []
+    for run in runs:
+        below = graph.below(graph.readers_of(run.sheet, run.line, run.start, run.end))
+        for number in sorted(below, key=lambda each: (graph.order[each], each)):
+            strip = work.strips[number]
+            steps = np.diff(work.column(strip.sheet, strip.start, strip.line, strip.length))
+            one_way = bool(len(steps) >= SHORTEST - 1 and ((steps > 0).all() or (steps < 0).all()))
+            if one_way and _linear(work, strip) is None and _turned_by(graph, number):
+                found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
+    return found[:MOST_RUNS]
+
+
+def _turned_by(graph: Graph, number: int) -> bool:
+    """Whether the sine or cosine of a strip's own cells is taken somewhere."""
+    strip = graph.work.strips[number]
+    return any(
+        isinstance(part, Call)
+        and part.name in ("SIN", "COS")
+        and isinstance(part.args[0], CellRef)
+        and (part.args[0].sheet, part.args[0].col) == (strip.sheet, strip.line)
+        for reader in graph.readers[number]
+        for part in walk(graph.formulas[reader])
+    )
 
 
 def likely_runs(graph: Graph) -> list[Run]:
@@ -313,8 +352,7 @@ def aligned(graph: Graph, driver: Run) -> list[Series]:
             grouped.setdefault((run.sheet, run.line, driver.start), [])
     found = []
     for (sheet, line, origin), strips in grouped.items():
-        series = Series(sheet, line, origin, driver.length, _main(strips), 0, driver.length - 1)
-        rows = [row for row, place in enumerate(series.places()) if work.value(place) is not None]
+        rows = np.flatnonzero(work.filled(sheet, origin, line, driver.length)).tolist()
         if rows:
             found.append(Series(sheet, line, origin, driver.length, _main(strips), rows[0], rows[-1]))
     order = {sheet.title: number for number, sheet in enumerate(work.book.sheets)}
@@ -336,6 +374,10 @@ def _origins(graph: Graph, driver: Run) -> dict[int, int]:
         if (work.strips[number].sheet, work.strips[number].line) == (driver.sheet, driver.line)
         and driver.start <= work.strips[number].start < driver.end
     }
+    for number in long:
+        strip = work.strips[number]
+        if number not in own and (strip.sheet, strip.start, strip.end) == (driver.sheet, driver.start, driver.end):
+            origins[number] = driver.start  # beside the driver from end to end, whatever it reads
     while True:
         new = {}
         for number in long:
@@ -359,7 +401,7 @@ def _origin(graph: Graph, number: int, driver: Run, origins: dict[int, int]) -> 
         if (sheet, start.col) == (driver.sheet, driver.line) and driver.start - 1 <= start.row < driver.end:
             seen[strip.start - (start.row - driver.start)] += 1
             continue
-        for other in graph.lines.get((sheet or "", start.col), ()):
+        for other in graph.work.lines.get((sheet or "", start.col), ()):
             target = graph.work.strips[other]
             if (
                 other in origins

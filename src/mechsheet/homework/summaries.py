@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.homework.agreement import Reading, allowance, units_of
 from mechsheet.homework.truth import Array, Kind, Quantity, Truth, truth_of
@@ -13,6 +14,8 @@ from mechsheet.model import Summary
 
 FINER = 20
 """Positions between two rows that are looked at for an extreme."""
+MOST_ROWS = 5000
+"""With more rows an extreme between two of them is no other number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,10 +26,15 @@ class Span:
     low: float
     high: float
 
-    def holds(self, number: float, reading: Reading, allowed: float) -> bool:
-        """Whether a number is it."""
-        value = reading.unit * number
-        return self.low - allowed <= value <= self.high + allowed
+    def holds(self, numbers: Array, reading: Reading, allowed: float) -> NDArray[np.bool_]:
+        """Which numbers are it."""
+        values = reading.unit * numbers
+        return np.asarray((self.low - allowed <= values) & (values <= self.high + allowed))
+
+    @property
+    def quantity(self) -> Quantity:
+        """Its ends as a quantity: what units and how much of a difference are allowed."""
+        return Quantity("", self.kind, np.array([self.low, self.high]))
 
 
 def taken(column: Array, take: str, kind: Kind) -> float:
@@ -48,12 +56,21 @@ def taken(column: Array, take: str, kind: Kind) -> float:
 
 def span_of(truth: Truth, summary: Summary) -> Span:
     """What a summary may be."""
+    known = truth.spans.get(summary.symbol)
+    if not isinstance(known, Span):
+        known = truth.spans[summary.symbol] = _span(truth, summary)
+    return known
+
+
+def _span(truth: Truth, summary: Summary) -> Span:
     kind = truth.kinds.get(summary.of, "number")
     column = truth.columns[summary.of]
     plain = taken(column, summary.take, kind)
     if summary.take in ("first", "last", "mean"):
         return Span(kind, plain, plain)
     rows = len(truth.driver)
+    if rows > MOST_ROWS:
+        return Span(kind, plain, plain)
     finer = np.interp(np.arange((rows - 1) * FINER + 1) / FINER, np.arange(rows), truth.driver)
     between = truth_of(truth.mechanism, truth.dimensions, finer, truth.poses)
     exact = plain if between is None else taken(between.columns[summary.of], summary.take, kind)
@@ -62,10 +79,17 @@ def span_of(truth: Truth, summary: Summary) -> Span:
 
 def reading_of_number(number: float, span: Span, size: float, tolerance: float) -> Reading | None:
     """The unit in which a number is a summary."""
-    quantity = Quantity("", span.kind, np.array([span.low, span.high]))
-    allowed = allowance(quantity, size, tolerance)
-    for unit in units_of(quantity):
+    for unit in units_of(span.quantity):
         reading = Reading(unit)
-        if span.holds(number, reading, allowed):
+        if span.holds(np.array(number), reading, allowance(span.quantity, size, tolerance)):
             return reading
     return None
+
+
+def holding(numbers: Array, span: Span, size: float, tolerance: float) -> NDArray[np.bool_]:
+    """Which numbers are a summary, in whatever unit."""
+    allowed = allowance(span.quantity, size, tolerance)
+    found = np.zeros(numbers.shape, bool)
+    for unit in units_of(span.quantity):
+        found |= span.holds(numbers, Reading(unit), allowed)
+    return found

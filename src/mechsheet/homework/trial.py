@@ -18,6 +18,7 @@ from mechsheet.engine.layout import Area
 from mechsheet.engine.values.cells import NUMBER, Cells
 from mechsheet.engine.values.frames import Frame
 from mechsheet.formula.book import Book, BookSheet
+from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.formula.nodes import (
     Binary,
     Boolean,
@@ -37,11 +38,14 @@ from mechsheet.formula.nodes import (
     rebuilt,
     walk,
 )
+from mechsheet.homework.routines import routine_names
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place
 
 MOST_AT_ONCE = 1500
+OF_ONE = 150
+"""What a candidate costs besides its cells, in cells."""
 _MOST_LINES = 16
 _PLACED = frozenset(("OFFSET", "INDIRECT", "CELL", "FORMULATEXT"))
 _TURNED = frozenset(
@@ -54,11 +58,28 @@ class UntriableError(Exception):
     """A formula that cannot be computed outside of its workbook."""
 
 
+@dataclass
+class Effort:
+    """What may still be spent on one workbook, in cells computed: time would give other marks on another machine."""
+
+    left: float = 8e6
+
+    def spend(self, cells: float) -> None:
+        """Take from what is left."""
+        self.left -= cells
+
+    @property
+    def spent(self) -> bool:
+        """Whether nothing is left."""
+        return self.left <= 0
+
+
 class Trial:
     """Tries formulas for strips of one workbook."""
 
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, graph: Graph, effort: Effort) -> None:
         self.graph = graph
+        self.effort = effort
 
     def columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
         """For each goal an array (candidates, rows): its numbers with each candidate in place of a strip's bound formula.
@@ -73,11 +94,12 @@ class Trial:
 
     def _columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
         work = self.graph.work
-        ends = {strip for goal in goals for place in goal.places() if (strip := work.at.get(place)) is not None}
-        last = {index for index, strip in enumerate(work.strips) if strip in ends}
+        last = {strip for goal in goals for strip in goal.strips(work)}
         affected = self.graph.below({number}) & (self.graph.above(last) | {number})
+        self.effort.spend(len(candidates) * (OF_ONE + sum(work.strips[index].length for index in affected)))
         alone = not self.graph.reads[number] & self.graph.below({number})
         if not alone or not _simple(self.graph.formulas[number]) or work.plan.settles:
+            self.effort.spend(3 * OF_ONE * len(candidates))
             book = _Book(self, affected, len(candidates))
             book.candidates(number, candidates)
             book.follow(affected - {number})
@@ -113,7 +135,9 @@ _PLAIN = (Number, Text, Boolean, CellRef, RangeRef, Unary, Binary, Call)
 
 def _simple(formula: Node) -> bool:
     """Whether a formula is made of what means the same anywhere."""
-    return all(isinstance(part, _PLAIN) for part in walk(formula)) and not _calls(formula) & (_PLACED | _TURNED)
+    calls = _calls(formula)
+    plain = all(isinstance(part, _PLAIN) for part in walk(formula))
+    return plain and calls <= FUNCTIONS.keys() and not calls & (_PLACED | _TURNED)
 
 
 def _calls(formula: Node) -> set[str]:
@@ -210,6 +234,10 @@ class _Book:
                 raise UntriableError
             low = min(start.row, end.row)
             high = max(one.row if one.row_abs else one.row + length - 1 for one in (start, end))
+            last = max(low, self.trial.graph.work.ends[sheet] - 1)
+            if high > last:  # of a whole column what is there
+                high = last
+                end = replace(end, row=min(end.row, last)) if start is not end else end
             lines = [self._line(sheet, line, low, high) for line in range(start.col, end.col + 1)]
             if not any(moves for moves, _ in lines):
                 return [
@@ -274,7 +302,7 @@ class _Book:
         work = self.trial.graph.work
         found: list[Array] = []
         lines = list(self.sheets)
-        values = evaluate(Book([*self.sheets.values(), *self.given.values()]))
+        values = evaluate(Book([*self.sheets.values(), *self.given.values()], routine_names(work.book)))
         for goal in goals:
             line = goal.sheet, goal.line
             column = goal.column(work)

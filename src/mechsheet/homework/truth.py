@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -26,20 +26,31 @@ STILL = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """One column of the mechanism, in radians and its length unit; NaN where it does not exist."""
+    """One column of the mechanism, in radians and its length unit; NaN where it does not exist.
+
+    points   those that it is between, where it is no column of the mechanism itself
+    """
 
     name: str
     kind: Kind
     values: Array
+    points: tuple[str, ...] = ()
+
+    @property
+    def spread(self) -> float:
+        """How much it changes over the sweep; of an angle about that, whole turns aside."""
+        found = self.values[np.isfinite(self.values)]
+        if not len(found):
+            return 0.0
+        if self.kind == "angle":
+            return float(np.ptp(np.sin(found)) + np.ptp(np.cos(found))) / 2
+        return float(np.ptp(found))
 
     def moves(self, size: float) -> bool:
         """Whether it changes over the sweep."""
-        found = self.values[np.isfinite(self.values)]
-        if not len(found):
-            return False
-        if self.kind == "angle":
-            return bool(np.ptp(np.sin(found)) + np.ptp(np.cos(found)) > 2 * STILL)
-        return bool(np.ptp(found) > STILL * (size if self.kind == "length" else max(1.0, float(np.abs(found).max()))))
+        if self.kind == "length":
+            return self.spread > STILL * size
+        return self.spread > STILL * max(1.0, float(np.nan_to_num(np.abs(self.values)).max(initial=0.0)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +61,7 @@ class Truth:
     driver       the driver's values;  exists  in which rows it can be assembled
     columns      the quantities by symbol;  kinds  what each of them is
     poses        of the links in the first row that exists: what picks this assembly again
+    spans        what its summaries may be, once they are known (`summaries.span_of`)
     """
 
     mechanism: Mechanism
@@ -60,6 +72,7 @@ class Truth:
     kinds: Mapping[str, Kind]
     size: float
     poses: Mapping[str, tuple[float, float, float]] | None
+    spans: dict[str, object] = field(default_factory=dict, compare=False)
 
     def quantity(self, symbol: str) -> Quantity:
         """One of the columns."""
@@ -170,7 +183,7 @@ def without_limits(truth: Truth) -> Truth:
     columns = {
         name: column if name == driver else np.where(edge, np.nan, column) for name, column in truth.columns.items()
     }
-    return replace(truth, columns=columns, exists=truth.exists & ~edge)
+    return replace(truth, columns=columns, exists=truth.exists & ~edge, spans={})
 
 
 def _same(one: Truth, other: Truth) -> bool:
@@ -195,11 +208,11 @@ def vocabulary(truth: Truth) -> list[Quantity]:
     for p, q in itertools.combinations(points, 2):
         dx, dy = (places[q][axis] - places[p][axis] for axis in (0, 1))
         distance = np.hypot(dx, dy)
-        found.append(Quantity(f"|{p}{q}|", "length", distance))
-        found.append(Quantity(f"{q}.x-{p}.x", "length", dx))
-        found.append(Quantity(f"{q}.y-{p}.y", "length", dy))
+        found.append(Quantity(f"|{p}{q}|", "length", distance, (p, q)))
+        found.append(Quantity(f"{q}.x-{p}.x", "length", dx, (p, q)))
+        found.append(Quantity(f"{q}.y-{p}.y", "length", dy, (p, q)))
         direction = np.where(distance > STILL * truth.size, np.arctan2(dy, dx), np.nan)
-        found.append(Quantity(f"∠{p}{q}", "angle", direction))
+        found.append(Quantity(f"∠{p}{q}", "angle", direction, (p, q)))
     found += _angles_of_three(points, places, truth.size)
     return [quantity for quantity in found if quantity.moves(truth.size)]
 
@@ -215,5 +228,6 @@ def _angles_of_three(points: Sequence[str], places: Mapping[str, tuple[Array, Ar
             short = np.minimum(np.hypot(*arms[0]), np.hypot(*arms[1])) <= STILL * size
             cross = arms[0][0] * arms[1][1] - arms[0][1] * arms[1][0]
             dot = arms[0][0] * arms[1][0] + arms[0][1] * arms[1][1]
-            found.append(Quantity(f"∠{p}{q}{r}", "angle", np.where(short, np.nan, np.arctan2(cross, dot))))
+            angle = np.where(short, np.nan, np.arctan2(cross, dot))
+            found.append(Quantity(f"∠{p}{q}{r}", "angle", angle, (p, q, r)))
     return found

@@ -13,14 +13,17 @@ from mechsheet import reference
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
 from mechsheet.homework.headings import heading, names_over
-from mechsheet.homework.inputs import Input, inputs_of
-from mechsheet.homework.series import Graph, Run, Series, aligned, columns_of, likely_runs
+from mechsheet.homework.inputs import Input, inputs_of, unread_inputs
+from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
 
 ENOUGH = 2
 """So many of the asked quantities found with a way to read the driver settle that it is the right way."""
+
+MOVING = 20
+"""What changes by less than so many tolerances is told from nothing that stands still."""
 
 
 @dataclass
@@ -70,20 +73,19 @@ def understand(
 ) -> Understanding:
     """Understand a workbook. Raises WorkbookError where nothing in it is a table of this mechanism.
 
-    unusual  the driver may be counted clockwise, or from another zero
+    unusual  the driver may be counted clockwise, or from another zero; or be computed from a column of times
     """
     graph = Graph(work)
     runs = likely_runs(graph)
+    if unusual:
+        runs = [*runs, *by_law(graph, runs)]
     if not runs:
         raise WorkbookError(Fault("no table", about="no table"))
     best: tuple[tuple[int, int], Understanding] | None = None
     given = reference.dimension_values(mechanism)
     for run in runs:
         series = aligned(graph, run)
-        for by_words in (True, False):
-            inputs = inputs_of(graph, mechanism, given, run, by_words)
-            if not by_words and inputs == inputs_of(graph, mechanism, given, run, True):
-                continue
+        for inputs in _possible_inputs(graph, mechanism, given, run):
             for factor, offset in ways(work, run, mechanism, unusual):
                 found = _hypothesis(graph, run, factor, offset, inputs, mechanism, series, tolerance)
                 if found is None:
@@ -100,6 +102,20 @@ def understand(
     if best is None:
         raise WorkbookError(Fault("no position", about="no position"))
     return best[1]
+
+
+def _possible_inputs(
+    graph: Graph, mechanism: Mechanism, given: Mapping[str, float], run: Run
+) -> Iterator[tuple[Input, ...]]:
+    """The cells of the dimensions: by what is written beside them, by their numbers, with those that no formula reads."""
+    by_words = inputs_of(graph, mechanism, given, run, True)
+    yield by_words
+    by_numbers = inputs_of(graph, mechanism, given, run, False)
+    if by_numbers != by_words:
+        yield by_numbers
+    unread = unread_inputs(graph, mechanism, given, run, by_words)
+    if unread:
+        yield (*by_words, *unread)
 
 
 def _hypothesis(
@@ -126,7 +142,7 @@ def dimensions_in(work: Work, inputs: Sequence[Input]) -> dict[str, float]:
 
 def driver_column(work: Work, run: Run) -> Array:
     """What stands in the driver's cells."""
-    return np.array([work.number(place) for place in run.places()], float)
+    return run.column(work)
 
 
 def ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[tuple[float, float]]:
@@ -141,7 +157,8 @@ def ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[
         yield unit, 0.0
     for unit in units[:1] if unusual else ():
         yield from (
-            (sign * unit, turn) for sign, turn in ((-1, 0.0), (1, math.pi), (1, math.pi / 2), (1, -math.pi / 2))
+            (sign * unit, turn)
+            for sign, turn in ((-1, 0.0), (1, math.pi), (-1, math.pi), (1, math.pi / 2), (1, -math.pi / 2))
         )
 
 
@@ -152,9 +169,9 @@ def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
     for symbol in asked:
         if symbol in found.truth.columns:
             quantity = found.truth.quantity(symbol)
-            if not quantity.moves(found.truth.size):
-                continue  # anything that stands still would be it
             allowed = found.allowed(quantity)
+            if quantity.spread <= MOVING * allowed:
+                continue  # anything that stands still would be it
             some = columns[likely(columns, quantity, allowed)]
             right += any(reading_of(column, quantity, allowed, found.zeros) for column in some)
     if right >= min(ENOUGH, len(asked)):
@@ -168,6 +185,8 @@ def anything(
     """Which of the columns, shape (columns, rows), are some quantity of a vocabulary."""
     found = np.zeros(len(columns), bool)
     for word in words:
+        if word.spread <= MOVING * allowed(word):
+            continue
         near = likely(columns, word, allowed(word)) & ~found
         for number in np.flatnonzero(near):
             found[number] = reading_of(columns[number], word, allowed(word), zeros) is not None

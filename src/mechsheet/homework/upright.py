@@ -9,17 +9,20 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault
 from mechsheet.engine import Plan, Values, compile_book
 from mechsheet.engine.interpreter.evaluator import Evaluator
+from mechsheet.engine.layout import Area
+from mechsheet.engine.values.cells import BLANK, NUMBER, Cells
 from mechsheet.formula.book import Block, Book, BookSheet, CellStore
 from mechsheet.formula.nodes import (
     Call,
@@ -34,12 +37,14 @@ from mechsheet.formula.nodes import (
 )
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
+from mechsheet.homework.routines import with_routines
 
+Array: TypeAlias = NDArray[np.float64]
 Place: TypeAlias = tuple[str, int, int]
 """(sheet's title, pos, line)."""
 
-MOST_CELLS = 200_000
-"""Formulas of a workbook that are looked at one by one."""
+MOST_BLOCKS = 50_000
+"""Runs of equal formulas of a workbook that are looked at."""
 
 _COMMA = re.compile(r"\s*[+-]?\d+,\d+\s*")
 
@@ -81,7 +86,7 @@ def turned(node: Node) -> Node:
 
 @dataclass
 class Work:
-    """One workbook. `across`: its tables go to the right; `large`: it has more formulas than are looked at."""
+    """One workbook. `across`: its tables go to the right; `large`: it has more runs of formulas than are looked at."""
 
     book: Book
     across: bool
@@ -109,9 +114,33 @@ class Work:
         return self.plan.evaluate() if self.plan.settles else self.plan.values_of(self.computed)
 
     @cached_property
-    def at(self) -> Mapping[Place, Strip]:
-        """The strip that fills a cell."""
-        return {place: strip for strip in self.strips for place in strip.places()}
+    def lines(self) -> Mapping[tuple[str, int], list[int]]:
+        """The numbers of the strips of each line."""
+        found: dict[tuple[str, int], list[int]] = {}
+        for number, strip in enumerate(self.strips):
+            found.setdefault((strip.sheet, strip.line), []).append(number)
+        return found
+
+    def strips_in(self, sheet: str, line: int, start: int, end: int) -> list[int]:
+        """The numbers of the strips with cells in positions start to end (without it) of a line."""
+        strips = self.strips
+        return [n for n in self.lines.get((sheet, line), ()) if strips[n].start < end and start < strips[n].end]
+
+    @cached_property
+    def ends(self) -> Mapping[str, int]:
+        """The position after the last cell of each sheet that is not empty."""
+        found = {sheet.title: 0 for sheet in self.book.sheets}
+        for sheet in self.book.sheets:
+            for row, col, _ in sheet.constants.items():
+                found[sheet.title] = max(found[sheet.title], (col if self.across else row) + 1)
+        for strip in self.strips:
+            found[strip.sheet] = max(found[strip.sheet], strip.end)
+        return found
+
+    def strip_at(self, place: Place) -> int | None:
+        """The number of the strip that fills a cell."""
+        found = self.strips_in(place[0], place[2], place[1], place[1] + 1)
+        return found[0] if found else None
 
     def value(self, place: Place, values: Values | None = None) -> Scalar:
         """What a cell shows."""
@@ -124,13 +153,31 @@ class Work:
         found = self.value(place, values)
         return found if isinstance(found, float) else math.nan
 
-    def typed(self, place: Place) -> Scalar:
-        """What was typed into a cell that is not a formula."""
-        if place in self.at:
-            return None
-        sheet, pos, line = place
-        found = self.book.sheet(sheet)
-        return None if found is None else found.constants.get(*((line, pos) if self.across else (pos, line)))
+    @cached_property
+    def _sheet_numbers(self) -> Mapping[str, int]:
+        return {title: number for number, title in enumerate(self.plan.layout.titles)}
+
+    def _cells(self, sheet: str, start: int, line: int, count: int, values: Values | None) -> Cells:
+        """The cells of a part of a line, one after the other."""
+        values = self.values if values is None else values
+        number = self._sheet_numbers[sheet]
+        return values.read(Area(number, line, start, 1, count) if self.across else Area(number, start, line, count, 1))
+
+    def column(self, sheet: str, start: int, line: int, count: int, values: Values | None = None) -> Array:
+        """The numbers of a part of a line, NaN for anything else."""
+        cells = self._cells(sheet, start, line, count, values)
+        numbers = np.array(np.broadcast_to(np.ravel(cells.numbers), count), float)
+        if cells.codes is not None:
+            numbers[np.broadcast_to(np.ravel(cells.codes), count) != NUMBER] = np.nan
+        return numbers
+
+    def filled(self, sheet: str, start: int, line: int, count: int) -> NDArray[np.bool_]:
+        """Which cells of a part of a line are not empty."""
+        codes = self._cells(sheet, start, line, count, None).codes
+        if codes is None:
+            return np.ones(count, bool)
+        found: NDArray[np.bool_] = np.broadcast_to(np.ravel(codes), count) != BLANK
+        return found
 
     def engine_place(self, place: Place) -> Place:
         """The cell as the engine counts it: (sheet, row, column)."""
@@ -276,56 +323,70 @@ def _minus(block: Block, other: Block) -> Iterator[Block]:
 
 
 def upright(book: Book) -> Work:
-    """A workbook as strips, in the direction in which most of its formulas were filled."""
+    """A workbook as strips, in the direction in which most of its formulas were filled; routines of the text are known."""
+    book = with_routines(book)
     remarks = [str(fault) for fault in _told(book.remarks)] + _numbers_with_commas(book)
-    cells: list[tuple[str, int, int, Node, int]] = []  # sheet, row, column, formula as seen from A1, number of its key
     keys: dict[Node, int] = {}
-    count, large = 0, False
+    blocks: list[tuple[str, Block, int]] = []  # sheet, block, number of its formula as seen from A1
+    large = False
     for sheet in book.sheets:
         for block in sheet.blocks:
             if block.kind != "fill" and block.rows * block.cols > 1:
                 continue  # one array over several cells: no cell of it has a formula of its own
-            count += block.rows * block.cols
-            if count > MOST_CELLS:
+            if len(blocks) == MOST_BLOCKS:
                 large = True
                 break
             key = keys.setdefault(shifted(block.formula, -block.row, -block.col, wrap=True), len(keys))
-            cells += [
-                (sheet.title, block.row + down, block.col + right, block.formula, key)
-                for down in range(block.rows)
-                for right in range(block.cols)
-            ]
-    by_place = {(title, row, col): key for title, row, col, _, key in cells}
-    down = sum(by_place.get((title, row + 1, col)) == key for title, row, col, _, key in cells)
-    right = sum(by_place.get((title, row, col + 1)) == key for title, row, col, _, key in cells)
-    across = right > down
+            blocks.append((sheet.title, block, key))
+    across = _to_the_right(blocks)
     formulas = {key: node for node, key in keys.items()}
     order = {sheet.title: number for number, sheet in enumerate(book.sheets)}
-    places = sorted(
-        ((title, col, row, key) if across else (title, row, col, key) for title, row, col, _, key in cells),
-        key=lambda cell: (order[cell[0]], cell[2], cell[1]),
-    )
-    return Work(book, across, list(_strips(places, formulas, across)), large, remarks)
+    pieces = sorted(_pieces(blocks, across), key=lambda piece: (order[piece[0]], piece[1], piece[2]))
+    return Work(book, across, list(_strips(pieces, formulas, across)), large, remarks)
 
 
-def _strips(places: Iterable[tuple[str, int, int, int]], formulas: Mapping[int, Node], across: bool) -> Iterator[Strip]:
-    """Neighbours on a line with one key, joined. `places`: (sheet, pos, line, key), line by line."""
+def _to_the_right(blocks: Sequence[tuple[str, Block, int]]) -> bool:
+    """Whether more cells have the formula of the cell to their left than of the cell above."""
+    by_corner = {(title, block.row, block.col): (block, key) for title, block, key in blocks}
+    down = right = 0
+    for title, block, key in blocks:
+        down += (block.rows - 1) * block.cols
+        right += block.rows * (block.cols - 1)
+        below = by_corner.get((title, block.row + block.rows, block.col))
+        beside = by_corner.get((title, block.row, block.col + block.cols))
+        down += block.cols if below is not None and below[1] == key and below[0].cols == block.cols else 0
+        right += block.rows if beside is not None and beside[1] == key and beside[0].rows == block.rows else 0
+    return right > down
+
+
+def _pieces(blocks: Iterable[tuple[str, Block, int]], across: bool) -> Iterator[tuple[str, int, int, int, int]]:
+    """(sheet, line, first position, length, number of the formula) of each line of each block."""
+    for title, block, key in blocks:
+        if across:
+            yield from ((title, block.row + n, block.col, block.cols, key) for n in range(block.rows))
+        else:
+            yield from ((title, block.col + n, block.row, block.rows, key) for n in range(block.cols))
+
+
+def _strips(
+    pieces: Iterable[tuple[str, int, int, int, int]], formulas: Mapping[int, Node], across: bool
+) -> Iterator[Strip]:
+    """Pieces that follow each other on a line with one formula, joined."""
     first: tuple[str, int, int, int] | None = None
     length = 0
-    for place in places:
-        same = first is not None and (place[0], place[2], place[3]) == (first[0], first[2], first[3])
-        if same and first is not None and place[1] == first[1] + length:
-            length += 1
+    for sheet, line, start, count, key in pieces:
+        if first is not None and first == (sheet, line, start - length, key):
+            length += count
             continue
         if first is not None:
             yield _strip(first, length, formulas, across)
-        first, length = place, 1
+        first, length = (sheet, line, start, key), count
     if first is not None:
         yield _strip(first, length, formulas, across)
 
 
 def _strip(first: tuple[str, int, int, int], length: int, formulas: Mapping[int, Node], across: bool) -> Strip:
-    sheet, pos, line, key = first
+    sheet, line, pos, key = first
     row, col = (line, pos) if across else (pos, line)
     formula = shifted(formulas[key], row, col, wrap=True)
     return Strip(sheet, line, pos, length, turned(formula) if across else formula)

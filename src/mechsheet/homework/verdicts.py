@@ -73,7 +73,7 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
     results: dict[str, Finding] = {}
     wanted = [symbol for symbol in sheet.asked if symbol in truth.columns]
     for symbol in wanted:
-        best = _agreeing(sheet, truth, symbol)
+        best = agreeing(sheet, truth, symbol)
         if best is not None:
             results[symbol] = Finding(symbol, "right", best[0], best[1])
     taken = {finding.series.key for finding in results.values() if finding.series is not None}
@@ -93,7 +93,7 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
     return {symbol: results.get(symbol, Finding(symbol, "missing")) for symbol in sheet.asked}
 
 
-def _agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] | None:
+def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] | None:
     """The series that is a quantity: read plainly before in another sense, headed so before not, computed before typed."""
     found = sheet.found
     quantity = truth.quantity(symbol)
@@ -233,7 +233,7 @@ def _is_length(found: Understanding, symbol: str) -> bool:
 def _typed(found: Understanding, changes: Mapping[str, float]) -> Retyped | None:
     dimensions, cells = retyped(found, changes)
     values = found.work.plan.evaluate(cells)
-    column = np.array([found.work.number(place, values) for place in found.driver.places()])
+    column = found.driver.column(found.work, values)
     if not np.isfinite(column).all():
         return None
     truth = truth_of(found.mechanism, dimensions, column * found.factor + found.offset, found.truth.poses)
@@ -262,7 +262,8 @@ def _summary_follows(found: Understanding, finding: Finding, after: Retyped) -> 
     summary = next(one for one in found.mechanism.summaries if one.symbol == finding.symbol)
     before, now = span_of(found.truth, summary), span_of(after.truth, summary)
     number = found.work.number(finding.series.places()[0], after.values)
-    return now.holds(number, finding.reading, SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high))
+    allowed = SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high)
+    return bool(now.holds(np.array(number), finding.reading, allowed))
 
 
 def _turns(values: Array, quantity: Quantity) -> Array:

@@ -137,6 +137,8 @@ class System:
     given        what it reads besides its unknowns
     driver, home the driver's symbol, and its value in the row at which the start values fit;  row: that row, from 0
     passes       Newton steps a row
+    described    what `given` follows from in that row, with the values for which the start values were found: dimensions,
+                 values of drivers, unknowns of groups before;  way: the equations from there to `given`
     """
 
     unknowns: tuple[str, ...]
@@ -154,6 +156,8 @@ class System:
     home: float = 0.0
     row: int = 0
     passes: int = PASSES
+    described: tuple[tuple[str, float], ...] = ()
+    way: tuple[Equation, ...] = ()
 
     def roots(self) -> tuple[Root, ...]:
         """Each unknown as an expression."""

@@ -37,6 +37,15 @@ def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
     faults = [Fault(_count_message(mechanism, graph, count), key="links", hint=_count_hint(count, drivers))]
     faults += stiff_faults(graph)
     faults += _driven_twice(mechanism) if count < drivers else []
+    if count > drivers:
+        faults += [
+            Fault(
+                f'the link "{each.link.name}" is marked as redundant, but may hold the others',
+                key=f"links.{each.link.name}.redundant",
+                hint="without the mark both its joints count",
+            )
+            for each in mechanism.redundant
+        ]
     faults += [
         Fault(
             f'"{body}" is loose: it has too few joints to be held by the rest',

@@ -14,7 +14,7 @@ def given_names(mechanism: Mechanism) -> list[str]:
     return [
         *(dimension.symbol for dimension in mechanism.dimensions),
         *(output.symbol for output in mechanism.outputs),
-        *(summary.symbol for summary in mechanism.summaries),
+        *(each.symbol for each in mechanism.motion_numbers),
         *(link.angle_symbol for link in mechanism.links),
         *(joint.symbol for joint in mechanism.joints),
         *mechanism.driven_symbols,

@@ -210,8 +210,11 @@ def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
     what = "link" if isinstance(part, Link) else "sliding joint"
     key = f"links.{part.name}" if isinstance(part, Link) else f"joints.{_place_in_file(mechanism, part)}"
     together = "".join(f' together with "{other}"' for other in others)
+    hint = "leave it out of the description (its points can be points of another link, its forces are another matter)"
+    if isinstance(part, Link):
+        hint = "write `redundant = true` under it: it follows the others, and its length is checked in every row"
     return Fault(
         f'the {what} "{part.name}" is redundant and may be left out{together}: the rest moves in the same way without it',
         key=key,
-        hint="leave it out of the description (its points can be points of another link, its forces are another matter)",
+        hint=hint,
     )

@@ -84,6 +84,23 @@ def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     """What a person should hear of the sketch although it picks an assembly in every group; empty for a good one."""
     if not mechanism.sketch.doubted:
         return ()
+    return (*_left_out(mechanism), *_sketched(mechanism, equations))
+
+
+def _left_out(mechanism: Mechanism) -> list[Fault]:
+    """Redundant links: a word about each, which is no doubt about the others."""
+    return [
+        Fault(
+            f'the link "{each.link.name}" is redundant: left out of the solution, its length checked in every row',
+            key=f"links.{each.link.name}.redundant",
+            hint=f'{each.symbol} is how long it would have to be; "gap" says by how much it does not fit',
+        )
+        for each in mechanism.redundant
+    ]
+
+
+def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
+    """What is to be said of the sketch."""
     driver = driver_values(mechanism, dimension_values(mechanism))
     if any(group.system for group in equations.groups):  # its assembly is that of the first position alone
         return tuple(step_doubts(mechanism, equations, driver, sweep))

@@ -142,6 +142,7 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
     found: list[tuple[Dyad | Chain, Solved, int, bool]] = []
     chains: dict[int, Solution] = {}
     given = modes or {}
+    left_out = {each.link.name for each in mechanism.redundant}
     for dyad in order.steps:
         if isinstance(dyad, Drive):
             poses.drive(dyad)
@@ -164,6 +165,8 @@ def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Furth
         value, is_open = 1, True
         if modes is not None:
             mode = given.get(solved.mode, _found_mode(mechanism, solved, dimensions))
+            if mode is None and left_out.intersection(dyad.bodies):
+                mode = 1  # its length, from the first pin to the second, is no negative number
             if mode is None and dyad.frame:
                 mode = sketched_mode(mechanism.sketch, dyad, dimensions)
             value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, mode)

@@ -69,7 +69,8 @@ def dimensions_text(mechanism: Mechanism) -> str:
     values = values_of(mechanism)
     rounds = mechanism.synthesis is not None
     head = ("name", "value", "used" if rounds else "", "unit", "")
-    taken = {} if mechanism.synthesis is None else mechanism.synthesis.taken
+    task = mechanism.synthesis
+    taken = set() if task is None else {*task.taken, *(task.results[name] for name in task.mode.values())}
     rows = [head] + [
         (value.name, _text(value.exact), _text(value.used) if value.name in taken else "", value.unit, value.words)
         for value in values

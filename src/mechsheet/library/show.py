@@ -7,7 +7,7 @@ import io
 import json
 import math
 
-from mechsheet.compiled import compiled_of
+from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.compiled.motion import motion_of
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import ErrorValue, Node, Scalar, Symbol
@@ -20,11 +20,12 @@ from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.library.verdicts import verdict
-from mechsheet.model import TIME, Mechanism, Rack, Relation, energy_unit, inertia_unit
+from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
+from mechsheet.sheet.first.blocks import unit_of_column
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
 from mechsheet.synthesis.writing import says
-from mechsheet.units import NUMBER, unit_of
+from mechsheet.units import NUMBER, behind_number, unit_of
 from mechsheet.words.workbook import words
 
 
@@ -63,8 +64,20 @@ def overview_text(mechanism: Mechanism) -> str:
         )
     if mechanism.outputs:
         lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
+    if numbers := [_single(compiled, single) for single in mechanism.motion_numbers]:
+        lines.append(f"over the whole sweep: {', '.join(numbers)}")
     lines.append(verdict(compiled))
     return "\n".join(lines)
+
+
+def _single(compiled: Compiled, single: Summary | Output) -> str:
+    """`mu_min = 33.89 °`: a summary, or an output of summaries, as the first sheet has it."""
+    value = compiled.value(compiled.plan.at.spots[f"#summary {single.symbol}"])
+    if not isinstance(value, float):
+        return f"{single.symbol}: none"
+    plan = compiled.plan
+    unit = plan.mechanism.shown(single.unit) if isinstance(single, Output) else unit_of_column(plan, single.of)
+    return f"{single.symbol} = {value:.6g}{behind_number(unit.text)}"
 
 
 def _tie(mechanism: Mechanism, relation: Relation) -> str:

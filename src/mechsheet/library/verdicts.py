@@ -33,7 +33,8 @@ def verdict(compiled: Compiled) -> str:
         last = compiled.value(plan.at.spots[mechanism.driver.symbol], plan.rows - 1)
         said.append(f"the step misses the stop ({_shown(missed, unit)}): the last row is {_shown(last, unit)}")
     said += [
-        f"the sketch says nothing about group {group.number}: mode +1 was taken"
+        f"the sketch says nothing about group {group.number}: mode +1 was taken, {group.mode_words.of(mechanism.language)}; "
+        "a point under [assembly] decides"
         for group in plan.equations.groups
         if group.open
     ]

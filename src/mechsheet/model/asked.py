@@ -79,6 +79,7 @@ class Synthesis:
     mode      symbol of the assembly mode cell that follows from the task -> the result that says it
     function  the function that is to be generated, over `x`; None where the task has none
     reasons   steps that may not exist, in order -> why there is no solution then
+    sides     symbols of steps that are 1 or −1
     roots     symbol of a root of x^3 + b x^2 + c x + d = 0 -> symbols of b, c and d
     names     what inputs, steps and results are called in the kind's own equations -> their symbols
     """
@@ -95,6 +96,7 @@ class Synthesis:
     function: Node | None = None
     reasons: tuple[tuple[str, Words], ...] = ()
     names: Mapping[str, str] = field(default_factory=dict)
+    sides: tuple[str, ...] = ()
     roots: Mapping[str, tuple[str, str, str]] = field(default_factory=dict)
 
     @property

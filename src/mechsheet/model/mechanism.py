@@ -123,6 +123,17 @@ class Joint:
     symbol: str
 
 
+@dataclass(frozen=True, slots=True)
+class Redundant:
+    """A link that moves with the others anyway: the mechanism has it with a slot in place of its second revolute joint.
+
+    link   as described, with both joints;  symbol  the displacement in the slot: how long the link would have to be
+    """
+
+    link: Link
+    symbol: str
+
+
 PRESSURE: Node = Call("RADIANS", (NumberNode(20.0),))
 """The usual angle between a tooth force and the tangent of the pitch circles [rad]."""
 
@@ -367,13 +378,15 @@ class Sketch:
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A further quantity: an expression over variables (`C.x` too) and dimensions; `unit` as a dimension's, or any label."""
+    """A further quantity: an expression over variables (`C.x` too) and dimensions, or over summaries and dimensions; `unit`
+    as a dimension's, or any label; `written`: the formula as the description has it."""
 
     symbol: str
     formula: Node
     unit: Unit
     label: Words | None = None
     cell: str | None = None
+    written: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -435,6 +448,7 @@ class Solution:
 class Mechanism:
     """A whole description. Orders are those of the file; `text` is the file itself (it travels in the workbook).
 
+    outputs      quantities of every row;  motion_outputs: those whose formulas name summaries: one number of the motion each
     relations    gears, belts and racks
     drivers      what is driven besides the driver, each after those that it follows
     rate_points  points whose velocity and acceleration are wanted; None: those that suit any mechanism
@@ -442,6 +456,7 @@ class Mechanism:
     solution     how groups without a closed form are solved
     bands        what tolerances are followed to; None where nobody asks
     synthesis    the task from which dimensions are found; None where all of them are given
+    redundant    links that are left out of what has to be solved
     file         the stem of the file that it was read from, "" when it was read from none
     """
 
@@ -456,6 +471,7 @@ class Mechanism:
     driver: Driver
     sketch: Sketch = Sketch()
     outputs: tuple[Output, ...] = ()
+    motion_outputs: tuple[Output, ...] = ()
     summaries: tuple[Summary, ...] = ()
     charts: tuple[ChartRequest, ...] = ()
     tables: tuple[TableRequest, ...] = ()
@@ -472,8 +488,21 @@ class Mechanism:
     bands: Tolerances | None = None
     study: Study | None = None
     synthesis: Synthesis | None = None
+    redundant: tuple[Redundant, ...] = ()
     text: str = ""
     file: str = field(default="", compare=False)
+
+    @property
+    def whole_links(self) -> tuple[Link, ...]:
+        """The links as described: redundant ones with both joints."""
+        whole = {each.link.name: each.link for each in self.redundant}
+        return tuple(whole.get(link.name, link) for link in self.links)
+
+    @property
+    def sliding(self) -> tuple[Joint, ...]:
+        """The sliding joints of the description: without the slots that stand for joints of redundant links."""
+        slots = {each.symbol for each in self.redundant}
+        return tuple(joint for joint in self.joints if joint.symbol not in slots)
 
     @property
     def stem(self) -> str:
@@ -486,6 +515,11 @@ class Mechanism:
             return unit
         known = self.angle_unit if unit.kind == "angle" else Unit(unit.kind, self.length_unit)
         return replace(known, per=unit.per)
+
+    @property
+    def motion_numbers(self) -> tuple[Summary | Output, ...]:
+        """What is one number of the whole motion: summaries, then the outputs that follow from them."""
+        return (*self.summaries, *self.motion_outputs)
 
     @property
     def flywheel(self) -> Dimension | None:

@@ -21,6 +21,7 @@ from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.sheet.drawing.frames import CHART_X
+from mechsheet.sheet.drawing.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Workbook
@@ -112,11 +113,14 @@ def sample(
         layout="sheets",
         tables=(),
         summaries=(),
+        motion_outputs=(),
     )
     found = Sample(drawn, compiled.modes, sweep, shown, vectors)
     if vectors and not found.plan.arrows:
         hint = "give the driver a speed, or the links masses or loads"
-        raise MechsheetError(Fault("there are no velocities and no forces to draw", key="vectors", hint=hint))
+        if found.plan.rates:
+            hint = f'say whose: points = ["{next(iter(moving_points(mechanism)), "A")}"] in [rates]'
+        raise MechsheetError(Fault("there are no velocities of points and no forces to draw", key="vectors", hint=hint))
     if shown is not None and not found.exists[shown]:
         raise MechanismError(_missing(found, at))
     return found

@@ -7,14 +7,20 @@ shaking moment  - d/dt of its moment about the origin, sum of G x m v_G + J omeg
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
 from ..model import ENERGY, SHAKING, center_symbol, pair_symbol
+from .driving import driver_rates
 from .forces import Applied, forces
 from .geometry import Array
 from .poses import Solution
 from .rates import by_time
+
+WHOLE = 1e-9
+"""So many turns from a whole number is rounding."""
 
 
 def further(solution: Solution) -> dict[str, Array]:
@@ -24,9 +30,19 @@ def further(solution: Solution) -> dict[str, Array]:
 
 
 def _energy(solution: Solution, held: dict[str, Array]) -> dict[str, Array]:
-    """What a flywheel has given since the first row: the work beyond that of the mean torque, by trapezia."""
-    if solution.mechanism.flywheel is None:
+    """What a flywheel has given since the first row: the work beyond that of the mean torque, by trapezia.
+
+    Only over whole turns at a constant speed is it stored and given back; else there is none.
+    """
+    mechanism = solution.mechanism
+    if mechanism.flywheel is None:
         return {}
+    given = driver_rates(mechanism, solution.dimensions, solution.driver)
+    speed, acceleration = (given[name] for name in mechanism.driver_rates)
+    turns = abs(solution.driver[-1] - solution.driver[0]) / math.tau
+    whole = round(turns) >= 1 and abs(turns - round(turns)) < WHOLE
+    if not whole or np.any(acceleration != 0.0) or np.any(speed != speed[0]) or speed[0] == 0.0:
+        return {ENERGY: np.full(len(solution.driver), np.nan)}
     torque, steps = held[_effort(solution)], np.diff(solution.driver)
     work = np.concatenate([[0.0], np.cumsum((torque[1:] + torque[:-1]) / 2 * steps)])
     turned = solution.driver - solution.driver[0]

@@ -31,7 +31,9 @@ from mechsheet.sheet.synthesis.rows import Rows
 from mechsheet.sheet.table.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
 from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
+from mechsheet.sheet.table.start_columns import start_columns
 from mechsheet.sheet.workbook import Name
+from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.workbook import Language, words
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
@@ -258,7 +260,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     ]
     further += ["tolerance"] if mechanism.bands else []
     further += ["synthesis"] if mechanism.synthesis else []
-    further += ["alt"] if mechanism.synthesis and mechanism.synthesis.kind == "dead-centres" else []
+    further += ["alt"] if mechanism.synthesis and kind_of(mechanism.synthesis).alt else []
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
@@ -281,7 +283,8 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     inputs = [dim for dim in own if not dim.derived or dim.symbol in found]
     derived = sorted((dim for dim in own if dim not in inputs), key=lambda dim: order[dim.symbol])
     taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
-    taken |= {folded(summary.cell) for summary in mechanism.summaries if summary.cell}
+    singles = mechanism.motion_numbers
+    taken |= {folded(each.cell) for each in (*singles, *mechanism.outputs) if each.cell}
     plan.next_row = FIRST_BLOCK
     shown = [f"show_{kind}" for kind in plan.arrows]
     _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
@@ -301,7 +304,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
     if mechanism.summaries:
-        _block(plan, "summary", [summary.symbol for summary in mechanism.summaries])
+        _block(plan, "summary", [each.symbol for each in singles])
     if mechanism.bands:
         _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
     _block(plan, "verdicts", plan.found.entries)
@@ -329,10 +332,12 @@ def _plan_names_and_blocks(plan: Plan) -> None:
             name = safe_name(plan.text(f"name.{key}"), taken)
             degrees = mechanism.driver.unit.in_degrees
             _spot(plan, f"#{key}", plan.blocks["sweep"].rows[key], degrees, name, taken)
-    for summary in mechanism.summaries:
-        row = plan.blocks["summary"].rows[summary.symbol]
-        name = summary.cell or safe_name(summary.symbol, taken)
-        _spot(plan, f"#summary {summary.symbol}", row, False, name, taken)
+    for each in singles:
+        row = plan.blocks["summary"].rows[each.symbol]
+        _spot(plan, f"#summary {each.symbol}", row, False, each.cell or safe_name(each.symbol, taken), taken)
+    for output in mechanism.outputs:
+        if output.cell:
+            plan.names.append(Name(output.cell, plan.main, plan.blocks["variables"].rows[output.symbol], VALUE))
     name = safe_name(plan.text("name.position"), taken)
     _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
     for key in shown:
@@ -466,11 +471,12 @@ def _place_starts(plan: Plan, title: str) -> None:
         if system is None:
             continue
         plan.at.spots[f"#needed_{group.number}"] = Spot(title, first, col, column=True)
-        col += 2
-        plan.at.spots[f"#start_{group.number}"] = Spot(title, first, col)
-        for symbol in (*system.unknowns, *(each.symbol for each in system.body)):
-            plan.at.spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, col)
-            col += 1
+        columns = start_columns(plan.equations, system)
+        plan.at.spots[f"#start_{group.number}"] = Spot(title, first, col + 2)
+        col += 2 + columns.width
+        plan.at.spots[f"#lost_{group.number}"] = Spot(title, first, col - 1)
+        for place, symbol in enumerate(reversed(columns.passes), 2):
+            plan.at.spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, col - place)
         plan.at.spots[f"#starts_{group.number}"] = Spot(title, first, col + 1)
         col += len(system.unknowns) + 3
 

@@ -44,12 +44,28 @@ def on_cluster(order: Order, parts: Iterable[int], address: str) -> Parts:
 
 
 def _client(dask: Any, address: str) -> Any:
+    hint = "the address that `dask scheduler` prints, for example tcp://10.0.0.5:8786"
+    wrong = _wrong_with(dask, address)  # of which a client could not be told, and which it could not end
+    if wrong:
+        raise MechsheetError(Fault(f"cannot be reached: {wrong}", key=f"--on {address}".strip(), hint=hint))
     try:
         return dask.Client(address, timeout=SECONDS, set_as_default=False)
-    except (OSError, TimeoutError, ValueError) as error:
+    except (OSError, TimeoutError) as error:
         message = f"nobody answers within {SECONDS} s"
-        hint = "the address that `dask scheduler` prints, for example tcp://10.0.0.5:8786"
         raise MechsheetError(Fault(message, key=f"--on {address}", hint=hint)) from error
+
+
+def _wrong_with(dask: Any, address: str) -> str:
+    """What is wrong with an address before anybody is asked; "" for nothing."""
+    try:
+        dask.comm.resolve_address(address)
+    except ValueError as error:
+        return str(error)
+    except OSError:
+        pass  # a name that is not known now is asked for again
+    if address.startswith("tls:") and not dask.Security().get_connection_args("client").get("ssl_context"):
+        return "tls needs certificates, which Dask's configuration does not name"
+    return ""
 
 
 def _computed(dask: Any, client: Any, order: Order, parts: Iterable[int]) -> Parts:

@@ -127,7 +127,9 @@ class Designs:
         ruling = [quantity.of for quantity in questions.quantities if quantity.name in decided]
         ruling = list(dict.fromkeys([*ruling, *turning, *self.equations.tied, tolerance]))
         self.ruling = Called(lowering.columns(ruling, rows=True, closing=bool(self.cranks)), self.row_given)
-        self.in_rows = Called(lowering.columns([*wanted, *self.equations.tied], rows=True), self.row_given)
+        self.in_rows = Called(
+            lowering.columns([*wanted, *self.equations.tied], rows=True, anchors=True), self.row_given
+        )
         self.closing = Called(lowering.columns([], rows=False, closing=True))
         self.at_places = {of: Called(lowering.columns([of], rows=False)) for of in wanted}
         self.limits = bool(lowering.margins) and not mechanism.driver.values and self.rows > 1

@@ -1,9 +1,9 @@
 """The smallest and the largest value of quantities over a motion, of many designs at once: as the workbook finds them.
 
 As the sheet of extremes does (`sheet/checks/extremes.py`): the best row, a probe at the vertex of the parabola through it
-and its neighbours, one a tenth of a row beside it or at the limit, then two at the vertices of parabolas through what is
-known. What is given has been attained: the best of the row, the probes and both ends of the stretch. Of several stretches
-the rows are all. Places count rows from 1.
+and its neighbours, one beside it, on the row's other side or by the root of the distance from a limit, then two at the
+vertices of parabolas through what is known. What is given has been attained: the best of the row, the probes and both ends
+of the stretch. Of several stretches the rows are all. Places count rows from 1.
 """
 
 from __future__ import annotations
@@ -21,6 +21,9 @@ Mask = NDArray[np.bool_]
 BESIDE = 0.1
 """How far beside the first probe the second is made, in rows."""
 
+FROM_END = 0.25
+"""How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
+
 STRETCHES = 3
 """Stretches of rows that are looked at."""
 
@@ -34,11 +37,9 @@ Way = Literal["min", "max"]
 
 @dataclass(frozen=True, slots=True)
 class Stretches:
-    """Where designs close: of each the rows, how many, how many stretches of rows that follow one another, and the first and
-    last row (from 1) of the first of them; `last_row`: of all; `shown`: the rows of which extremes are taken."""
+    """Where designs close: in how many rows, in how many stretches of rows that follow one another, and the first and last
+    row (from 1) of the first of them; `last_row`: of all. Columns (n,): nothing here is as long as the table."""
 
-    there: Mask
-    shown: Mask
     count: NDArray[np.int64]
     number: NDArray[np.int64]
     first: NDArray[np.int64]
@@ -46,12 +47,15 @@ class Stretches:
     last_row: NDArray[np.int64]
 
 
-def stretches_of(there: Mask, closes: Mask) -> Stretches:
-    """The stretches of designs; `there`: a row for each design, a column for each row of its table; `closes`: in all."""
+def stretches_of(there: Mask, closes: Mask) -> tuple[Stretches, Mask]:
+    """The stretches of designs, and the rows of which extremes are taken.
+
+    there  a row for each design, a column for each row of its table;  closes: in all
+    """
     designs, rows = there.shape
     ones = np.ones(designs, np.int64)
     if closes.all():
-        return Stretches(there, there, ones * rows, ones, ones, ones * rows, ones * rows)
+        return Stretches(ones * rows, ones, ones, ones * rows, ones * rows), there
     begins = np.diff(there, axis=1, prepend=False) & there
     begun = np.cumsum(begins, axis=1)
     shown = there & (begun <= STRETCHES)
@@ -59,16 +63,17 @@ def stretches_of(there: Mask, closes: Mask) -> Stretches:
     first = np.argmax(in_first, axis=1) + 1
     last = first + in_first.sum(axis=1) - 1
     last_row = rows - np.argmax(shown[:, ::-1], axis=1)
-    return Stretches(there, shown, there.sum(axis=1), np.asarray(begun[:, -1], np.int64), first, last, last_row)
+    number = np.asarray(begun[:, -1], np.int64)
+    return Stretches(there.sum(axis=1), number, first, last, last_row), shown
 
 
-def best_rows(way: Way, column: Array, stretches: Stretches | None) -> tuple[NDArray[np.intp], Array]:
+def best_rows(way: Way, column: Array, shown: Mask | None) -> tuple[NDArray[np.intp], Array]:
     """The best row of each design, from 0, and the value there; no finite one where no row is shown.
 
-    stretches  None where all designs that somebody asks of close in all rows
+    shown  the rows of which it is taken; None where all designs that somebody asks of close in all rows
     """
-    if stretches is not None and not stretches.shown.all():
-        column = np.where(stretches.shown, column, np.inf if way == "min" else -np.inf)
+    if shown is not None and not shown.all():
+        column = np.where(shown, column, np.inf if way == "min" else -np.inf)
     place = np.argmin(column, axis=1) if way == "min" else np.argmax(column, axis=1)
     return place, column[np.arange(len(column)), place]
 
@@ -164,28 +169,36 @@ def refined(
     with np.errstate(all="ignore"):
         step = (before - after) / (2.0 * (before - 2.0 * value + after))
         vertex = anchors.middle + np.where(np.isfinite(step), step, 0.0)
+        at_first, at_last = ~beyond & (here == first), ~beyond & (here == last)
+        least = np.where(at_first & (low == first), here + FROM_END, low)
+        most = np.where(at_last & (high == last), here - FROM_END, high)
         near = np.minimum(here + 1.0, vertex)
         one = np.where(beyond, np.maximum(here - 1.0, near),
-                       np.maximum(np.maximum(low, here - 1.0), np.minimum(high, near)))  # fmt: skip
-        beside = one + np.where(one - here > 1e-6, -BESIDE, BESIDE)
-        two = np.where(beyond, beside, np.maximum(low, np.minimum(high, beside)))
-        two = np.where((here == last) & (high > last), high, two)
-        two = np.where((here == first) & (low < first), low, two)
+                       np.maximum(np.maximum(least, here - 1.0), np.minimum(most, near)))  # fmt: skip
 
         def found(*places: Array) -> list[Array]:
             values = probe(np.stack(places, axis=1))
             return [np.where(np.isfinite(column), column, best) for column in values.T]
 
-        y_one, y_two = found(one, two)
+        partial = (low < first) | (high > last)
+        at_ends = [best, best]
+        if partial.any():
+            at_ends = found(np.where(partial, low, here), np.where(partial, high, here))
+            at_ends = [np.where(partial, column, best) for column in at_ends]
+        at_low, at_high = at_first & (low < first), at_last & (high > last)
+        limited, limit = at_low | at_high, np.where(at_low, low, high)
+        (y_one,) = found(one)
+        worse = y_one > best if way == "min" else y_one < best
+        aside = np.where(worse, 2.0 * here - one, one + np.where(one - here > 1e-6, -BESIDE, BESIDE))
+        two = np.where(beyond, aside, np.maximum(low, np.minimum(high, aside)))
+        root = vertex_of_root(limit, np.where(at_low, *at_ends), here, best, value)
+        two = np.where(limited, np.where(np.isfinite(root), root, limit), two)
+        (y_two,) = found(two)
         three = _further(one, beyond, low, high, (here, best), (one, y_one), (two, y_two))
         (y_three,) = found(three)
         four = _further(one, beyond, low, high, (one, y_one), (two, y_two), (three, y_three))
         (y_four,) = found(four)
-        candidates = [best, y_one, y_two, y_three, y_four]
-        partial = (low < first) | (high > last)
-        if partial.any():
-            at_ends = found(np.where(partial, low, here), np.where(partial, high, here))
-            candidates += [np.where(partial, column, best) for column in at_ends]
+        candidates = [best, y_one, y_two, y_three, y_four, *at_ends]
         stacked = np.array(candidates)
         extreme = stacked.min(axis=0) if way == "min" else stacked.max(axis=0)
     return np.where((stretches.number > 1) | ~np.isfinite(best), best, extreme)
@@ -202,6 +215,16 @@ def vertex_of(one: Point, two: Point, three: Point) -> Array:
         u_two
         - (a**2 * (y_two - y_three) - b**2 * (y_two - y_one)) / (2 * (a * (y_two - y_three) - b * (y_two - y_one)))
     )
+
+
+def vertex_of_root(limit: Array, there: Array, here: Array, best: Array, value: Array) -> Array:
+    """Where the parabolas over the root of the distance from the limit have their vertices, not beyond the next row:
+
+    y(w) = y0 + b w + c w^2 with w^2 = |u - limit|, through the limit (`there` is the value), the row `here` and the next.
+    """
+    far, rise, next_rise = np.abs(here - limit), best - there, value - there
+    root = ((far + 1) * rise - far * next_rise) / (2 * (np.sqrt(far + 1) * rise - np.sqrt(far) * next_rise))
+    return np.asarray(limit + np.sign(here - limit) * np.minimum(far + 1, np.maximum(0.0, root) ** 2))
 
 
 def _further(middle: Array, beyond: Mask, low: Array, high: Array, one: Point, two: Point, three: Point) -> Array:

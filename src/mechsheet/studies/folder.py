@@ -60,21 +60,25 @@ class Folder:
         path = self.path / MANIFEST
         if self.path.exists() and not self.path.is_dir():
             raise OutputError(Fault("is a file: a study is written into a folder", self.shown, key="-o"))
-        if path.exists():
+        if path.exists() and (resume or self._has_parts()):
             self._compare(manifest)
-            if not resume and any(self.path.glob(f"{PARTS}/*.parquet")):
+            if not resume:
                 message = "this study has been begun here"
                 hint = "go on with --resume, or name another folder with -o"
                 raise OutputError(Fault(message, self.shown, hint=hint))
             return
         if resume and not self.path.exists():
             raise OutputError(Fault("there is no study to resume", self.shown, hint="leave --resume out to begin it"))
-        if self.path.exists() and any(self.path.iterdir()):
+        if not path.exists() and any(each.is_file() and each.suffix != ".tmp" for each in self.path.rglob("*")):
             message = "holds other files, and no study"
             raise OutputError(Fault(message, self.shown, hint="name a new or an empty folder with -o"))
         make_folder(self.path)
         make_folder(self.path / PARTS)
         replace_file(path, _json(manifest))
+
+    def _has_parts(self) -> bool:
+        """Whether anything is lost when another study takes the folder."""
+        return any(self.path.glob(f"{PARTS}/*.parquet"))
 
     def _compare(self, manifest: dict[str, Any]) -> None:
         """Raise OutputError with what differs where the folder is another study's."""

@@ -64,17 +64,25 @@ class Lowering:
             for condition in equation.exists
             if condition.reach
         }
+        self._sums = {
+            equation.symbol: equation.expression
+            for equation in equations.columns
+            if equation.unit.kind == "angle" and not equation.exists and isinstance(equation.expression, Binary)
+        }
+        outputs = [equation for equation in equations.all if equation.role == "output"]
+        self.cancelled = {equation.symbol: self._cancelled(equation.expression) for equation in outputs}
 
     def constants(self, symbols_: Iterable[str], nodes: Mapping[str, Node]) -> Printed:
         """A program for what rows do not change: values of symbols, and of expressions by names of their own."""
-        writer = _Writer(self, True, frozenset())
+        writer = _Writer(self, True, frozenset(), constants=True)
         found = {symbol: writer.known[symbol] for symbol in symbols_}
         return writer.program.printed(found | {name: writer.value(node) for name, node in nodes.items()})
 
-    def columns(self, wanted: Sequence[str], rows: bool, closing: bool = False) -> Lowered:
+    def columns(self, wanted: Sequence[str], rows: bool, closing: bool = False, anchors: bool = False) -> Lowered:
         """A program for columns: in the rows, which all designs share, or at places of each design's own.
 
         closing  also margins, and where none is below 0
+        anchors  in the rows: also what a program at other places is given of them
         """
         writer = _Writer(self, rows, self._turning(wanted))
         found = {symbol: writer.known[symbol] for symbol in wanted}
@@ -87,18 +95,20 @@ class Lowering:
                 inside.append(writer.program.step("np.greater_equal", margin, Value(ONE, number=0.0)))
             found[INSIDE] = writer.program.fold("np.logical_and", inside)
         found |= margins
-        anchors = writer.anchored
-        found |= {ANCHOR.format(symbol=symbol): writer.known[symbol] for symbol in anchors if rows}
-        return Lowered(writer.program.printed(found), tuple(anchors), tuple(margins))
+        if anchors:
+            found |= {ANCHOR.format(symbol=symbol): writer.known[symbol] for symbol in writer.anchored}
+        return Lowered(writer.program.printed(found), tuple(writer.anchored), tuple(margins))
 
     def _turning(self, wanted: Iterable[str]) -> frozenset[str]:
         """Symbols whose whole turns matter: those wanted, and what these are sums of; not what only sines read."""
         by_symbol = {equation.symbol: equation for equation in self.equations.columns}
         sums: dict[str, set[str]] = {}
         stack = list(wanted)
-        for equation in self.equations.columns:
-            sums[equation.symbol] = set()
-            self._read(equation.expression, "sum", sums[equation.symbol], stack)
+        for symbol in self._needed(wanted):
+            equation = by_symbol[symbol]
+            sums[symbol] = set()
+            expression = self.cancelled.get(equation.symbol, equation.expression)
+            self._read(expression, "sum", sums[symbol], stack)
             for condition in equation.exists:
                 stack += [*symbols(condition.margin), *symbols(condition.least)]
         found: set[str] = set()
@@ -108,6 +118,18 @@ class Lowering:
                 found.add(symbol)
                 stack += sums[symbol]
         return frozenset(found)
+
+    def _needed(self, wanted: Iterable[str]) -> list[str]:
+        """The columns that those wanted, and the closing of the groups, are computed from, and they themselves."""
+        live = {*wanted, *(group.closes for group in self.equations.groups)}
+        found = []
+        for equation in reversed(self.equations.columns):
+            if equation.symbol in live:
+                found.append(equation.symbol)
+                read = [each for test in equation.exists for each in (test.margin, test.least)]
+                for node in (self.cancelled.get(equation.symbol, equation.expression), *read):
+                    live.update(symbols(node))
+        return found
 
     def _read(self, node: Node, state: str, summed: set[str], plain: list[str]) -> None:
         match node:
@@ -127,53 +149,6 @@ class Lowering:
                 below = "plain"
         for child in children(node):
             self._read(child, below, summed, plain)
-
-
-class _Writer:
-    """One program while it is written."""
-
-    def __init__(self, lowering: Lowering, rows: bool, turning: frozenset[str]) -> None:
-        self.program = Program()
-        self.rows = rows
-        self.turning = turning
-        self.anchored: list[str] = []
-        self._masks: dict[tuple[Condition, ...], Value] = {}
-        self._areas: dict[frozenset[Value], Value] = {}
-        self._equations = lowering.equations
-        self._sums = {
-            equation.symbol: equation.expression
-            for equation in lowering.equations.columns
-            if equation.unit.kind == "angle" and not equation.exists and isinstance(equation.expression, Binary)
-        }
-        wide: Width = PLACE if rows else WHOLE
-        self.known = {symbol: Value(ONE, number=number) for symbol, number in lowering.fixed.items()}
-        self.known |= {symbol: self.program.given(symbol, DESIGN) for symbol in lowering.varied}
-        for symbol, node in lowering.derived:
-            self.known[symbol] = self.value(node)
-        self.known |= {symbol: self.program.given(symbol, wide) for symbol in lowering.given}
-        for equation in lowering.equations.all:
-            self.known[equation.symbol] = self._equation(equation)
-
-    def value(self, node: Node, rooted: bool = False) -> Value:
-        """The value of an expression over symbols before it."""
-        return self.program.value(node, self.known, rooted)
-
-    def _equation(self, equation: Equation) -> Value:
-        if equation.symbol == self._equations.tolerance:
-            return self._tolerance(equation)
-        match equation.expression:
-            case Direction(y, x):
-                value = self._direction(equation.symbol, self.value(y), self.value(x))
-            case TriangleAngle(opposite, beside, other):
-                value = self._angle(*(self.value(side) for side in (opposite, beside, other)))
-            case expression if equation.role == "output":
-                value = self.value(self._cancelled(expression))
-            case expression:
-                value = self.value(expression, rooted=bool(equation.exists))
-        if not equation.exists:
-            return value
-        mask = self._mask(equation.exists)
-        return value if mask.width == ONE and mask.number else self.program.step("_kept", value, mask)
 
     def _cancelled(self, expression: Node) -> Node:
         """A sum of angles without what is added and taken away again: of theta14 - theta13 the angle between the links is
@@ -200,9 +175,55 @@ class _Writer:
             case _:
                 terms[node] = terms.get(node, 0) + sign
 
+
+class _Writer:
+    """One program while it is written; `constants`: one for what rows do not change."""
+
+    def __init__(self, lowering: Lowering, rows: bool, turning: frozenset[str], constants: bool = False) -> None:
+        self.program = Program()
+        self.rows = rows
+        self.turning = turning
+        self._constants = constants
+        self.anchored: list[str] = []
+        self._masks: dict[tuple[Condition, ...], Value] = {}
+        self._areas: dict[frozenset[Value], Value] = {}
+        self._equations = lowering.equations
+        self._cancelled = lowering.cancelled
+        wide: Width = PLACE if rows else WHOLE
+        self.known = {symbol: Value(ONE, number=number) for symbol, number in lowering.fixed.items()}
+        self.known |= {symbol: self.program.given(symbol, DESIGN) for symbol in lowering.varied}
+        for symbol, node in lowering.derived:
+            self.known[symbol] = self.value(node)
+        self.known |= {symbol: self.program.given(symbol, wide) for symbol in lowering.given}
+        for equation in lowering.equations.all:
+            self.known[equation.symbol] = self._equation(equation)
+
+    def value(self, node: Node, rooted: bool = False) -> Value:
+        """The value of an expression over symbols before it."""
+        return self.program.value(node, self.known, rooted)
+
+    def _equation(self, equation: Equation) -> Value:
+        if equation.symbol == self._equations.tolerance:
+            return self._tolerance(equation)
+        match equation.expression:
+            case Direction(y, x):
+                value = self._direction(equation.symbol, self.value(y), self.value(x))
+            case TriangleAngle(opposite, beside, other):
+                value = self._angle(*(self.value(side) for side in (opposite, beside, other)))
+            case _ if equation.role == "output":
+                value = self.value(self._cancelled[equation.symbol])
+            case expression:
+                value = self.value(expression, rooted=bool(equation.exists))
+        if not equation.exists:
+            return value
+        mask = self._mask(equation.exists)
+        return value if mask.width == ONE and mask.number else self.program.step("_kept", value, mask)
+
     def _tolerance(self, equation: Equation) -> Value:
-        """No number where a length between joints is none: then no row claims a position."""
+        """No number where a length between joints is none, be it a driven one in its row: then no row claims a position."""
         lengths = [self.known[name] for name in self._equations.positive if name in self.known]
+        if self._constants:
+            lengths = [length for length in lengths if not length.width & PLACE]
         value = self.value(equation.expression)
         if not lengths:
             return value

@@ -99,7 +99,7 @@ class Motion:
             for quantity in designs.questions.quantities:
                 if not quantity.ways:
                     means.setdefault(quantity.name, []).append(
-                        taken(quantity.take, rows.column(quantity.of), rows.stretches)
+                        taken(quantity.take, rows.column(quantity.of), rows.there, rows.stretches)
                     )
         stretches = joined(parts)
         anchors = {key: joined(each) for key, each in found_anchors.items()}
@@ -188,9 +188,13 @@ class _Rows:
         self.closes: Mask = np.asarray(self.there.all(axis=1), bool)
 
     @cached_property
+    def _stretches(self) -> tuple[Stretches, Mask]:
+        return stretches_of(self.there, self.closes)
+
+    @property
     def stretches(self) -> Stretches:
         """The stretches of rows in which they close."""
-        return stretches_of(self.there, self.closes)
+        return self._stretches[0]
 
     @cached_property
     def _covered(self) -> Array:
@@ -209,7 +213,7 @@ class _Rows:
         """The best rows of an extreme, and the values there; `among`: of what designs anybody wants to know."""
         symbol, way = extreme
         everywhere = among is not None and bool((self.closes | ~among).all())
-        return best_rows(way, self.column(symbol), None if everywhere else self.stretches)
+        return best_rows(way, self.column(symbol), None if everywhere else self._stretches[1])
 
     def anchors(self, extreme: Extreme) -> Anchors:
         """What the rows say of an extreme."""
@@ -235,7 +239,7 @@ class _Rows:
             fine &= np.abs(column[:, -1] - column[:, 0]) > math.pi
         if not fine.any():
             return fine
-        tolerance = np.broadcast_to(self._out[designs.equations.tolerance], (self.count, 1))[fine, 0]
+        tolerance = self._whole(self._out[designs.equations.tolerance])[fine, 0]
         own = {name: column[fine] for name, column in self._given.items()}
         run = designs.closing.run
         of_designs = run.designs(own)
@@ -293,11 +297,11 @@ def _bounds(designs: Designs, known: Mapping[str, Array]) -> dict[int, list[_Bou
     return found
 
 
-def taken(take: str, column: Array, stretches: Stretches) -> Array:
+def taken(take: str, column: Array, there: Mask, stretches: Stretches) -> Array:
     """The mean of the rows that exist, or the value of the first or the last of them."""
     designs = np.arange(len(column))
     if take == "first":
         return np.asarray(column[designs, stretches.first - 1])
     if take == "last":
         return np.asarray(column[designs, stretches.last_row - 1])
-    return np.asarray(np.where(stretches.there, column, 0.0).sum(axis=1) / np.maximum(stretches.count, 1))
+    return np.asarray(np.where(there, column, 0.0).sum(axis=1) / np.maximum(stretches.count, 1))

@@ -26,20 +26,30 @@ def distributed() -> Any:
     return _package("distributed", "dask")
 
 
+def sobol() -> Any:
+    """SciPy's sequences of low discrepancy. Raises MissingProgramError."""
+    return _package("scipy.stats", "study").qmc
+
+
 def _package(name: str, extra: str) -> Any:
     try:
         return import_module(name)
     except ImportError as problem:
-        raise missing_package(name, extra) from problem
+        raise missing_package(name.partition(".")[0], extra) from problem
+
+
+def _release(name: str) -> str:
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError as problem:
+        raise missing_package(name, "study") from problem
 
 
 @cache
 def versions() -> dict[str, str]:
     """What decides the bytes of a result: releases, and how numpy computes on this processor."""
     packages = ("numpy", "scipy", "pyarrow")
-    return (
-        {"mechsheet": __version__} | {name: metadata.version(name) for name in packages} | {"arithmetic": arithmetic()}
-    )
+    return {"mechsheet": __version__} | {name: _release(name) for name in packages} | {"arithmetic": arithmetic()}
 
 
 def unlike(wanted: Mapping[str, str], found: Mapping[str, str]) -> str:

@@ -23,8 +23,8 @@ MOST_DESIGNS = 65_536
 MOST_PARTS = 100_000
 """A part has up to so many designs, fewer where there would be few parts, more where there would be too many."""
 
-ROW_GROUP = 65_536
-"""Rows of a Parquet file that are written together: what a part holds in memory."""
+ROW_GROUP, GROUP_VALUES = 65_536, 2**19
+"""Rows of a Parquet file that are written together, fewer of many columns: what a part holds in memory."""
 
 METADATA = b"mechsheet"
 """Under this key a part says how many designs it tried, kept, and why it left the others out."""
@@ -78,6 +78,7 @@ def compute(order: Order, part: int) -> Done:
     span = order.span(part)
     file = io.BytesIO()
     kept, failed = 0, [0] * len(designs.questions.conditions)
+    group = min(ROW_GROUP, GROUP_VALUES // len(designs.names))
     with arrow().parquet.ParquetWriter(file, schema_of(designs), compression="zstd") as writer:
         waiting: list[Any] = []
         for first in range(span.start, span.stop, CHUNK):
@@ -86,7 +87,7 @@ def compute(order: Order, part: int) -> Done:
             kept += len(found.numbers)
             if len(found.numbers):
                 waiting.append(_batch(designs, found))
-            if sum(batch.num_rows for batch in waiting) >= ROW_GROUP:
+            if sum(batch.num_rows for batch in waiting) >= group:
                 _write(writer, waiting)
         _write(writer, waiting)
         told = {"designs": len(span), "kept": kept, "failed": failed}

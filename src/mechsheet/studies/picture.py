@@ -48,11 +48,14 @@ def _said(found: Studied, key: str) -> str:
 
 
 def _cloud(found: Studied, names: Sequence[str]) -> Array:
-    """Some of the designs kept, the same number of each part."""
+    """Some of the designs kept, the same number of each part; one part is held at a time."""
     paths = found.folder.parts(found.order)
     most = max(1, CLOUD // len(paths))
-    parts = [arrow().parquet.read_table(path, columns=list(names)) for path in paths[:: max(1, len(paths) // CLOUD)]]
-    return np.concatenate([_numbers(part[:: max(1, part.num_rows // most)], names) for part in parts])
+    points = []
+    for path in paths[:: max(1, len(paths) // CLOUD)]:
+        part = arrow().parquet.read_table(path, columns=list(names))
+        points.append(_numbers(part[:: max(1, part.num_rows // most)], names))
+    return np.concatenate(points)
 
 
 def _numbers(table: Any, names: Sequence[str]) -> Array:
@@ -67,7 +70,7 @@ def _scatter(found: Studied, names: Sequence[str]) -> str:
     heads = dict(zip(found.front.column_names, heads_of(found.front), strict=True))
     spans = (LEFT, WIDTH - RIGHT), (HEIGHT - BOTTOM, TOP)
     across, up = (scale_of(Axis(heads[name]), [every[:, at]], *spans[at]) for at, name in enumerate(names))
-    lines = [_title(_said(found, "front.title"))]
+    lines = [_title(_said(found, "front.title")), _legend(found)]
     for value, x in zip(across.ticks, across.place(np.array(across.ticks)), strict=True):
         words = _text(x, HEIGHT - BOTTOM + 18, tick_text(value), "middle")
         lines.append(_line(x, HEIGHT - BOTTOM, x, TOP, "#E5E7EB") + words)
@@ -88,7 +91,7 @@ def _parallel(found: Studied) -> str:
     front = set(found.ranked.front.tolist())
     heads = dict(zip(found.best.column_names, heads_of(found.best), strict=True))
     values = np.array([[np.nan if value is None else value for value in row] for row in rows], float)
-    lines = [_title(_said(found, "parallel"))]
+    lines = [_title(_said(found, "parallel")), _legend(found) if front else ""]
     step = (WIDTH - LEFT - RIGHT - 40) / max(1, len(names) - 1)
     bottom, places = HEIGHT - BOTTOM, []
     for at, name in enumerate(names):
@@ -111,6 +114,18 @@ def _parallel(found: Studied) -> str:
 
 def _title(words: str) -> str:
     return f'<text x="{LEFT}" y="22" font-size="15" font-weight="bold" fill="{INK}">{escape(words)}</text>'
+
+
+def _legend(found: Studied) -> str:
+    """What the two colours mean, at the right end above a panel."""
+    lines, right = [], WIDTH - RIGHT
+    for key, color in (("cloud", KEPT), ("on_front", FRONT)):
+        words = _said(found, key)
+        lines.append(_text(right, TOP - 10, words, "end"))
+        right -= 6 * len(words) + 10
+        lines.append(f'<circle cx="{right}" cy="{TOP - 14}" r="4" fill="{color}"/>')
+        right -= 16
+    return "".join(lines)
 
 
 def _text(x: float, y: float, words: str, anchor: str) -> str:

@@ -7,6 +7,9 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import suppress
+from pathlib import Path
+from threading import Thread
 from typing import TypeAlias
 
 from mechsheet.diagnostics import Fault, MechsheetError
@@ -18,24 +21,44 @@ Parts: TypeAlias = Iterator[Done]
 AHEAD = 2
 """Parts that wait for each process: none stands still, and few results are held."""
 
-OF_A_PROCESS = 192 * 2**20
-"""Bytes that a process has at most, in round numbers: the packages, and what it evaluates at once."""
+OF_A_PROCESS = 256 * 2**20
+"""Bytes that a process has at most, in round numbers: the packages (150 MiB), what it evaluates at once, and the rows that
+it has not written yet."""
 
 
 def workers_within(workers: int | None, memory: int | None) -> int:
-    """How many processes: those asked for, or one for each core; no more than fit. Raises MechsheetError where none does."""
-    wanted = workers if workers is not None else _cores()
-    if memory is None:
-        return wanted
-    fit = memory // OF_A_PROCESS - (1 if wanted > 1 else 0)  # the one that writes
-    if memory < OF_A_PROCESS:
+    """How many processes: those asked for, or one for each core; no more than fit. Raises MechsheetError where none does.
+
+    memory  bytes for all of them; None: three quarters of what there is, where nobody says how many processes he wants
+    """
+    if memory is not None and memory < OF_A_PROCESS:
         message = f"{memory / 2**20:.0f} MiB are too little: one process needs {OF_A_PROCESS // 2**20} MiB"
         raise MechsheetError(Fault(message, key="limit_memory"))
-    return max(1, min(wanted, fit))
+    if memory is None and workers is None:
+        memory = memory_there() * 3 // 4
+    wanted = workers if workers is not None else _cores()
+    if memory is None or wanted == 1:
+        return wanted
+    return max(1, min(wanted, memory // OF_A_PROCESS - 1))  # and the one that writes
 
 
 def _cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+LIMITS = ("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes")
+"""Where Linux says how much a container, or a job of a cluster, may have."""
+
+
+def memory_there() -> int:
+    """Bytes of this machine, or that this container may have; 2^50 where the system does not say."""
+    found = [2**50]
+    if hasattr(os, "sysconf") and "SC_PHYS_PAGES" in os.sysconf_names:
+        found.append(os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"))
+    for path in LIMITS:
+        with suppress(OSError, ValueError):  # no such file, or "max"
+            found.append(int(Path(path).read_text("ascii")))
+    return min(found)
 
 
 def here(order: Order, parts: Iterable[int], workers: int) -> Parts:
@@ -45,7 +68,7 @@ def here(order: Order, parts: Iterable[int], workers: int) -> Parts:
             yield compute(order, part)
         return
     # new processes, not copies of this one: it may run threads
-    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"))
+    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), initializer=_end_with_parent)
     try:
         yield from ahead(lambda part: pool.submit(compute, order, part), parts, AHEAD * workers)
     except BrokenProcessPool as error:
@@ -54,6 +77,18 @@ def here(order: Order, parts: Iterable[int], workers: int) -> Parts:
         raise MechsheetError(Fault(message, hint=hint)) from error
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def _end_with_parent() -> None:
+    """A process whose parent is killed would wait for parts for ever: it ends, too."""
+
+    def watch() -> None:
+        parent = multiprocessing.parent_process()
+        if parent is not None:
+            parent.join()
+            os._exit(1)
+
+    Thread(target=watch, daemon=True).start()
 
 
 def ahead(submit: Callable[[int], Future[Done]], parts: Iterable[int], most: int) -> Parts:

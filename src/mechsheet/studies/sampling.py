@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.model import Range, Study
+from mechsheet.studies.packages import sobol
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
@@ -100,9 +101,7 @@ class Sobol:
 
 def _powers(width: int, bits: int, seed: int) -> tuple[Numbers, list[Numbers]]:
     """Point 0 in steps of 2^-30, and by what points 1, 2, 4, 8 ... differ from it."""
-    from scipy.stats import qmc
-
-    engine = qmc.Sobol(width, scramble=True, bits=BITS, seed=np.random.default_rng(seed))
+    engine = sobol().Sobol(width, scramble=True, bits=BITS, seed=np.random.default_rng(seed))
     first = _steps(engine.random(1))
     found, at = [], 1
     for bit in range(bits):

@@ -11,13 +11,17 @@ Source: F. Freudenstein, Approximate synthesis of four-bar linkages, Trans. ASME
 from __future__ import annotations
 
 from mechsheet.formula.nodes import Symbol, with_symbols
+from mechsheet.formula.parser import parse_description
+from mechsheet.model import Synthesis
+from mechsheet.synthesis.four_bar import INPUT_TURNS, RANGE_ROWS, output_angle, part, position, transmission_angle
+from mechsheet.synthesis.kind import THROUGH_POINTS, Columns, Curve, Kind, Line, Requirement
 from mechsheet.synthesis.writing import DETERMINED, Writer
 from mechsheet.words.synthesis import ENDS
 
 
-def write(w: Writer) -> None:
+def _write(w: Writer) -> None:
     """Inputs, steps and results."""
-    w.length("a1", positive=True)
+    w.length("a1")
     w.also("a1")
     count = w.task.points
     if w.task.function is None:
@@ -108,5 +112,60 @@ def _assembly(w: Writer, count: int) -> None:
         # (B0 - A) x (B - A), with A = a2 (cos theta, sin theta) and B - B0 = a4 (cos psi, sin psi)
         cross = f"a4_signed*(a1*sin(psi_p{n}) - a2_signed*sin(psi_p{n} - theta_p{n}))"
         w.step(f"side_p{n}", f"sign({cross})", plain, "side", "a3_squared", number=n)
+        w.one_of_two(f"side_p{n}")
     total = " + ".join(f"side_p{n}" for n in range(1, count + 1))
     w.result("mode", f"where(0.5 + {total}, 1, -1)", plain, "mode")
+    w.one_of_two("mode")
+
+
+# --- what the sheet says and draws ---------------------------------------------------------------------------------
+
+
+def _numbers(task: Synthesis) -> range:
+    """Of the points."""
+    return range(1, int(task.chosen["points"]) + 1)
+
+
+def _asked(task: Synthesis) -> list[Requirement]:
+    return [
+        Requirement(
+            "psi", f"psi_p{n}", output_angle(f"(theta_p{n} + theta_offset)"), "angle", (("number", n),), f"theta_p{n}"
+        )
+        for n in _numbers(task)
+    ]
+
+
+def _figure(task: Synthesis) -> list[Line]:
+    return [position("figure.point", n, f"theta_p{n} + theta_offset", f"psi_p{n} + psi_offset") for n in _numbers(task)]
+
+
+def _curve(task: Synthesis) -> Curve:
+    """The output over the range of the input: of a function beside what is wanted."""
+    count = len(_numbers(task))
+    ends = ("theta_p1", f"theta_p{count}") if task.function is None else ("theta_first", "theta_last")
+    columns: Columns = {"theta": (part(*ends), "angle")}
+    if task.function is not None:
+        x = parse_description(part("x_first", "x_last"))
+        risen = parse_description("psi_first + (psi_last - psi_first)*(f - f_first)/(f_last - f_first)")
+        columns["wanted"] = (with_symbols(risen, {"f": with_symbols(task.function, {"x": x})}), "angle")
+    columns["raw"] = (output_angle("(theta + theta_offset)"), "angle")
+    middle = f"psi_p{(count + 1) // 2}"
+    columns["got"] = (f"{middle} + atan2(sin(raw - {middle}), cos(raw - {middle}))", "angle")
+    columns["mu"] = (transmission_angle("(theta + theta_offset)"), "angle")
+    return Curve(RANGE_ROWS, columns, "theta", "got", "wanted" if task.function is not None else "")
+
+
+KIND = Kind(
+    _write,
+    _asked,
+    _figure,
+    THROUGH_POINTS,
+    _curve,
+    angles=("theta", "psi"),
+    numbers=("x",),
+    positive=("a1",),
+    own=("a1",),
+    pairs=True,
+    turns=INPUT_TURNS,
+    steps=lambda task: [f"theta_p{n + 1} - theta_p{n}" for n in _numbers(task)[:-1]],
+)

@@ -11,12 +11,15 @@ Source: R. L. Norton, Design of Machinery, sections 5.3 to 5.8.
 
 from __future__ import annotations
 
+from mechsheet.model import Synthesis
+from mechsheet.synthesis.four_bar import INPUT_TURNS, RANGE_ROWS, part, transmission_angle
+from mechsheet.synthesis.kind import THROUGH_POINTS, Curve, Kind, Line, Requirement
 from mechsheet.synthesis.writing import DETERMINED, Writer
 
 PIVOTS = ("A", "B")
 
 
-def write(w: Writer) -> None:
+def _write(w: Writer) -> None:
     """Inputs, steps and results."""
     for n in (1, 2, 3):
         w.length(f"x_p{n}", "poses", n - 1, 0, words="pose_x", number=n)
@@ -158,4 +161,60 @@ def _assembly(w: Writer) -> None:
         ax, ay, bx, by = f"x_A{end}", f"y_A{end}", f"x_B{end}", f"y_B{end}"
         side = f"sign((x_B0 - {ax})*({by} - {ay}) - (y_B0 - {ay})*({bx} - {ax}))"
         w.step(f"side_p{n}", side, plain, "side_pose", number=n)
+        w.one_of_two(f"side_p{n}")
     w.result("mode", "where(0.5 + side_p1 + side_p2 + side_p3, 1, -1)", plain, "mode_poses")
+    w.one_of_two("mode")
+
+
+# --- what the sheet says and draws ---------------------------------------------------------------------------------
+
+ENDS = ("", "_2", "_3")
+"""Of the names of a pin's coordinates at the three poses."""
+
+
+def _asked(_: Synthesis) -> list[Requirement]:
+    found = []
+    for pivot, length in (("A", "a2"), ("B", "a4")):
+        for n in (2, 3):
+            way = f"hypot(x_{pivot}_{n} - x_{pivot}0, y_{pivot}_{n} - y_{pivot}0)"
+            parts = (("start", f"{pivot}0"), ("end", pivot), ("number", n))
+            found.append(Requirement("length_at_pose", length, way, "length", parts))
+    return found
+
+
+def _figure(_: Synthesis) -> list[Line]:
+    """The four-bar at each pose, and the body as a triangle on its coupler."""
+    lines = []
+    for n, end in enumerate(ENDS, 1):
+        a, b = (f"x_A{end}", f"y_A{end}"), (f"x_B{end}", f"y_B{end}")
+        links = (("A0", "x_A0", "y_A0"), (f"A{n}", *a), (f"B{n}", *b), ("B0", "x_B0", "y_B0"))
+        lines.append(Line("figure.pose", links, n - 1, number=n))
+        body = ((f"P{n}", f"x_p{n}", f"y_p{n}"), ("", *a), ("", *b), ("", f"x_p{n}", f"y_p{n}"))
+        lines.append(Line("figure.body", body, n - 1, "dot", False, n))
+    return lines
+
+
+def _curve(_: Synthesis) -> Curve:
+    toward = "atan2(y_B0 - y_A0, x_B0 - x_A0)"
+    theta = part("theta_1", "(theta_1 + beta_A3)")
+    mu = transmission_angle(f"(theta - {toward})")
+    return Curve(RANGE_ROWS, {"theta": (theta, "angle"), "mu": (mu, "angle")}, "theta", "mu")
+
+
+def _least_angle() -> str:
+    """Of A→B and B0→B at the poses: their cross product's share of the two lengths'."""
+    across = [f"abs((x_B{n} - x_A{n})*(y_B{n} - y_B0) - (y_B{n} - y_A{n})*(x_B{n} - x_B0))" for n in ENDS]
+    return f"asin(min(1, min({', '.join(across)})/(a3*a4)))"
+
+
+KIND = Kind(
+    _write,
+    _asked,
+    _figure,
+    THROUGH_POINTS,
+    _curve,
+    angles=("turns", "poses.3"),
+    turns=INPUT_TURNS,
+    steps=lambda _: ["beta_A2", "beta_A3 - beta_A2"],
+    beside=_least_angle(),
+)

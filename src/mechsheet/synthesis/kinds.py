@@ -4,20 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
+from mechsheet.model import Synthesis
 from mechsheet.synthesis import dead_centres, function, guidance, quick_return_lever, quick_return_slider
-from mechsheet.synthesis.writing import Kind, Task, Units, Writer
+from mechsheet.synthesis.kind import Kind
+from mechsheet.synthesis.writing import Task, Units, Writer
 
 KINDS: Mapping[str, Kind] = {
-    "function": function.write,
-    "dead-centres": dead_centres.write,
-    "guidance": guidance.write,
-    "quick-return-slider": quick_return_slider.write,
-    "quick-return-lever": quick_return_lever.write,
+    "function": function.KIND,
+    "dead-centres": dead_centres.KIND,
+    "guidance": guidance.KIND,
+    "quick-return-slider": quick_return_slider.KIND,
+    "quick-return-lever": quick_return_lever.KIND,
 }
+
+
+def kind_of(task: Synthesis) -> Kind:
+    """What its kind declares."""
+    return KINDS[task.kind]
 
 
 def written(kind: str, task: Task, units: Units, own: Collection[str], plain: Collection[str]) -> Writer:
     """The inputs, steps and results of a task; `own`, `plain` as of `Writer`."""
     writer = Writer(task, units, own, plain)
-    KINDS[kind](writer)
+    KINDS[kind].write(writer)
     return writer

@@ -12,18 +12,21 @@ Source: Soeylemez, Mechanisms, section 7.2.
 
 from __future__ import annotations
 
+from mechsheet.model import Synthesis
 from mechsheet.synthesis.cubic import root
+from mechsheet.synthesis.kind import BETWEEN_DEAD_CENTRES, Curve, Kind, Line, Requirement
+from mechsheet.synthesis.over_ratio import curve_over_ratio
 from mechsheet.synthesis.writing import Writer
 
 NOT_EQUAL = "abs(alpha) - 1e-9"
 """With a time ratio of 1 the slider-crank is central."""
 
 
-def write(w: Writer) -> None:
+def _write(w: Writer) -> None:
     """Inputs, steps and results."""
     length, plain = w.units.length, w.units.number
-    w.length("stroke", positive=True)
-    w.number("time_ratio", positive=True)
+    w.length("stroke")
+    w.number("time_ratio")
     w.result("alpha", "pi*(time_ratio - 1)/(time_ratio + 1)", w.units.angle, "alpha")
     w.step("p", "2*(1 - cos(alpha))", plain, "less_cosine")
     w.step("q", "2*(1 + cos(alpha))", plain, "more_cosine")
@@ -46,12 +49,12 @@ def _ratio(w: Writer) -> None:
     """lam: given, from the crank's length, from the eccentricity, or the best."""
     plain = w.units.number
     if w.task.has("lam"):
-        w.number("lam", positive=True, words="lam")
+        w.number("lam", words="lam")
         w.also("lam")
         return
     words = "lam_from_crank"
     if w.task.has("a2"):
-        w.length("a2", positive=True)
+        w.length("a2", words="crank")
         w.step("lam_squared", "((stroke/a2)^2 - q)/p", plain, "lam_squared", NOT_EQUAL)
     elif w.task.has("c"):
         w.length("c", words="eccentricity")
@@ -66,3 +69,47 @@ def _ratio(w: Writer) -> None:
         root(w, "K", "b_cubic", "c_cubic", "d_cubic", middle=True)
         w.step("lam_squared", "(K - q)/p", plain, "lam_squared")
     w.result("lam", "sqrt(lam_squared)", plain, words, "lam_squared - 1")
+
+
+# --- what the sheet says and draws ---------------------------------------------------------------------------------
+
+FAR, NEAR = "sqrt((a3 + a2)^2 - c^2)", "sqrt((a3 - a2)^2 - c^2)"
+"""The slider at its ends, along the guide."""
+
+
+def _asked(_: Synthesis) -> list[Requirement]:
+    return [
+        Requirement("stroke", "stroke", f"{FAR} - {NEAR}", "length"),
+        Requirement("alpha", "alpha", "asin(c/(a3 - a2)) - asin(c/(a3 + a2))", "angle"),
+    ]
+
+
+def _figure(_: Synthesis) -> list[Line]:
+    lines = []
+    for n, way, reach in ((1, FAR, "(a3 + a2)"), (2, NEAR, "(a2 - a3)")):
+        crank = (f"A{n}", f"{way}*a2/{reach}", f"-c*a2/{reach}")
+        lines.append(Line("figure.dead", (("A0", "0", "0"), crank, (f"B{n}", way, "-c")), n - 1, number=n))
+    guide = (("", "0", "-c"), ("", f"{FAR} + a2", "-c"))
+    return [*lines, Line("figure.guide", guide, 4, "dash", False)]
+
+
+def _curve(_: Synthesis) -> Curve:
+    return curve_over_ratio(
+        crank="1/sqrt(p*lam^2 + q)",
+        rocker="(lam^2 - 1)*crank^2*abs(sin(alpha))",
+        least="crank + rocker",
+        cosine="least/(lam*crank)",
+        together="q - p*lam",
+    )
+
+
+KIND = Kind(
+    _write,
+    _asked,
+    _figure,
+    BETWEEN_DEAD_CENTRES,
+    _curve,
+    numbers=("time_ratio", "lam"),
+    positive=("stroke", "time_ratio", "lam", "a2"),
+    turns="a3 - a2 - abs(c)",
+)

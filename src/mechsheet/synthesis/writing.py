@@ -7,7 +7,7 @@ dimension `a2` itself is the result as the mechanism uses it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, with_symbols
@@ -37,11 +37,13 @@ class Task:
     """What a description says below [synthesis], checked.
 
     given     where it stands -> the number in internal units
+    positive  keys whose numbers must be greater than 0
     chosen    see `Synthesis.chosen`
     function  the function to be generated, over `x`
     """
 
     given: Mapping[TaskPlace, float]
+    positive: Collection[str] = ()
     chosen: Mapping[str, str] = field(default_factory=dict)
     function: Node | None = None
 
@@ -68,6 +70,7 @@ class Writer:
         self.dimensions: list[Dimension] = []
         self.inputs: dict[TaskPlace, str] = {}
         self.steps: list[str] = []
+        self.sides: list[str] = []
         self.results: dict[str, str] = {}
         self.positive: list[str] = []
         self.reasons: list[tuple[str, Words]] = []
@@ -76,21 +79,19 @@ class Writer:
 
     # ---- what is given
 
-    def length(self, name: str, *place: str | int, positive: bool = False, words: str = "", **parts: object) -> None:
+    def length(self, name: str, *place: str | int, words: str = "", **parts: object) -> None:
         """An input that is a length; it stands at `place`, or under its own name; `words` is the key of what it is."""
-        self._input(name, place or (name,), self.units.length, positive, words, parts)
+        self._input(name, place or (name,), self.units.length, words, parts)
 
     def angle(self, name: str, *place: str | int, words: str = "", **parts: object) -> None:
         """An input that is an angle."""
-        self._input(name, place or (name,), self.units.angle, False, words, parts)
+        self._input(name, place or (name,), self.units.angle, words, parts)
 
-    def number(self, name: str, *place: str | int, positive: bool = False, words: str = "", **parts: object) -> None:
+    def number(self, name: str, *place: str | int, words: str = "", **parts: object) -> None:
         """An input that is a plain number."""
-        self._input(name, place or (name,), self.units.number, positive, words, parts)
+        self._input(name, place or (name,), self.units.number, words, parts)
 
-    def _input(
-        self, name: str, place: TaskPlace, unit: Unit, positive: bool, words: str, parts: Mapping[str, object]
-    ) -> None:
+    def _input(self, name: str, place: TaskPlace, unit: Unit, words: str, parts: Mapping[str, object]) -> None:
         if place not in self.task.given and name in self.plain:
             self.names[name] = name  # a dimension of the mechanism gives it
             return
@@ -100,7 +101,7 @@ class Writer:
         shown = unit.written(value)
         self.dimensions.append(Dimension(symbol, value, unit, label, shown=shown, place=(*PLACE, *place)))
         self.inputs[place] = symbol
-        if positive:
+        if place[0] in self.task.positive:
             self.positive.append(symbol)
 
     # ---- what follows
@@ -121,6 +122,10 @@ class Writer:
     def also(self, name: str) -> None:
         """An input or a step that is a result as it is, too."""
         self.results[name] = self.names[name]
+
+    def one_of_two(self, name: str) -> None:
+        """A step that is 1 or −1: on which of two sides something lies, which of two assemblies is meant."""
+        self.sides.append(self.names[name])
 
     def node(self, name: str, node: Node, unit: Unit, words: str, **parts: object) -> None:
         """A step whose expression is given as a tree; it need not have a value."""
@@ -168,7 +173,3 @@ def says(value: Node) -> Node:
         case Call("IF", (_, node, Call("NA"))):
             return node
     return value
-
-
-Kind = Callable[[Writer], None]
-"""Writes the inputs, steps and results of a task."""

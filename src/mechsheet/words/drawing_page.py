@@ -32,6 +32,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "close": ("Close", "Kapat"),
     "language": ("Türkçe / English", "English / Türkçe"),
     "theme": ("Light or dark", "Açık ya da koyu"),
+    "waiting": ("Reading the description …", "Tanım okunuyor …"),
     "gone": (
         "mechsheet draw has ended. The drawing stays here until the page is closed: copy the text, or start again.",
         "mechsheet draw sona erdi: çizim sayfa kapanana kadar burada kalır. Metni kopyalayın ya da komutu yeniden başlatın.",
@@ -233,7 +234,28 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "check": ("Check", "Denetle"),
     "check.running": ("Building the workbook and comparing …", "Çalışma kitabı kuruluyor ve karşılaştırılıyor …"),
     # help
-    "help": ("Keys", "Tuşlar"),
+    "help": ("Help", "Yardım"),
+    "help.first": ("A four-bar from nothing", "Sıfırdan bir dört-çubuk"),
+    "help.first.1": ("Ground pin: click two places.", "Sabit mafsal: iki yere tıklayın."),
+    "help.first.2": (
+        "Link: from the first ground pin to a free place, from there to another, from there to the second ground pin. A "
+        "link that begins or ends at a point is pinned there to the links that have it.",
+        "Uzuv: ilk sabit mafsaldan boş bir yere, oradan başka bir yere, oradan ikinci sabit mafsala. Bir noktada başlayan "
+        "ya da biten uzuv, o noktası olan uzuvlara orada mafsallanır.",
+    ),
+    "help.first.3": (
+        "Driver: click the first link. The play button works now.",
+        "Tahrik: ilk uzva tıklayın. Oynatma düğmesi artık çalışır.",
+    ),
+    "help.first.4": (
+        "Workbook: the .xlsx has every length as a yellow cell, and a row for each position.",
+        "Çalışma kitabı: .xlsx dosyasında her uzunluk sarı bir hücre, her konum bir satırdır.",
+    ),
+    "help.assembly": (
+        "The same links can be put together in two ways, mirrored. Taken is the way in which they are drawn.",
+        "Aynı uzuvlar, aynadaki gibi, iki biçimde birleştirilebilir. Çizilmiş olan biçim alınır.",
+    ),
+    "help.keys": ("Keys", "Tuşlar"),
     "help.tools.keys": ("V T G L P S O D X", "V T G L P S O D X"),
     "help.tools": ("the tools, from top to bottom", "araçlar, yukarıdan aşağıya"),
     "help.arrows.keys": ("← ↑ → ↓", "← ↑ → ↓"),

@@ -26,6 +26,7 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "exponent": ("an exponent", "üs"),
     "square root": ("a square root", "karekök"),
     "reference": ("another cell is meant", "başka bir hücre gerekli"),
+    "range": ("another range of cells is meant", "başka bir hücre aralığı gerekli"),
     "anchor": ("the anchor $", "$ ile sabitleme"),
     "radians and degrees": ("radians and degrees", "radyan ve derece"),
     "function": ("another function is meant", "başka bir fonksiyon gerekli"),
@@ -37,6 +38,7 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "value of pi": ("the value of pi", "pi değeri"),
     "typed number": ("a typed number", "elle yazılmış bir sayı"),
     "breaks its column": ("not the formula of its column", "sütununun formülü değil"),
+    "two changes": ("two faults in one formula", "bir formülde iki hata"),
     "no single change mends it": ("no single change mends it", "tek bir değişiklik düzeltmiyor"),
     "other dimension": ("not the student's own dimension", "öğrencinin kendi boyutu değil"),
     # the terminal
@@ -90,6 +92,10 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "the driver is counted clockwise or from another zero",
         "tahrik açısı saat yönünde veya başka bir doğrultudan ölçülmüş",
     ),
+    "remark.law.driver": (
+        "the driver's values are computed from another column, of times for example",
+        "tahrik değerleri başka bir sütundan, örneğin zamandan hesaplanmış",
+    ),
     "remark.rows": ("{symbol} is right in {right} of {rows} rows", "{symbol} {rows} satırın {right} tanesinde doğru"),
     "remark.suspect": (
         "{symbol} in {cell}: {found:.6g} found, {wanted:.6g} wanted",
@@ -105,6 +111,11 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "task.hint": (
         "Yellow cells are your dimensions. Fill in the empty columns with formulas that read them.",
         "Sarı hücreler sizin boyutlarınızdır. Boş sütunları bunları okuyan formüllerle doldurun.",
+    ),
+    "task.assembly": ("assembly", "montaj"),
+    "task.angles": (
+        "Angles of links are counted counter-clockwise from the horizontal.",
+        "Uzuvların açıları yataydan başlayarak saat yönünün tersine ölçülür.",
     ),
     # marks
     "marks.class": ("Class", "Sınıf"),

@@ -8,9 +8,12 @@ NEWTON: dict[str, tuple[str, str]] = {
     "iterations.pass": ("group {group}: pass {number}", "{group}. grup: {number}. yineleme"),
     "iterations.arrived": ("group {group}: arrived, after {number} passes", "{group}. grup: varılan yer, {number} yineleme"),
     "iterations.start": (
-       "group {group}: start, {number} passes downwards", "{group}. grup: başlangıç, aşağıya {number} yineleme",
+       "group {group}: start, from the described dimensions to these in {led} passes, {number} more there",
+       "{group}. grup: başlangıç, tarif edilen boyutlardan bunlara {led} yineleme, orada {number} daha",
     ),
     "iterations.starts": ("start values of assembly", "montajın başlangıç değerleri"),
+    "iterations.share": ("share of the way", "yolun payı"),
+    "iterations.lost": ("assembly lost", "montaj kayboldu"),
     "iterations.needed": ("passes needed", "gereken yineleme"),
     "iterations.about": (
         "x(k+1) = x(k) - J⁻¹ F: each pass begins where the one before has arrived, each row where the row above has.",
@@ -43,7 +46,14 @@ NEWTON: dict[str, tuple[str, str]] = {
     ),
     "verdict.same_assembly": ("assembly", "montaj"),
     "verdict.same_assembly.kept": ("the same assembly in every row", "her satırda aynı montaj"),
-    "verdict.same_assembly.lost": ("rows that leap to another assembly", "başka montaja sıçrayan satır"),
+    "verdict.same_assembly.lost": ("rows that may be of another assembly", "başka montajda olabilecek satır"),
+    "verdict.same_assembly.begun": (
+        "the assembly described ends: perhaps another", "tarif edilen montaj sona eriyor: belki başkası",
+    ),
+    "verdict.line.ended": (
+        "no position found: on the way to these values the assembly described ends",
+        "konum bulunamadı: tarif edilen montaj bu değerlere giden yolda sona eriyor",
+    ),
     "verdict.least_det": ("least |det|", "en küçük |det|"),
     "verdict.least_det.words": ("nearest to where assemblies meet", "montajların birleştiği yere en yakın"),
     "checks.residual": ("residual, group {number}", "kalan, {number}. grup"),

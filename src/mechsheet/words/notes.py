@@ -57,6 +57,12 @@ NOTES: dict[str, tuple[str, str]] = {
         "{extremes} sayfası satırların arasındaki konumları hesaplar: ilk sayfadaki sınırlar, en küçük ve en büyük değerler "
         "oradadır.",
     ),
+    "notes.use.delete": (
+        "This sheet {notes} and the sheets of two-way tables may be deleted: nothing reads them. The others read one "
+        "another; without one of them cells show #REF!, or charts are empty.",
+        "Bu {notes} sayfası ve iki yönlü tablo sayfaları silinebilir: onları okuyan yoktur. Ötekiler birbirini okur; biri "
+        "silinirse hücreler #REF! gösterir ya da grafikler boş kalır.",
+    ),
     "notes.use.missing": (
         "#N/A means that the links cannot be joined at that value of the driver; a column says which of them.",
         "#YOK (#N/A), tahrikin o değerinde uzuvların birleştirilemediğini belirtir; bir sütun hangileri "

@@ -41,7 +41,7 @@ STUDY: dict[str, tuple[str, str]] = {
     ),
     "objectives": ("objectives", "amaçlar"),
     "versions": ("computed with", "hesaplayan"),
-    "cloud": ("kept", "kalanlar"),
+    "cloud": ("other designs kept", "kalan öteki tasarımlar"),
     "parallel": ("Best designs: each line a design, each axis from its least to its largest value",
                  "En iyi tasarımlar: her çizgi bir tasarım, her eksen en küçükten en büyük değere"),
 }  # fmt: skip

@@ -208,6 +208,10 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.does.all": ("does all that the task asks", "görevin istediği her şeyi yapıyor"),
     "synthesis.meets.exactly": ("does exactly what is asked", "isteneni tam olarak yapıyor"),
     "synthesis.meets.about": ("misses what is asked by up to ", "istenenden en çok sapma: "),
+    "synthesis.meets.rounded": (
+        "rounded, it does not reach what is asked; exact it does",
+        "yuvarlanınca istenene ulaşamıyor; tam boylarla ulaşıyor",
+    ),
     "synthesis.meets.not": ("does not reach what is asked", "istenene ulaşamıyor"),
     "synthesis.assemblies.one": ("all points on one assembly", "bütün noktalar aynı montajda"),
     "synthesis.assemblies.both": ("points on both assemblies:", "noktalar iki montajda:"),
@@ -227,6 +231,13 @@ SHEET: dict[str, tuple[str, str]] = {
     ),
     "synthesis.turns.fully": ("the crank turns fully", "krank tam döner"),
     "synthesis.turns.not": ("the crank does not turn fully", "krank tam dönmez"),
+    "synthesis.turns.rounded": (
+        "no full turn once rounded; exact it has to spare ",
+        "yuvarlanınca tam dönmez; tam boylarla payı ",
+    ),
+    "synthesis.grashof.rounded": (
+        "; exact: the input turns fully", "; tam boylarla giriş uzvu tam döner"
+    ),
     "synthesis.sensitivity.about": (
         "0.1° (or 0.1 %) in an input changes a length by up to ",
         "girdide 0,1° (ya da %0,1) bir boyu değiştirir, en çok: ",
@@ -235,6 +246,7 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.wanted": ("wanted", "istenen"),
     "synthesis.got": ("got", "elde edilen"),
     "synthesis.error": ("error", "hata"),
+    "synthesis.error.exact": ("exact: error", "tam boylarla hata"),
     "synthesis.figure": ("Figure", "Şekil"),
     "synthesis.figure.window.x": ("middle, x", "orta, x"),
     "synthesis.figure.window.y": ("middle, y", "orta, y"),

@@ -215,3 +215,18 @@ def test_thinned_paths_end_with_the_last_row():
     for place, there in ((places[0], first), (places[-1], last)):
         expected = [there.get("Drawing", cell.row, cell.col) for cell in (cells.chart_x, cells.chart_y)]
         assert list(place) == pytest.approx(expected, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ["four-bar", "slider-crank"])
+def test_rings_are_the_pins_and_dots_the_other_points_that_move(name):
+    mechanism = loads((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"))
+    workbook, _ = lay_out(mechanism, solve(mechanism))
+    (drawn,) = (chart for chart in workbook.sheets[0].charts if any(series.marker_size == 9 for series in chart.series))
+    rings, dots = (
+        {row for each in drawn.series if each.marker and each.marker_size == size
+         for row in range(each.x.area.first_row, each.x.area.last_row + 1)}
+        for size in (9, 3)
+    )  # fmt: skip
+    shared = [point for link in mechanism.links for point in link.points]
+    assert len(rings) == len({point for point in shared if shared.count(point) > 1})
+    assert not rings & dots

@@ -10,7 +10,7 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
-from mechsheet.sheet.drawing.arrows import LONGEST
+from mechsheet.sheet.drawing.arrows import EDGE, LONGEST, NAMED
 from mechsheet.sheet.first.mechanism import controls
 
 OUTPUTS = "".join(
@@ -61,25 +61,41 @@ def test_the_hodograph_is_the_end_of_the_velocity(laid):
     assert vector[1] == pytest.approx(curve[0])
 
 
-@pytest.mark.parametrize("row", [0, 2])
-def test_arrows_are_true_to_scale(laid, row):
-    laid.change(_position=row)
-    motion, chart = loads(MOVED).solve(), charts(laid)[0]
-    for wanted, size in (
-        ({"v_C": ("C.vx", "C.vy")}, np.max(motion["C.v"])),
-        ({"a_C": ("C_ax", "C_ay")}, np.max(motion["C.a"])),
-        (
-            {"F₂₃": ("F23.x", "F23.y"), "F₃₄": ("F34.x", "F34.y")},
-            max(np.max(np.abs(motion[name])) for name in ("F12", "F23", "F34", "F14.n")),
-        ),
-    ):
-        for name, parts in wanted.items():
-            arrow = named(laid, chart, name)
-            vector = np.array([motion[part][row] for part in parts])
-            assert arrow[1] - arrow[0] == pytest.approx(vector * LONGEST / size, abs=1e-12)
-            assert arrow[4] == pytest.approx(arrow[1])
-    normal = named(laid, chart, "N₁₄")
-    assert normal[1] - normal[0] == pytest.approx([0, motion["F14.n"][row] * LONGEST / size], abs=1e-12)
+KINDS = (
+    {"v_C": ("C.vx", "C.vy")},
+    {"a_C": ("C_ax", "C_ay")},
+    {"F₂₃": ("F23.x", "F23.y"), "F₃₄": ("F34.x", "F34.y"), "F₁₂": ("F12.x", "F12.y"), "N₁₄": (None, "F14.n")},
+)
+
+
+@pytest.mark.parametrize("speed", [31.0, 2000.0])
+def test_arrows_are_true_to_scale_and_stay_in_the_window(laid, speed):
+    """The scale of a kind is the largest at which its longest arrow is `LONGEST` and no arrow of a row leaves the window."""
+    laid.change(speed=speed)
+    motion, chart = loads(MOVED.replace("value = 300", f"value = {speed}")).solve(), charts(laid)[0]
+    for kind in KINDS:
+        largest, tips, scales = 0.0, [], []
+        for row in range(laid.plan.rows):
+            laid.change(_position=row)
+            for name, parts in kind.items():
+                arrow = named(laid, chart, name)
+                vector = np.array([motion[part][row] if part else 0.0 for part in parts])
+                drawn = arrow[1] - arrow[0]
+                assert arrow[4] == pytest.approx(arrow[1])
+                length = np.hypot(*vector)
+                largest = max(largest, length)
+                if np.hypot(*drawn) > 1e-6:
+                    scales.append(np.hypot(*drawn) / length)
+                assert drawn * length == pytest.approx(vector * np.hypot(*drawn), abs=1e-9 * length)
+                tips.append(np.max(np.abs(arrow[1])))
+                label = next(each for each in chart.series if each.name == name and not each.line)
+                shown = laid.values.get(label.x.sheet, label.x.area.first_row, label.x.area.first_col)
+                assert isinstance(shown, float) == (np.hypot(*drawn) >= NAMED)
+        assert scales == pytest.approx([scales[0]] * len(scales))
+        assert max(tips) <= EDGE + 1e-9
+        longest = scales[0] * largest
+        assert longest <= LONGEST + 1e-9
+        assert max(longest / LONGEST, max(tips) / EDGE) == pytest.approx(1)
 
 
 def test_a_cell_hides_a_kind(laid):
@@ -97,8 +113,17 @@ def test_only_where_there_is_something_to_draw():
     plain = Laid(IN_LINE)
     assert plain.plan.arrows == ()
     assert list(plain.plan.blocks["position"].rows) == ["position", "theta12", "status"]
-    with pytest.raises(MechsheetError, match="no velocities and no forces"):
+    with pytest.raises(MechsheetError, match="no velocities of points and no forces"):
         sample(loads(IN_LINE), None, None, least=2, vectors=True)
+
+
+def test_without_points_the_message_says_whose_velocities_may_be_asked_for():
+    moving = IN_LINE.replace("step = 15", "step = 15\nspeed = 10")
+    with pytest.raises(MechsheetError) as found:
+        sample(loads(moving), None, None, least=2, vectors=True)
+    assert 'points = ["A"] in [rates]' in str(found.value)
+    mended = sample(loads(moving + '[rates]\npoints = ["A"]\n'), None, None, least=2, vectors=True)
+    assert mended.plan.arrows == ("velocity", "acceleration")
 
 
 @pytest.mark.parametrize("vectors", [False, True])

@@ -150,19 +150,29 @@ class Truth(Search):
                 for key in ("start", "step")
             )
             listed = start + step * np.arange(self.plan.rows)
-        groups = tuple(
-            replace(group, assembly=group.assembly_of(given.pop(group.mode))) if group.mode in given else group
-            for group in equations.groups
-        )
+        groups = tuple(self._as_typed(group, given, dimensions) for group in equations.groups)
         if given:
             raise ValueError(f"unknown inputs: {given}")
         stepped = not (driver.values or self.plan.newton)
         super().__init__(mechanism, replace(equations, groups=groups), {driver.symbol: listed}, stepped=stepped)
 
+    @staticmethod
+    def _as_typed(group, given, dimensions):
+        """A group with the assembly that is typed, or that follows from the task of a synthesis."""
+        if group.mode in given:
+            return replace(group, assembly=group.assembly_of(given.pop(group.mode)))
+        if group.follows is not None:
+            return replace(group, assembly=group.assembly_of(number(group.follows, dimensions)))
+        return group
+
+    def place(self, driver_shown):
+        """Where the driver has a value as shown, counted in rows."""
+        return 1 + (driver_shown / self.scale - float(self.driver(1.0))) / self.step
+
     def value_at(self, symbol, driver_shown, of=None):
         """The quantity at a value of the driver as shown, as the sweep reaches it."""
         if self.stepped:
-            u = 1 + (driver_shown / self.scale - self.start) / self.step
+            u = self.place(driver_shown)
         else:
             u = 1 + float(np.argmin(np.abs(self.listed - driver_shown / self.scale)))
         if not 1 - 1e-6 <= u <= self.rows + 1e-6:
@@ -221,7 +231,7 @@ class _Judge:
             return
         try:
             self.truth = Truth(self.sheets, {key: value for key, value in self.inputs.items() if key != "#position"})
-        except ValueError:  # a derived dimension that does not exist
+        except (ValueError, ArithmeticError):  # a derived dimension, or a place over dimensions, that does not exist
             self.say("impossible: red", self.sheets.colour(VERDICT_ROW, 0) == "red", self.sheets.colour(VERDICT_ROW, 0))
             return
         if self.truth.step == 0 and self.truth.stepped:
@@ -339,7 +349,7 @@ class _Judge:
             if key not in self.plan.at.spots:
                 continue
             shown = sheets.spot(key)
-            u = 1 + (shown / truth.scale - truth.start) / truth.step if isinstance(shown, float) else math.nan
+            u = truth.place(shown) if isinstance(shown, float) else math.nan
             tolerance = LIMIT if not truth.doubtful and self.verdict("about") not in words else 5e-2
             self.say("limit", any(abs(u - place) <= tolerance for place in places), number_, u, places)
             if isinstance(shown, float) and number_ <= 2:
@@ -428,7 +438,10 @@ class _Judge:
             self.say("verdict", line.startswith(self.verdict("line.nowhere")[:12]), line)
             self.say("verdict colour", colour == "red", colour)
             return
-        if truth.count == truth.rows:
+        if self.plan.newton and (lost := self.rows_off_their_trend()):
+            self.say("verdict", line == self.verdict("same_assembly.lost"), line, lost)
+            self.say("verdict colour", colour == "red", colour)
+        elif truth.count == truth.rows:
             self.say("verdict", line.startswith(self.verdict("line.all", rows=truth.rows)), line)
             if not truth.doubtful:
                 self.say("verdict colour", colour == ("amber" if truth.holes else "green"), colour, truth.holes)
@@ -436,6 +449,24 @@ class _Judge:
             said = numbers_in(line.split(";")[0])
             self.say("verdict", sorted(said[:2]) == sorted([truth.count, truth.rows]), line, truth.count)
             self.say("verdict colour", colour == "amber", colour)
+
+    def rows_off_their_trend(self):
+        """Rows in which an unknown of Newton's method leaves its trend by more than 45 degrees, or behind a gap."""
+        truth, off = self.truth, 0
+        for group in self.plan.equations.groups:
+            if group.system is None:
+                continue
+            largest = np.zeros(truth.rows)
+            for name in group.system.variables:
+                column = np.asarray(truth.at[name], float)
+                most = math.radians(45.0) * (1.0 if truth.is_angle(name) else self.plan.size)
+                step = np.diff(column, prepend=np.nan)
+                bent = np.diff(step, prepend=np.nan)
+                largest = np.maximum(largest, np.nan_to_num(np.abs(np.where(np.isnan(bent), step, bent))) / most)
+            begins = truth.row_there & ~np.concatenate(([False], truth.row_there[:-1]))
+            begun = np.cumsum(begins)
+            off += int(np.sum(truth.row_there & np.where(begins, begun > 1, largest > 1)))
+        return off
 
     def grashof(self, loop):
         truth, sheets = self.truth, self.sheets
@@ -540,12 +571,25 @@ class _Judge:
                 way = (abs(b - a) * abs(truth.step)) % TURN
                 if 0 < way < TURN:
                     candidates.append(max(way, TURN - way) / min(way, TURN - way))
+        candidates += self._ratio_of_places(symbol, low, high)
         about = sheets.words(f"time_ratio_{symbol}").endswith(self.verdict("about"))
         right = isinstance(shown, float) and any(
             abs(shown - ratio) <= (2e-2 if about else 2e-3) * ratio for ratio in candidates
         )
         kind = "time_ratio" + ("" if self.continuous(symbol) else " (rows too far apart)")
         self.say(kind, right, shown, candidates[:3])
+
+    def _ratio_of_places(self, symbol, low, high):
+        """The ratio by the places that the sheet says, where each is as extreme as any: of flat or equal extremes."""
+        truth, places = self.truth, []
+        for way, best in (("min", low), ("max", high)):
+            place = self.sheets.spot(f"#{way}_at_{symbol}")
+            there = truth.value_at(symbol, place) if isinstance(place, float) else None
+            if there is None or abs(there - best) > 1e-5 * (high - low):
+                return []
+            places.append(place / truth.scale)
+        way = abs(places[1] - places[0]) % TURN
+        return [max(way, TURN - way) / min(way, TURN - way)] if 0 < way < TURN else []
 
     def _ties(self, symbol, best):
         truth = self.truth

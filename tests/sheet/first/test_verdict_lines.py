@@ -2,10 +2,12 @@
 closed forms. What holds of any mechanism: test_claims.py."""
 
 import math
+import re
 import tomllib
 
 import pytest
 from laid import ROOT, Laid, template_text
+from scipy.optimize import brentq
 
 from mechsheet.formula.nodes import ErrorValue
 
@@ -55,6 +57,25 @@ def test_slider_crank(offset):
     worst = 90 - math.degrees(math.asin((r + offset) / rod))
     assert laid.spot("#transmission_1") == pytest.approx(worst, abs=1e-6)
     assert laid.words("transmission_1").endswith(": good transmission")
+
+
+def test_time_ratio_by_a_motion_law_is_one_of_times():
+    """The crank starts and stops gently: between the dead centres it needs other times than at an even speed."""
+    r, rod, offset = 50, 250, 60
+    text = re.sub(r"(?m)^(start|stop|step) *=.*\n", "", template_text("slider-crank"))
+    law = 'start = 0\nstop = 360\nmotion = { law = "cycloidal", duration = 3, rows = 73 }'
+    text = text.replace("[driver]", f"[driver]\n{law}")
+    laid = Laid(text, overrides={"a1": str(offset)})
+    places = [
+        brentq(lambda t, way=way: t - math.sin(math.tau * t) / math.tau - way / math.tau, 0, 1)
+        for way in (math.asin(offset / (rod + r)), math.pi + math.asin(offset / (rod - r)))
+    ]
+    assert laid.spot("#time_ratio_s14") == pytest.approx(_ratio(math.tau * (places[1] - places[0])), rel=1e-3)
+    assert laid.spot("#time_ratio_s14") != pytest.approx(_ratio(math.pi + 0.1), rel=0.05)
+    laid.change(stop=720.0)  # by this law its two turns are not alike
+    assert laid.spot("#time_ratio_s14") == NA
+    part = text.replace("stop = 360", "stop = 90")
+    assert not any(entry.startswith("time_ratio") for entry in Laid(part).plan.found.entries)
 
 
 def test_quick_return():

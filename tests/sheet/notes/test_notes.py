@@ -7,7 +7,7 @@ import pytest
 from laid import ROOT, TEMPLATES, Laid, template_text
 
 from chosen import some
-from mechsheet.formula.nodes import Binary, Call, Number, Previous, Symbol, Text, walk
+from mechsheet.formula.nodes import Binary, Call, CellRef, Number, Previous, RangeRef, Symbol, Text, walk
 from mechsheet.formula.parser import parse_description
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.notes.notes import EQUATION, MEANING, PLACE, SYMBOL, WIDTHS
@@ -156,3 +156,16 @@ def texts(laid):
             yield sheet.title, " ".join((rule.input_title, rule.input_message, rule.error_title, rule.error_message))
         for chart in sheet.charts:
             yield sheet.title, " ".join((chart.title, chart.x_axis.title, chart.y_axis.title))
+
+
+def test_what_may_be_deleted_is_read_by_nobody():
+    """The notes say that they and two-way tables may go: no formula of another sheet reads them."""
+    compiled = Laid(template_text("adjustable-pump"))
+    titles = [sheet.title for sheet in compiled.workbook.sheets]
+    free = [title for title in titles if title == compiled.plan.at.titles["notes"] or title.startswith("Tablo")]
+    assert len(free) == 2
+    for sheet in compiled.workbook.sheets:
+        for fill in sheet.fills:
+            for part in walk(fill.formula):
+                spot = part.start if isinstance(part, RangeRef) else part
+                assert not (isinstance(spot, CellRef) and spot.sheet in free and spot.sheet != sheet.title)

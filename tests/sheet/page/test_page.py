@@ -391,3 +391,27 @@ def test_forces_follow_the_velocities():
             fill = next(fill for fill in page.sheet.fills if (fill.row, fill.col) == (page.plan.at.first, column.col))
             assert len(print_formula(fill.formula, "excel")) <= 130
     assert {"m_3", "J_3", "P"} <= page.plan.at.spots.keys()
+
+
+def test_the_hodograph_is_drawn_true_to_scale():
+    """A description that asks for one has it on a page, too: both axes alike, the vector of the row that is drawn."""
+    text = text_of("slider-crank").replace("[driver]", "[driver]\nspeed = 5") + '\n[[charts]]\nhodographs = ["C"]\n'
+    page = Page(text)
+    chart = next(chart for chart in page.sheet.charts if chart.title == "Hodograph of C")
+    assert chart.anchor.width == chart.anchor.height
+    assert chart.inner[2] == chart.inner[3]
+
+    def numbers(series):
+        cells = []
+        for ref in (series.x, series.y):
+            rows = range(ref.area.first_row, ref.area.last_row + 1)
+            cells.append([page.values.get(ref.sheet, row, ref.area.first_col) for row in rows])
+        return np.array(cells, float).T
+
+    curve, vector = (numbers(next(each for each in chart.series if len(numbers(each)) == n)) for n in (25, 2))
+    motion = mechsheet.loads(text).solve()
+    velocity = np.column_stack([motion["C.vx"], motion["C.vy"]])
+    scale = np.ptp(curve[:, 0]) / np.ptp(velocity[:, 0])
+    assert curve - vector[0] == pytest.approx(velocity * scale, abs=1e-9)
+    assert vector[1] == pytest.approx(curve[0])
+    assert np.max(np.abs(np.vstack([curve, vector]))) <= 1

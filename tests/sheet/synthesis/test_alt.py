@@ -110,3 +110,15 @@ def test_a_chosen_ratio_is_no_better_than_the_best():
     assert chosen < angle - 1
     assert line.endswith(f"bu mekanizma: {round(chosen, 2):g}°")
     assert angle == pytest.approx(best(80, math.degrees(crank_rocker.crank_turn(1.1111)))[0], abs=1e-9)
+
+
+def test_the_curves_are_those_of_the_table_the_task_s_and_the_mechanism_s():
+    compiled = Compiled(loads(TEXT))
+    sheet = next(sheet for sheet in compiled.layout.sheets if sheet.title == compiled.plan.at.titles["alt"])
+    (drawn,) = sheet.charts
+    turns = [phi for phi in TURNS if phi != 180]
+    assert [series.name for series in drawn.series[: len(turns)]] == [f"φ = {phi}°" for phi in turns]
+    assert len(drawn.series) == len(turns) + 2
+    rows = [series.y.area.first_row for series in drawn.series[:-1]]
+    assert rows == [ANGLES + 2 + TURNS.index(phi) for phi in turns] + [ANGLES + 1 + DOWN]
+    assert all(series.x.area.first_row == ANGLES + 1 for series in drawn.series[:-1])

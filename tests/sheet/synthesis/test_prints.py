@@ -7,7 +7,7 @@ import pytest
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.synthesis.figures import lines_of
+from mechsheet.synthesis.kinds import kind_of
 
 TEMPLATES = Path(__file__).parents[3] / "templates"
 NAMES = (
@@ -58,6 +58,19 @@ def test_each_point_with_a_name_is_named_once(laid_out):
     plan, sheet = laid_out
     figure = sheet.charts[0]
     shown = [series.name.strip() for series in figure.series if series.show_name]
-    names = {name for line in lines_of(plan.mechanism.synthesis) for name, _, _ in line.vertices if name}
+    names = {
+        name
+        for line in kind_of(plan.mechanism.synthesis).figure(plan.mechanism.synthesis)
+        for name, _, _ in line.vertices
+        if name
+    }
     assert sorted(shown) == sorted(map(plain, names))
     assert {"A₀", "A₁", "B₁", "A₂", "B₂"} <= set(shown)
+
+
+@pytest.mark.parametrize(("lam", "high"), [(3, 10), (10, 10), (16, 20)])
+def test_the_solution_is_on_the_chart_over_the_ratio(lam, high):
+    text = (TEMPLATES / "crank-rocker-swing.toml").read_text(encoding="utf-8").replace("best = true", f"lam = {lam}")
+    compiled = Compiled(loads(text))
+    sheet = next(each for each in compiled.layout.sheets if each.title == compiled.plan.at.titles["synthesis"])
+    assert sheet.charts[1].x_axis.high == high

@@ -7,9 +7,11 @@ import pytest
 from laid import Laid
 
 from in_line import IN_LINE
-from mechsheet import loads
+from mechsheet import loads, reference
 from mechsheet.diagnostics import DescriptionError
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.show import overview_text
+from mechsheet.reference.wholes import further
 
 WHEEL = '[[loads]]\nlink = "crank"\ntorque = "-(3 + 2*sin(theta12))"\n[flywheel]\nfluctuation = 0.05\n'
 TEXT = IN_LINE.replace("step = 15", "step = 15\nspeed = 10") + WHEEL
@@ -31,6 +33,14 @@ def test_mean_energy_and_moment_of_inertia():
     assert [chart.title for chart in laid.workbook.sheets[0].charts].count("E_f against θ₁₂") == 1
     laid.change(fluctuation=0.1)
     assert laid.spot("#flywheel") == pytest.approx(change / (0.1 * 10**2))
+
+
+@pytest.mark.parametrize("changed", [{"alpha12": 3.0}, {"omega12": 0.0}])
+def test_the_reference_knows_no_energy_either(changed):
+    mechanism = loads(TEXT)
+    even, uneven = (reference.solve(mechanism, dimension_values(mechanism) | typed) for typed in ({}, changed))
+    assert np.isfinite(further(even)["E_f"]).all()
+    assert np.isnan(further(uneven)["E_f"]).all()
 
 
 @pytest.mark.parametrize("change", [{"omega12": 0.0}, {"alpha12": 3.0}, {"_step": 10.0}])

@@ -61,7 +61,7 @@ def test_where_the_links_do_not_meet_the_table_says_so(sheet):
     sheet.change(_start=9.4)
     assert not any(sheet.exists)
     assert sheet.column("#status")[0].startswith("these links do not meet, or the step is too large")
-    assert "closes in no position" in sheet.verdict
+    assert "no position found" in sheet.verdict
 
 
 def test_behind_a_start_that_leads_nowhere_no_row_shows_a_position_by_chance(sheet):

@@ -47,6 +47,8 @@ def _asked(data: Any, summaries: Mapping[str, Any], scope: Scope) -> dict[str, f
     for symbol, marks in ({} if data is BAD else data).items():
         if symbol not in known and scope.complete:
             message = f"no variable, coordinate, output or summary is called {quoted(symbol)}"
+            if symbol in scope.motion_outputs:
+                message = f"{quoted(symbol)} follows from summaries: ask for these"
             scope.report.at(("exercise", "asked", symbol), message, suggestion(symbol, known, "allowed"))
         elif marks is not BAD:
             found[symbol] = float(marks)
@@ -85,7 +87,7 @@ def _needs(text: Any, summaries: Mapping[str, Any], scope: Scope) -> tuple[Need,
             hint = f'"{ALL_ROWS}", or a comparison such as "mu_min > 30"'
             scope.report.at(path, f"{quoted(part.strip())} is no condition", hint)
             continue
-        sides = [scope.parse(side.strip(), path) for side in (compared[1], compared[3])]
+        sides = [scope.condition_side(side.strip(), path) for side in (compared[1], compared[3])]
         known = [*summaries, *scope.units]
         for side in sides:
             for name in symbols(side) if side is not None else ():

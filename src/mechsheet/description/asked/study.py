@@ -173,7 +173,7 @@ def _objectives(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Sc
 
 def _value(text: str, path: Path, summaries: Mapping[str, Any], scope: Scope) -> Node | None:
     """The tree of an expression over dimensions, summaries and extremes; None where it is wrong, which is reported."""
-    tree = scope.parse(text, path)
+    tree = scope.condition_side(text, path)
     if tree is None:
         return None
     rowwise = [*scope.variables, *(f"{point}.{axis}" for point in scope.points for axis in "xy"), *scope.outputs]

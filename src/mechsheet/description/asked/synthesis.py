@@ -16,21 +16,10 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
 from mechsheet.model import Dimension, Synthesis, TaskPlace
-from mechsheet.synthesis.kinds import written
+from mechsheet.synthesis.kind import Kind
+from mechsheet.synthesis.kinds import KINDS, written
 from mechsheet.synthesis.writing import Task, Units, Writer
 from mechsheet.units import NUMBER, Unit, unit_of
-
-ANGLES = ("theta", "psi", "phi", "turns")
-"""Keys whose numbers are angles; of a pose the third number is one."""
-
-NUMBERS = ("time_ratio", "lam", "x")
-"""Keys of plain numbers; all others are lengths."""
-
-POSITIVE = ("a1", "a2", "stroke", "crank", "time_ratio", "lam", "round")
-"""Keys that must be greater than 0."""
-
-OWN = ("a1", "crank")
-"""Keys that a dimension of the same name can give."""
 
 ROUNDING = "round_to"
 
@@ -62,8 +51,9 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
         for symbol, entry in given.items()
         if isinstance(entry, dict) and entry.get("synthesis", BAD) is not BAD
     }
+    scope.solved = data is None
     if not isinstance(data, dict) or not data:
-        for symbol in taken if data is not BAD else ():
+        for symbol in taken if data is None else ():
             message = "there is no part [synthesis] whose result it could be"
             scope.report.at(("dimensions", symbol, "synthesis"), message)
         return Found()
@@ -72,6 +62,7 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
         return Found()  # also what was told before: it is not among the data
     units = Units(unit_of(scope.length_unit, scope.length_unit), scope.angle_unit, NUMBER)
     plain = [symbol for symbol, entry in given.items() if _is_plain(entry)]
+    scope.solved = True
     writer = written(data["kind"], task, units, frozenset((*given, *others)), plain)
     return _found(data["kind"], task, writer, taken, scope)
 
@@ -103,29 +94,31 @@ def _value(tree: Node, numbers: Mapping[str, float]) -> float | None:
 
 def _task(data: dict[str, Any], given: Mapping[str, Any], scope: Scope) -> Task | None:
     """The task's numbers in internal units; reports what is wrong with them."""
-    kind, numbers = data["kind"], _numbers(data, scope)
+    kind = KINDS[data["kind"]]
+    numbers = _numbers(data, kind, scope)
     for place, value in numbers.items():
-        if place[0] in POSITIVE and value <= 0:
+        if place[0] in (*kind.positive, "round") and value <= 0:
             scope.report.at(("synthesis", *place), f"must be greater than 0, not {value:g}")
-    for key in OWN:
-        if key in _lengths_of(kind) and key not in data and not _is_plain(given.get(key)):
+    if data.get("best") is False:
+        scope.report.at(("synthesis", "best"), "is true, or left out with another key in its place")
+    for key in kind.own:
+        if key not in data and not _is_plain(given.get(key)):
             scope.report.at(("synthesis", key), "is missing: give it here, or as a number in [dimensions]")
     chosen: dict[str, str] = {}
     function: Node | None = None
-    if kind == "function":
+    if kind.pairs:
         function = _function(data, numbers, chosen, scope)
-    return Task(numbers, chosen, function)
+    return Task(numbers, kind.positive, chosen, function)
 
 
-def _lengths_of(kind: str) -> tuple[str, ...]:
-    return ("crank",) if kind == "quick-return-lever" else ("a1",) if kind in ("function", "dead-centres") else ()
-
-
-def unit_in(place: TaskPlace, scope: Scope) -> Unit:
-    """The unit of the number that stands there."""
-    if any(key in ANGLES for key in place) or (place[0] == "poses" and place[-1] == 2):
-        return scope.angle_unit
-    return NUMBER if place[0] in NUMBERS else unit_of(scope.length_unit, scope.length_unit)
+def unit_in(place: TaskPlace, kind: Kind, scope: Scope) -> Unit:
+    """The unit of the number that stands there, in a task of that kind."""
+    match kind.measure(place):
+        case "angle":
+            return scope.angle_unit
+        case "number":
+            return NUMBER
+    return unit_of(scope.length_unit, scope.length_unit)
 
 
 def _is_plain(entry: Any) -> bool:
@@ -133,7 +126,7 @@ def _is_plain(entry: Any) -> bool:
     return isinstance(entry, float) or (isinstance(entry, dict) and isinstance(entry.get("value"), float))
 
 
-def _numbers(data: dict[str, Any], scope: Scope) -> dict[TaskPlace, float]:
+def _numbers(data: dict[str, Any], kind: Kind, scope: Scope) -> dict[TaskPlace, float]:
     found: dict[TaskPlace, float] = {}
 
     def enter(value: Any, place: TaskPlace) -> None:
@@ -144,7 +137,7 @@ def _numbers(data: dict[str, Any], scope: Scope) -> dict[TaskPlace, float]:
             for key, item in value.items():
                 enter(item, (*place, key))
         elif isinstance(value, float):
-            found[place] = unit_in(place, scope).to_internal(value)
+            found[place] = unit_in(place, kind, scope).to_internal(value)
 
     for key, value in data.items():
         if not isinstance(value, bool):
@@ -246,7 +239,8 @@ def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], scop
     positive = tuple(writer.positive) + ((rounding,) if rounding else ())
     synthesis = Synthesis(
         kind, inputs, tuple(writer.steps), dict(writer.results), good, positive, dict(task.chosen), rounding,
-        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names), roots=dict(writer.roots),
+        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names), sides=tuple(writer.sides),
+        roots=dict(writer.roots),
     )  # fmt: skip
     return Found(synthesis, tuple(dimensions), units, trees)
 
@@ -273,6 +267,8 @@ def with_modes(task: Synthesis | None, sketch: Mapping[str, Any], scope: Scope) 
             scope.report.at(
                 path, "only an assembly mode is a result of a synthesis", "mode_1 is that of the first group"
             )
+        elif task is None and not scope.solved:
+            continue
         elif task is None:
             scope.report.at(path, "there is no part [synthesis] whose result it could be")
         elif result is not BAD and (result != "mode" or result not in task.results):

@@ -1,4 +1,8 @@
-"""Changing the task of a synthesis as the command line asks: `theta.2=95`, `psi=[60,80,105]`, `A.moving.1=3`."""
+"""Changing the task of a synthesis as the command line asks: `theta.2=95`, `psi=[60,80,105]`, `A.moving.1=3`.
+
+What the task does not say yet can be set, too: `round=0.5`; and another of its ways, in place of the one that is written:
+`lam=4` instead of `best = true`.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +13,13 @@ from typing import Any
 from mechsheet.description.asked.synthesis import unit_in
 from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
-from mechsheet.description.rewrite import with_value
+from mechsheet.description.rewrite import with_value, without_key
+from mechsheet.description.schema import SYNTHESIS, Items, Shape, Table, Text, YesNo
 from mechsheet.description.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
+from mechsheet.synthesis.kinds import KINDS
+from mechsheet.units import NUMBER
 
 
 def _numbers(value: Any, place: Path) -> Iterator[Path]:
@@ -35,26 +42,75 @@ def _places(source: Source) -> dict[str, Path]:
     return {".".join(str(part + 1) if isinstance(part, int) else part for part in place): place for place in found}
 
 
+def _tables(source: Source) -> dict[Path, Table]:
+    """The tables of keys that a task of its kind can have, the outer one and those in it, by where they stand."""
+    task = source.data.get("synthesis")
+    outer = SYNTHESIS.tables.get(str(task.get("kind"))) if isinstance(task, dict) else None
+    if outer is None:
+        return {}
+    return {(): outer} | {(key,): each.shape for key, each in outer.keys.items() if isinstance(each.shape, Table)}
+
+
+def _shapes(source: Source) -> dict[str, tuple[Path, Shape]]:
+    """`lam`, `round`, `A.moving` -> where such a number, list of numbers or choice stands, or would stand; and its shape."""
+    return {
+        ".".join((*map(str, around), key)): ((*around, key), entry.shape)
+        for around, table in _tables(source).items()
+        for key, entry in table.keys.items()
+        if not isinstance(entry.shape, Table | Text)
+    }
+
+
 def task_names(source: Source) -> list[str]:
-    """What of the task can be changed."""
-    return list(_places(source))
+    """What of the task can be changed: what it says, then what it could say."""
+    return list(dict.fromkeys((*_places(source), *_shapes(source))))
 
 
 def task_place(source: Source, name: str) -> Path | None:
-    """Where the task has what is called so; None where it has nothing of the kind."""
-    return _places(source).get(name)
+    """Where the task has what is called so, or could have it; None where its kind has nothing of that name."""
+    found = _places(source).get(name)
+    return found if found is not None or name not in _shapes(source) else _shapes(source)[name][0]
 
 
 def with_task_value(source: Source, place: Path, value: str, option: str) -> tuple[Source, list[Fault]]:
-    """The source with another number, or another list of numbers, of its task; and what is wrong with it."""
+    """The source with another number, list of numbers or choice in its task, instead of a way that excludes it; and what
+    is wrong with it."""
     path: Path = ("synthesis", *place)
-    if path not in source.spots:
-        return source, []
-    is_list, wants_list = value.strip().startswith("["), (*path, 0) in source.spots
+    _, shape = _shapes(source).get(".".join(map(str, place)), (place, None))
+    if isinstance(shape, YesNo):
+        changed, faults = _with_choice(source, path, value, option)
+    else:
+        changed, faults = _with_numbers(source, place, value, option, isinstance(shape, Items))
+    return (source, faults) if faults else (_without_others(changed, place), [])
+
+
+def _without_others(source: Source, place: Path) -> Source:
+    """The source without the keys that exclude what stands there."""
+    *around, key = place
+    table = _tables(source).get(tuple(around))
+    for ways in table.ways if table else ():
+        own = next((way for way in ways if key in way), None)
+        for way in ways if own else ():
+            for other in way if way != own else ():
+                source = without_key(source, ("synthesis", *around, other))
+    return source
+
+
+def _with_choice(source: Source, path: Path, value: str, option: str) -> tuple[Source, list[Fault]]:
+    if value.strip() != "true":
+        return source, [Fault(f"expected true, found {quoted(value.strip())}", source.file, key=option)]
+    return with_value(source, path, "true"), []
+
+
+def _with_numbers(source: Source, place: Path, value: str, option: str, whole_list: bool) -> tuple[Source, list[Fault]]:
+    path: Path = ("synthesis", *place)
+    is_list, wants_list = value.strip().startswith("["), whole_list or (*path, 0) in source.spots
     if is_list or wants_list:
         return _with_list(source, path, value, option, is_list and wants_list)
     scope = scope_for(source, option)
-    text = typed_value(value, unit_in(place, scope), "its", scope)
+    kind = KINDS.get(str(source.data["synthesis"].get("kind")))
+    unit = unit_in(place, kind, scope) if kind else NUMBER  # without a kind the reader will complain
+    text = typed_value(value, unit, "its", scope)
     return (source if text is None else with_value(source, path, text)), scope.report.faults
 
 

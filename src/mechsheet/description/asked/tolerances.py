@@ -56,9 +56,10 @@ def _check_dimensions(dimensions: tuple[Dimension, ...], layout: str, scope: Sco
             message = f"{quoted(dim.symbol)} follows from other dimensions: its tolerance follows from theirs"
             scope.report.at(("dimensions", dim.symbol, "tolerance"), message, "give those tolerances")
     if not any(not dim.derived for dim in own):
-        example = next((dim.symbol for dim in dimensions if not dim.derived and not dim.place), "a2")
+        inputs = [dim for dim in dimensions if not dim.derived and not dim.place and dim.shown is not None]
+        example = f"{inputs[0].symbol} = {{ value = {inputs[0].shown:.12g}" if inputs else "a2 = { value = 40"
         message = "no dimension has a tolerance: there is nothing that could spread"
-        scope.report.at(_PATH, message, f"write for example {example} = {{ value = 40, tolerance = 0.1 }}")
+        scope.report.at(_PATH, message, f"write for example {example}, tolerance = 0.1 }}")
 
 
 def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Scope) -> None:
@@ -97,6 +98,8 @@ def _report_unknown(name: str, path: Path, scope: Scope) -> None:
     if scope.complete:
         known = [*scope.outputs, *scope.summaries, *scope.variables]
         message = f"no output, variable or summary is called {quoted(name)}"
+        if name in scope.motion_outputs:
+            message = f"{quoted(name)} follows from summaries: bands are found of these"
         scope.report.at(path, message, suggestion(name, known, "allowed"))
 
 

@@ -26,3 +26,11 @@ export function label() {
 
 for (const element of document.querySelectorAll("[data-icon]")) element.append(icon(element.dataset.icon));
 on("language", label);
+
+/** A remark in grey, as a paragraph. */
+export function note(text) {
+  const made = document.createElement("p");
+  made.className = "note";
+  made.textContent = text;
+  return made;
+}

@@ -1,12 +1,13 @@
 // The page begins: what was kept in this tab, or the file that the command named.
 
 import { ask } from "./asking.js";
-import { label, word } from "./language.js";
+import { label, note, word } from "./language.js";
 import "./scene.js";
 import "./motion.js";
 import "./textpane.js";
 import "./panels.js";
-import "./tools.js";
+import "./pointers.js";
+import "./keyboard.js";
 import { changed, keep, kept, on, redoable, remember, state, undoable } from "./state.js";
 import { fit, zoom } from "./view.js";
 import { confirmed, lookAgain, redo, save, setText, undo } from "./work.js";
@@ -89,18 +90,24 @@ on("language", () => {
   get("templates").value = "";
   label();
 });
+
+const stem = (file) => file.split("/").pop().replace(/\.toml$/, "");
+
 function bar() {
   const unsaved = state.text !== state.saved;
   get("undo").disabled = !undoable();
   get("redo").disabled = !redoable();
   get("file").title = state.file;
   get("file").textContent = `${state.file.split("/").pop() || word("file.none")}${unsaved && state.file ? ` · ${word("file.unsaved")}` : ""}`;
-  get("title").textContent = state.look?.title || state.look?.name || word("title");
+  get("title").textContent = state.look?.title || state.look?.name || (state.look ? word("title") : stem(state.file));
   document.title = `${unsaved ? "• " : ""}${state.look?.name || "mechsheet"} – draw`;
 }
 on("text look file language", bar);
 
 function help() {
+  const steps = document.createElement("ol");
+  for (const step of [1, 2, 3, 4]) steps.append(Object.assign(document.createElement("li"), { textContent: word(`help.first.${step}`) }));
+  const heading = (key) => Object.assign(document.createElement("h3"), { textContent: word(key) });
   const list = document.createElement("dl");
   for (const key of ["tools", "arrows", "enter", "delete", "space", "undo", "save", "zoom", "alt"]) {
     const head = document.createElement("dt");
@@ -109,8 +116,9 @@ function help() {
     text.textContent = word(`help.${key}`);
     list.append(head, text);
   }
-  get("help-text").replaceChildren(list);
+  get("help-text").replaceChildren(heading("help.first"), steps, note(word("help.assembly")), heading("help.keys"), list);
   get("help").showModal();
+  get("help").scrollTop = 0; // its button, which has the focus, is at the end
 }
 
 document.addEventListener("keydown", (event) => {

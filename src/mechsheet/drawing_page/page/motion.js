@@ -1,9 +1,9 @@
 // The position shown: a slider over the driver's values, and the motion as time goes by.
 
 import { icon } from "./icons.js";
+import { distance, place, shown } from "./geometry.js";
 import { word } from "./language.js";
 import { changed, keep, on, state } from "./state.js";
-import { shown } from "./geometry.js";
 
 const slider = document.getElementById("position");
 const button = document.getElementById("play");
@@ -69,14 +69,37 @@ export function play(on_ = !state.playing) {
   requestAnimationFrame(tick);
 }
 
-/** A sweep that comes round begins anew, another one goes back. */
-function comesRound() {
-  const { driver, why, points } = state.look.frames;
-  if (why.some(Boolean)) return false;
+let round = false;
+
+/** Whether the last position is the first one again: such a sweep begins anew, another one goes back. */
+function lastIsFirst() {
+  const { driver = [], why = [], points = {} } = state.look?.frames ?? {};
   const last = driver.length - 1;
-  const spans = Object.values(points).flatMap((columns) => columns.map((column) => (column.length > 1 ? Math.abs(column[0] - column[last]) : 0)));
-  const size = Math.max(...Object.values(points).flatMap(([xs]) => xs.map((x) => Math.abs(x ?? 0))), 1e-9);
-  return Math.max(...spans) < 1e-3 * size;
+  if (last < 1 || why.some(Boolean)) return false;
+  const columns = Object.values(points).flat();
+  const size = Math.max(...columns.flat().map(Math.abs), 1e-9);
+  return columns.every((column) => column.length < 2 || Math.abs(column[0] - column[last]) < 1e-3 * size);
+}
+
+/** The position in which a point is nearest to a place, from the present one on: the motion goes no other way. */
+export function nearest(point, wanted) {
+  const frames = count();
+  const away = (frame) => {
+    const there = place(point, frame);
+    return there ? distance(there, wanted) : Infinity;
+  };
+  let [best, least] = [state.frame, Infinity];
+  const most = Math.ceil(frames / 6);
+  for (let step = -most; step <= most; step++) {
+    let frame = state.frame + step;
+    if (frame < 0 || frame >= frames) {
+      if (!round) continue;
+      frame = (frame + frames - 1) % (frames - 1);
+    }
+    const found = away(frame) * (1 + 0.002 * Math.abs(step));
+    if (found < least) [best, least] = [frame, found];
+  }
+  return best;
 }
 
 function tick(now) {
@@ -84,7 +107,7 @@ function tick(now) {
   const last = count() - 1;
   const passed = ((now - began) / (SECONDS * 1000)) * last;
   let next = from + way * passed;
-  if (comesRound()) next = ((next % last) + last) % last;
+  if (round) next = ((next % last) + last) % last;
   else {
     const wave = ((next % (2 * last)) + 2 * last) % (2 * last);
     next = wave > last ? 2 * last - wave : wave;
@@ -100,5 +123,8 @@ slider.addEventListener("input", () => {
 });
 slider.addEventListener("change", keep);
 button.addEventListener("click", () => play());
-on("look", drawGaps);
+on("look", () => {
+  round = lastIsFirst();
+  drawGaps();
+});
 on("look frame language", update);

@@ -2,6 +2,8 @@
 
 import { state, changed } from "./state.js";
 
+const BUTTONS = 48; // pixels at the right that the buttons over the sheet take
+
 export const canvas = document.getElementById("canvas");
 
 export function size() {
@@ -68,13 +70,14 @@ export function fit() {
     for (const y of ys) if (y !== null) [low, high] = [Math.min(low, y), Math.max(high, y)];
   }
   if (!(left <= right)) [left, right, low, high] = [-20, 120, -20, 80];
-  const { width, height } = size();
+  const { width: whole, height } = size();
+  const width = whole - BUTTONS;
   const span = Math.max(right - left, high - low, 1e-6);
   const room = 1.28;
   const scale = Math.min(
     width / (room * Math.max(right - left, span * 0.15)),
     height / (room * Math.max(high - low, span * 0.15)),
   );
-  state.view = { x: (left + right) / 2, y: (low + high) / 2, scale };
+  state.view = { x: (left + right + BUTTONS / scale) / 2, y: (low + high) / 2, scale };
   changed("view");
 }

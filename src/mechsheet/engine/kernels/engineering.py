@@ -126,8 +126,21 @@ def step(number: Scalar, bound: Scalar = 0.0) -> float:
     return float(_plain_number(number) >= _plain_number(bound))
 
 
+def erf(low: float, high: float | None = None) -> float:
+    """ERF: from 0 to `low`, or from `low` to `high`."""
+    if high is None:
+        return math.erf(low)
+    if low > 0 and high > 0:
+        return math.erfc(low) - math.erfc(high)
+    return math.erf(high) - math.erf(low)
+
+
 PLAIN: dict[str, Callable[..., Any]] = {
     "CONVERT": convert,
+    "ERF": erf,
+    "ERF.PRECISE": erf,
+    "ERFC": math.erfc,
+    "ERFC.PRECISE": math.erfc,
     **{f"{name}2DEC": _to_decimal(base) for name, base in _BASES.items()},
     **{f"DEC2{name}": _from_decimal(base) for name, base in _BASES.items()},
     **{

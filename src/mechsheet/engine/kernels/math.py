@@ -442,6 +442,7 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "GCD": lambda *parts: float(math.gcd(*all_whole(parts))),
     "LCM": least_multiple,
     "FACT": factorial,
+    "GAMMA": math.gamma,
     "FACTDOUBLE": double_factorial,
     "COMBIN": combinations,
     "COMBINA": combinations_repeated,

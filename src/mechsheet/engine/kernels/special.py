@@ -1,4 +1,4 @@
-"""Error functions, gamma functions and Bessel functions: SciPy's where the standard library has none, or fewer digits."""
+"""The logarithm of the gamma function, and Bessel functions: SciPy's. The standard library has fewer digits, or none."""
 
 from __future__ import annotations
 
@@ -11,15 +11,6 @@ from scipy.special import gammaln, iv, jv, kv, yv
 
 _FARTHEST = 1e5
 """Bessel functions of the first and second kind are computed up to here; Excel's own lose all digits earlier."""
-
-
-def erf(low: float, high: float | None = None) -> float:
-    """ERF: from 0 to `low`, or from `low` to `high`."""
-    if high is None:
-        return math.erf(low)
-    if low > 0 and high > 0:
-        return math.erfc(low) - math.erfc(high)
-    return math.erf(high) - math.erf(low)
 
 
 def log_gamma(x: Any) -> Any:
@@ -47,12 +38,4 @@ MAPS: dict[str, Callable[..., Any]] = {
     "BESSELI": _bessel(iv, 709, both_signs=True),
     "BESSELY": _bessel(yv, _FARTHEST, both_signs=False),
     "BESSELK": _bessel(kv, math.inf, both_signs=False),
-}
-
-PLAIN: dict[str, Callable[..., Any]] = {
-    "ERF": erf,
-    "ERF.PRECISE": erf,
-    "ERFC": math.erfc,
-    "ERFC.PRECISE": math.erfc,
-    "GAMMA": math.gamma,
 }

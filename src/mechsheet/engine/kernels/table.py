@@ -2,13 +2,15 @@
 
 A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `interpreter/evaluator.py` for the words. A
 module may hold three tables: KERNELS; MAPS, functions of numbers and truth values over arrays; PLAIN, functions of Python
-values (`values/calling.py`).
+values (`values/calling.py`). What SciPy computes stands in modules of their own, for it is not always installed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -70,3 +72,16 @@ class _Kernels(dict[str, Kernel]):
 
 
 KERNELS = _Kernels()
+
+_OF_SCIPY = ("distributions", "special")
+"""Modules whose kernels call SciPy, which the extra `statistics` brings: a mechanism's workbook needs none of them."""
+
+
+@cache
+def _scipy_is_there() -> bool:
+    return find_spec("scipy") is not None
+
+
+def lacks_scipy(name: str) -> bool:
+    """Whether a function of FUNCTIONS cannot be computed here because SciPy is not installed."""
+    return FUNCTIONS[name].module in _OF_SCIPY and not _scipy_is_there()

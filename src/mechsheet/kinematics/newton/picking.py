@@ -10,10 +10,12 @@ import numpy as np
 
 from mechsheet import portable
 from mechsheet.diagnostics import Fault
-from mechsheet.kinematics.equations import System
+from mechsheet.formula.nodes import Symbol
+from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of
 from mechsheet.kinematics.newton.carriers import Solution
+from mechsheet.kinematics.newton.leading import leading
 from mechsheet.kinematics.newton.starts import assemblies_in
 from mechsheet.kinematics.newton.system import refined
 from mechsheet.kinematics.numeric import Array
@@ -59,7 +61,10 @@ def pick_assembly(
     starts = tuple(
         tuple(_rounded(x, turns, size, unit) for x, turns in zip(state, turning, strict=True)) for state in found
     )
-    system = replace(system, starts=starts, home=float(ledger.values[system.driver][row]), row=row)
+    described, way = _described(ledger, system, row)
+    system = replace(
+        system, starts=starts, home=float(ledger.values[system.driver][row]), row=row, described=described, way=way
+    )
     for name in system.unknowns:
         ledger.systems[name] = system
     _refuse_dead(system, ledger, row, found, solution)
@@ -135,6 +140,21 @@ def _first_position(
             return row, found
         before = row
     return None, []
+
+
+def _described(ledger: Ledger, system: System, row: int) -> tuple[tuple[tuple[str, float], ...], tuple[Equation, ...]]:
+    """What the group's numbers follow from, with the values in that row, and the equations between.
+
+    The smallest length that counts is no number of the mechanism's: it stays as it is.
+    """
+    earlier = [name for other in ledger.systems.values() for name in other.variables]
+    ruled = {equation.symbol: equation for equation in (*ledger.constants, *ledger.columns)}
+    listed = [name for name in ledger.values if name not in ruled and name not in ledger.constant_symbols]
+    changing = dict.fromkeys((*ledger.dimensions, *listed, *earlier))
+    rules = {name: equation.reads for name, equation in ruled.items() if Symbol(name) != ledger.tolerance}
+    leaves, way = leading(system.given, rules, changing)
+    values = {name: np.broadcast_to(ledger.values[name], (ledger.rows,)) for name in leaves}
+    return tuple((name, float(values[name][row])) for name in leaves), tuple(ruled[name] for name in way)
 
 
 def _take(ledger: Ledger, system: System, start: int, number: int) -> None:

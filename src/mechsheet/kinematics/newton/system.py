@@ -3,6 +3,10 @@
 A row starts from the row before it, or from the last one that has a position; the row at which it all begins starts from
 start values, through `FIRST_PASSES` passes. The determinant of J keeps its sign as long as a motion is smooth: a row at
 which Newton's method arrives with the other sign is another assembly, and counts as none. Just so the workbook does it.
+
+Start values belong to the dimensions for which they were found. Where these have changed since, the first `LED` passes go
+along with them in equal steps: so the start is the same assembly as long as that can be kept, and where the determinant
+changes its sign on the way it could not. (E. L. Allgower, K. Georg, Introduction to Numerical Continuation Methods.)
 """
 
 from __future__ import annotations
@@ -18,13 +22,19 @@ import numpy as np
 from mechsheet import portable
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
 from mechsheet.kinematics.equations import Equation, System
-from mechsheet.kinematics.numeric import FUNCTIONS, Array
+from mechsheet.kinematics.numeric import FUNCTIONS, Array, evaluate_equation
 
 Step: TypeAlias = "Callable[[Sequence[Any], Sequence[Any]], Pass]"
 """From the unknowns and what is given to a pass."""
 
-FIRST_PASSES = 20
+FIRST_PASSES = 32
 """Passes from the start values."""
+
+LED = 24
+"""So many of these go with the dimensions from those described to those that are there."""
+
+REFINING = 20
+"""Passes from a guess that may be far off."""
 
 CLOSED = 1e-11
 """Up to this residual a position exists: what is left of the gaps is 1e-9 of the size even in short links."""
@@ -75,12 +85,38 @@ def start_of(system: System, known: Mapping[str, Any], rows: int) -> Pass | None
     number = int(np.broadcast_to(known[system.mode], (rows,))[0])
     start = system.starts[min(max(number, 1), len(system.starts)) - 1]
     row = min(system.row, rows - 1)
-    given = [float(np.broadcast_to(known[name], (rows,))[row]) for name in system.given]
-    return _arrived(_scalar(system), start, given, FIRST_PASSES)
+    there = {name: float(np.broadcast_to(column, (rows,))[row]) for name, column in known.items()}
+    given = [there[name] for name in system.given]
+    step = _scalar(system)
+    if all(there[name] == value for name, value in system.described):
+        return _arrived(step, start, given, FIRST_PASSES)
+    return _arrived(step, _led(system, step, start, there), given, FIRST_PASSES - LED)
+
+
+def _led(system: System, step: Step, start: Sequence[float], there: Mapping[str, float]) -> Sequence[float]:
+    """The unknowns after going with the dimensions from the described ones to those that are there, a step each.
+
+    Where there is no step to make (a group before does not close on the way), they stay.
+    """
+    shares = np.arange(LED) / LED
+    known: dict[str, Any] = dict(there)
+    known |= {name: value + shares * (there[name] - value) for name, value in system.described}
+    for equation in system.way:
+        known[equation.symbol] = evaluate_equation(equation, known, LED)
+    columns = [np.broadcast_to(known[name], (LED,)).tolist() for name in system.given]
+    unknowns = start
+    for index in range(LED):
+        try:
+            following = step(unknowns, [column[index] for column in columns]).unknowns
+        except (ArithmeticError, ValueError):
+            continue
+        if all(map(math.isfinite, following)):
+            unknowns = following
+    return unknowns
 
 
 def refined(
-    system: System, known: Mapping[str, Any], guesses: Sequence[Array], passes: int = FIRST_PASSES
+    system: System, known: Mapping[str, Any], guesses: Sequence[Array], passes: int = REFINING
 ) -> tuple[list[Array], Array, Array]:
     """Many starts at once, row by row its own: unknowns, residuals, determinants after so many passes."""
     shape = np.shape(guesses[0])

@@ -1,10 +1,14 @@
 """The sheet of extremes: the smallest and the largest value of a quantity over the motion, not only over the rows.
 
 From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row
-beside it, and one at the vertex of the parabola through the row and these two. Where the best row is the last before a
-limit, the second probe is made at the limit. What is given has been attained: the best of the row, the probes and both ends
-of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows at its ends are
-neighbours, which is decided by formulas: start and step may change.
+beside it (or as far on the row's other side, where the first is worse than the row), and one at the vertex of the parabola
+through the row and these two. Where the best row is the last before a limit, the second probe is made where a parabola
+over the root of the distance from the limit has its vertex. What is given has been attained: the best of the row, the
+probes and both ends of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows
+at its ends are neighbours, which is decided by formulas: start and step may change.
+
+Where the table has a quantity's derivatives by the driver, two probes do: an extreme is where the first derivative changes
+sign (`turning`).
 """
 
 from __future__ import annotations
@@ -17,6 +21,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks import turning
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
@@ -35,6 +40,9 @@ PROBES = 4
 
 BESIDE = 0.1
 """How far beside the first probe the second is made, in rows."""
+
+FROM_END = 0.25
+"""How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
 SETTLED = 1e-4
 """The last probe may improve a value by this part of its range; more, and the value is said to be about right."""
@@ -67,8 +75,9 @@ class Extremes:
         self.blocks: dict[tuple[str, Way], Block] = {}
         for symbol in self.quantities:
             for way in ("min", "max"):
-                self.blocks[symbol, way] = Block(row, PROBES)
-                row += PROBES + len(self.ends) + 2
+                probes = turning.PROBES if turning.known(plan, symbol) else PROBES
+                self.blocks[symbol, way] = Block(row, probes)
+                row += probes + len(self.ends) + 2
         self.bands: dict[tuple[str, Way], Block] = {}
         for extreme in () if plan.rows_only else banded_extremes(plan):
             self.bands[extreme] = Block(row, 1)
@@ -86,6 +95,9 @@ class Extremes:
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
                 spots[key] = Spot(title, cell.row, cell.col)
+            if self.plan.mechanism.driver.law is not None:  # its rows are equally far from each other in time
+                place = self.probes.cell(block.row + 2, SIDE + 3)
+                spots[f"#{way}_place_{symbol}"] = Spot(title, place.row, place.col)
         for symbol in self.quantities:
             wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
             spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
@@ -230,13 +242,18 @@ class Extremes:
             probes.work(row + 1, SIDE + 2, "0")
             self._result(symbol, way, block)
             return
-        probes.lay(block, [symbol])
-        self._first_probes(column, symbol, block)
-        self._further_probes(block)
-        for index in range(1, PROBES + 1):
+        wraps = self._wraps(symbol, block)
+        if turning.known(plan, symbol):
+            limits = self.limits.of_stretch(1, FIRST_ROW), self.limits.of_stretch(1, LAST_ROW)
+            turning.write(probes, block, symbol, way, wraps, limits, self._ends_of_stretch())
+        else:
+            probes.lay(block, [symbol])
+            self._first_probes(column, way, block, wraps)
+            self._further_probes(block)
+        for index in range(1, block.probes + 1):
             cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
-        for index, end in enumerate(self.ends.values(), PROBES + 1):
+        for index, end in enumerate(self.ends.values(), block.probes + 1):
             probes.work(row + index, AT, "place", place=probes.cell(end.row + 1, AT))
             cell = CellRef(end.row + 1, probes.at.spots[symbol].col, True, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
@@ -265,24 +282,29 @@ class Extremes:
         )  # fmt: skip
         return most
 
-    def _first_probes(self, column: Node, symbol: str, block: Block) -> None:
-        """At the vertex of the parabola through three rows of the stretch; then beside it, or at the limit."""
-        plan, probes, row = self.plan, self.probes, block.row
-        here = probes.cell(row, AT)
-        # of several stretches the rows are all, so the probes know the first one only
+    def _wraps(self, symbol: str, block: Block) -> CellRef:
+        """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
+        quantity has gone on by a turn."""
+        plan, probes = self.plan, self.probes
         first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
-        low, high = self._ends_of_stretch()
         turns = self._half_turn(symbol)
         near = "ABS(start-end)<half" if turns else "TRUE"
         start, end = (
             CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
         )
         holes: dict[str, Node | float | str] = {"half": turns, "start": start, "end": end} if turns else {}
-        # The ends of a whole turn are neighbours where nothing is missing and the quantity has not gone on by a turn.
-        wraps = probes.work(
-            row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
+        return probes.work(
+            block.row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
             first=first, last=last, rows=plan.rows, **holes,
         )  # fmt: skip
+
+    def _first_probes(self, column: Node, way: Way, block: Block, wraps: CellRef) -> None:
+        """At the vertex of the parabola through three rows of the stretch; then beside it, or on the row's other side."""
+        plan, probes, row = self.plan, self.probes, block.row
+        here = probes.cell(row, AT)
+        # of several stretches the rows are all, so the probes know the first one only
+        first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
+        low, high = self._ends_of_stretch()
         around = self._around(wraps)
         middle = probes.work(
             row + 1, SIDE + 3, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))",
@@ -299,16 +321,52 @@ class Extremes:
             "middle+IFERROR((before-after)/(2*(before-2*value+after)),0)",
             middle=middle, before=before, value=value, after=after,
         )  # fmt: skip
-        inside = formula(
-            "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(low,here-1,MIN(high,here+1,vertex)))",
-            wraps=around, here=here, vertex=vertex, low=low, high=high,
+        # beyond the motion's first or last row there is nothing: a dip may lie between it and the next
+        least, most = (
+            formula("IF(AND(here=edge,end=edge),here+far,end)", here=here, edge=edge, end=end, far=far)
+            for edge, end, far in ((first, low, FROM_END), (last, high, -FROM_END))
+        )
+        place = formula(
+            "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(least,here-1,MIN(most,here+1,vertex)))",
+            wraps=around, here=here, vertex=vertex, least=least, most=most,
         )  # fmt: skip
-        vertex_at = probes.work(row + 1, AT, "inside", inside=inside)
-        beside = formula("middle+IF(middle-here>1E-6,-beside,beside)", middle=vertex_at, here=here, beside=BESIDE)
-        probes.work(
-            row + 2, AT,
-            "IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,IF(wraps>0,beside,MAX(low,MIN(high,beside)))))",
-            here=here, first=first, last=last, low=low, high=high, wraps=around, beside=beside,
+        one = probes.work(row + 1, AT, "place", place=place)
+        worse = formula("there>best" if way == "min" else "there<best", there=probes.cell(row + 1, VALUE),
+                        best=probes.cell(row, VALUE))  # fmt: skip
+        aside = formula(
+            "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),IF(worse,2*here-one,one+IF(one-here>1E-6,-beside,beside))))",
+            wraps=around, low=low, high=high, rows=plan.rows, worse=worse, here=here, one=one, beside=BESIDE,
+        )  # fmt: skip
+        if self.ends:
+            aside = formula("IF(ISNUMBER(root),root,aside)", root=self._from_limit(block, around), aside=aside)
+        probes.work(row + 2, AT, "aside", aside=aside)
+
+    def _from_limit(self, block: Block, wraps: Node) -> CellRef:
+        """Where the best row is the last before a limit: a quantity goes there as a root does. The place of the vertex of
+
+        y(w) = y0 + b w + c w^2 with w^2 = |u - limit|, through the limit, that row and the next; else a text.
+        """
+        probes, row = self.probes, block.row
+        here, best, next_best = probes.cell(row, AT), probes.cell(row, VALUE), probes.cell(row + 1, SIDE + 5)
+        first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
+        low, high = self._ends_of_stretch()
+        limit = probes.work(
+            row + 3, SIDE, 'IF(wraps>0,"",IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,"")))',
+            wraps=wraps, here=here, first=first, last=last, low=low, high=high,
+        )  # fmt: skip
+        values = [probes.cell(row + PROBES + index, VALUE) for index in (1, 2)]
+        there = probes.work(row + 3, SIDE + 1, "IF(limit=low,at_low,at_high)", limit=limit, low=low,
+                            at_low=values[0], at_high=values[1])  # fmt: skip
+        far = formula("ABS(here-limit)", here=here, limit=limit)
+        root = formula(
+            "((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next))",
+            far=far, rise=formula("best-there", best=best, there=there),
+            next=formula("best-there", best=next_best, there=there),
+        )  # fmt: skip
+        return probes.work(
+            row + 3, SIDE + 2,
+            'IF(ISNUMBER(limit),IFERROR(limit+SIGN(here-limit)*MIN(far+1,MAX(0,root)^2),limit),"")',
+            limit=limit, here=here, far=far, root=root,
         )  # fmt: skip
 
     def _ends_of_stretch(self) -> tuple[CellRef, CellRef]:
@@ -336,15 +394,13 @@ class Extremes:
                 (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
             ]
             near = formula("MAX(middle-1,MIN(middle+1,vertex))", middle=middle, vertex=vertex_of(points))
-            probes.work(
-                row + probe, AT, "IFERROR(IF(wraps>0,near,MAX(low,MIN(high,near))),middle)",
-                wraps=wraps, near=near, low=low, high=high, middle=middle,
-            )  # fmt: skip
+            place = formula("IF(wraps>0,near,MAX(low,MIN(high,near)))", wraps=wraps, near=near, low=low, high=high)
+            probes.work(row + probe, AT, "IFERROR(place,middle)", place=place, middle=middle)
 
     def _result(self, symbol: str, way: Way, block: Block) -> None:
         """The best of the row and the probes, where it is, and whether the probes have settled."""
         plan, probes, row = self.plan, self.probes, block.row
-        count = 1 if plan.rows_only else PROBES + len(self.ends) + 1
+        count = 1 if plan.rows_only else block.probes + len(self.ends) + 1
         values = probes.cells_down(row, VALUE, count)
         # each stretch would need probes of its own
         known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
@@ -352,6 +408,8 @@ class Extremes:
             row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
         )
         place = self._place(row, count)
+        if plan.mechanism.driver.law is not None:
+            place = probes.work(row + 2, SIDE + 3, "place", place=place)
         if count == 1:
             probes.work(row + 2, SIDE + 1, "INDEX(drivers,place)", styles.RESULT, place=place,
                         drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
@@ -367,16 +425,17 @@ class Extremes:
         # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
             row + 2, SIDE + 2, "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,ABS(value-last)>settled*ABS(value-other))",
-            value=value, last=probes.cell(row + PROBES, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
+            value=value, last=probes.cell(row + block.probes, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
             low=low, high=high,
         )  # fmt: skip
 
     def _band(self, symbol: str, way: Way, block: Block) -> None:
         """The derivatives by dimensions where a quantity is smallest or largest: as this changes, so does the extreme."""
-        probes, extreme = self.probes, self.blocks[symbol, way].row
+        probes, extreme = self.probes, self.blocks[symbol, way]
         probes.put(block.row, STATUS, self.plan.text("extremes.band", symbol=plain(symbol)), styles.LABEL)
-        probes.work(block.row, AT, "anchor", anchor=probes.cell(extreme, AT))
-        probes.work(block.row + 1, AT, "place", place=self._place(extreme, PROBES + len(self.ends) + 1))
+        probes.work(block.row, AT, "anchor", anchor=probes.cell(extreme.row, AT))
+        place = self._place(extreme.row, extreme.probes + len(self.ends) + 1)
+        probes.work(block.row + 1, AT, "place", place=place)
         probes.lay(block, self.plan.banded[symbol].derivatives)
 
     def _place(self, row: int, count: int) -> Node:

@@ -59,7 +59,7 @@ def _parts(plan: Plan, number: int) -> list[Node]:
     mechanism = plan.mechanism
     order = {name: group.number for group in plan.equations.groups for name in group.links}
     found = []
-    for link in mechanism.links[1:]:
+    for link in mechanism.whole_links[1:]:
         if max(1, order.get(link.name, 0)) == max(1, number):
             found += _lengths(link)
     for joint in mechanism.joints:

@@ -1,29 +1,42 @@
 """Arrows in the drawing at the position shown: velocities and accelerations of points, forces at joints.
 
-Each kind has one scale, by which its largest arrow over the whole sweep is `LONGEST` half windows long, and a scale bar of
-its own. A cell on the first sheet hides a kind: what belongs to it is then #N/A, which no chart draws.
+Each kind has one scale over the whole sweep, and a scale bar of its own: its largest arrow is `LONGEST` half windows long,
+or shorter, where an arrow would leave the window in some row. How much of the room up to the window's edge an arrow
+v at (X, Y) would take, were the scale 1, is a column of the sweep:
+
+    largest of  |vx| / (EDGE - sign(vx) X)  and  |vy| / (EDGE - sign(vy) Y)
+
+A cell on the first sheet hides a kind: what belongs to it is then #N/A, which no chart draws.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, transform
 from mechsheet.model import Mechanism, pair_symbol
 from mechsheet.sheet import styles
-from mechsheet.sheet.drawing.frames import BOTTOM, CHART_X, CHART_Y, FIRST, NAME, NUMBER_STYLE, SECOND, Page
+from mechsheet.sheet.checks.gaps import chunks_of
+from mechsheet.sheet.drawing.frames import BOTTOM, CHART_X, CHART_Y, FIRST, NAME, NUMBER_STYLE, SECOND, Frame, Page
 from mechsheet.sheet.drawing.outlines import direction_of
 from mechsheet.sheet.drawing.points import PointCells
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import ArrowKind
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.workbook import Series
+from mechsheet.sheet.workbook import Area, Rich, Series
 
 LONGEST = 0.45
 """How long the longest arrow of a kind is, in half windows."""
+
+EDGE = 0.93
+"""Where arrows end at the latest, from the middle of the window [half windows]; their names need room, too."""
+
+NAMED = 0.06
+"""Shorter arrows [half windows] have no names: those of several at one pin would cover each other."""
 
 BARB_BACK, BARB_ASIDE = 0.2, 0.07
 """Where an arrow's barbs end: so far back from the tip and so far aside, in parts of its length."""
@@ -34,89 +47,132 @@ BAR_START, BAR_RISE = 0.3, 0.09
 """Where the scale bars begin in the window, and how far one stands above the other."""
 
 
+Parts = tuple[Node, Node]
+"""Of a vector, along x and y."""
+
+
 @dataclass(frozen=True, slots=True)
 class Arrow:
-    """One arrow: what it is called, the point where it begins, and its parts along x and y at the position shown."""
+    """One arrow: what it is called, the point where it begins, how large it becomes over the rows, and its parts along x
+    and y from values that are read in some row."""
 
     symbol: str
     point: str
-    parts: tuple[Node, Node]
+    largest: Node
+    parts: Callable[[Callable[[str], Node]], Parts]
 
 
-def arrows_of(page: Page, cells: Mapping[str, PointCells]) -> tuple[Series, ...]:
+def arrows_of(page: Page, frame: Frame, cells: Mapping[str, PointCells]) -> tuple[Series, ...]:
     """All arrows and their scale bars; nothing in a workbook without velocities and forces."""
     found: list[Series] = []
     first = page.row
     for number, kind in enumerate(page.plan.arrows):
-        found += _kind(page, cells, kind, number)
+        found += _kind(page, frame, cells, kind, number)
     page.plan.arrow_rows = range(first, page.row)
     return tuple(found)
 
 
-def _kind(page: Page, cells: Mapping[str, PointCells], kind: ArrowKind, number: int) -> list[Series]:
+def _kind(page: Page, frame: Frame, cells: Mapping[str, PointCells], kind: ArrowKind, number: int) -> list[Series]:
     plan = page.plan
-    arrows, sizes = _forces(page) if kind == "forces" else _of_points(page, kind)
-    page.section(plan.text(f"arrows.{kind}"), ["x", "y", "X", "Y"])
+    arrows = _forces(page) if kind == "forces" else _of_points(page, kind)
+    page.section(plan.text(f"arrows.{kind}"), [plan.text("arrows.largest"), "", "X", "Y"])
     unit = {"velocity": f"{plan.mechanism.length_unit}/s", "acceleration": f"{plan.mechanism.length_unit}/s²"}
     force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
-    largest = []
-    for arrow, size in zip(arrows, sizes, strict=True):
-        page.put(NAME, rich(arrow.symbol), styles.SYMBOL)
-        largest.append(page.formula(FIRST, size))
-        page.row += 1
-    scale, bar = _scale(page, kind, RangeRef(largest[0], largest[-1]), unit.get(kind, force_unit), number)
+    sizes = _cells_below(page, [(rich(arrow.symbol), arrow.largest) for arrow in arrows])
+    taken = chunks_of([part for arrow in arrows for part in _room_taken(page, frame, arrow)])
+    columns = [page.column(plan.text("arrows.room"), Call("MAX", tuple(parts))) for parts in taken]
+    rooms = _cells_below(page, [(plan.text("arrows.room"), _most(_column(area))) for area in columns])
+    scale, bar = _scale(page, kind, (sizes, rooms), unit.get(kind, force_unit), number)
+    page.section(plan.text(f"arrows.{kind}.shown"), ["x", "y", "X", "Y"])
     found = [series for arrow in arrows for series in _arrow(page, arrow, cells[arrow.point], scale, COLORS[kind])]
     return [*found, *bar]
+
+
+def _cells_below(page: Page, lines: Sequence[tuple[Rich | str, Node]]) -> RangeRef:
+    """Cells below each other, each with its name; the area that they take."""
+    first = page.row
+    for name, node in lines:
+        page.put(NAME, name, styles.LABEL if isinstance(name, str) else styles.SYMBOL)
+        page.formula(FIRST, node)
+        page.row += 1
+    return RangeRef(CellRef(first, FIRST, True, True), CellRef(page.row - 1, FIRST, True, True))
+
+
+def _room_taken(page: Page, frame: Frame, arrow: Arrow) -> list[Node]:
+    """Along x and along y, in a row of the sweep; see above."""
+    places = frame.chart_x(page.read(f"{arrow.point}.x")), frame.chart_y(page.read(f"{arrow.point}.y"))
+    return [
+        formula("ABS(part)/(edge-SIGN(part)*place)", part=part, place=place, edge=EDGE)
+        for part, place in zip(arrow.parts(page.read), places, strict=True)
+    ]
+
+
+def _column(area: Area) -> RangeRef:
+    ends = ((row, area.first_col) for row in (area.first_row, area.last_row))
+    first, last = (CellRef(row, col, True, True) for row, col in ends)
+    return RangeRef(first, last)
+
+
+def _most(column: Node) -> Node:
+    """The largest of a column, 0 where no row has a number."""
+    return formula("IFERROR(most,0)", most=over_rows(MOST, column))
 
 
 # --- what is shown ---------------------------------------------------------------------------------------------------
 
 
-def _of_points(page: Page, kind: ArrowKind) -> tuple[list[Arrow], list[Node]]:
-    """The velocities or accelerations of the points that have any, by their derivatives; and the largest of each."""
-    names = page.plan.mechanism.driver_rates
-    omega, alpha = (page.at_position(name) for name in names)
-    arrows = []
-    for point in page.plan.moving_points:
-        parts = []
-        for axis in ("x", "y"):
-            once = page.at_position(f"{point}.{axis}.d")
-            part = formula("once*omega", once=once, omega=omega)
-            if kind == "acceleration":
-                twice = page.at_position(f"{point}.{axis}.dd")
-                part = formula("twice*omega^2+once*alpha", twice=twice, once=once, omega=omega, alpha=alpha)
-            parts.append(part)
-        arrows.append(Arrow(f"{point}.{kind[0]}", point, (parts[0], parts[1])))
-    return arrows, [over_rows(MOST, page.plan.at.column(arrow.symbol, page.title)) for arrow in arrows]
+def _of_points(page: Page, kind: ArrowKind) -> list[Arrow]:
+    """The velocities or accelerations of the points that have any, by their derivatives."""
+    omega, alpha = page.plan.mechanism.driver_rates
+
+    def moved(point: str, read: Callable[[str], Node]) -> Parts:
+        x, y = (along(f"{point}.{axis}", read) for axis in ("x", "y"))
+        return x, y
+
+    def along(place: str, read: Callable[[str], Node]) -> Node:
+        once = read(f"{place}.d")
+        if kind == "velocity":
+            return formula("once*omega", once=once, omega=read(omega))
+        return formula("twice*omega^2+once*alpha", twice=read(f"{place}.dd"), once=once, omega=read(omega),
+                       alpha=read(alpha))  # fmt: skip
+
+    symbols = {f"{point}.{kind[0]}": point for point in page.plan.moving_points}
+    return [
+        Arrow(symbol, point, _most(page.plan.at.column(symbol, page.title)), partial(moved, point))
+        for symbol, point in symbols.items()
+    ]
 
 
-def _forces(page: Page) -> tuple[list[Arrow], list[Node]]:
-    """At a pin the force of its first link on each other one, at a slide the normal force on its link; the largest of
-    each."""
+def _forces(page: Page) -> list[Arrow]:
+    """At a pin the force of its first link on each other one, at a slide the normal force on its link."""
     plan, mechanism = page.plan, page.plan.mechanism
     pins, slides = _pins(mechanism), {f"{_pair(mechanism, each.on, each.link)}.n": each for each in mechanism.joints}
-    arrows, sizes = [], []
+    arrows = []
     for name in plan.held_columns:
-        if name not in pins and name not in slides:  # at teeth: their place is no point of the drawing
-            continue
         column = plan.at.column(name, page.title)
-        most = over_rows(MOST, column)
         if name in pins:
-            parts = page.at_position(f"{name}.x"), page.at_position(f"{name}.y")
-            arrows.append(Arrow(name, pins[name], parts))
-            sizes.append(most)
-            continue
-        sizes.append(formula("MAX(most,-least)", most=most, least=over_rows(LEAST, column)))
-        normal, direction = page.at_position(name), transform(
-            direction_of(mechanism, slides[name]),
-            lambda part: page.at_position(part.name) if isinstance(part, Symbol) else part,
-        )  # fmt: skip
-        parts = (
-            formula("-SIN(direction)*normal", direction=direction, normal=normal),
-            formula("COS(direction)*normal", direction=direction, normal=normal),
-        )
-        arrows.append(Arrow(name, slides[name].point, parts))
-    return arrows, sizes
+            arrows.append(Arrow(name, pins[name], _most(column), partial(_at_pin, name)))
+        elif name in slides:  # at teeth: their place is no point of the drawing
+            largest = formula(
+                "IFERROR(MAX(most,-least),0)", most=over_rows(MOST, column), least=over_rows(LEAST, column)
+            )
+            across = partial(_across, name, direction_of(mechanism, slides[name]))
+            arrows.append(Arrow(name, slides[name].point, largest, across))
+    return arrows
+
+
+def _at_pin(force: str, read: Callable[[str], Node]) -> Parts:
+    return read(f"{force}.x"), read(f"{force}.y")
+
+
+def _across(force: str, line: Node, read: Callable[[str], Node]) -> Parts:
+    """Of a force along the left normal of a line."""
+    direction = transform(line, lambda part: read(part.name) if isinstance(part, Symbol) else part)
+    normal = read(force)
+    return (
+        formula("-SIN(direction)*normal", direction=direction, normal=normal),
+        formula("COS(direction)*normal", direction=direction, normal=normal),
+    )
 
 
 def _pins(mechanism: Mechanism) -> dict[str, str]:
@@ -136,16 +192,19 @@ def _pair(mechanism: Mechanism, one: str, other: str) -> str:
 # --- how it is drawn -------------------------------------------------------------------------------------------------
 
 
-def _scale(page: Page, kind: ArrowKind, sizes: RangeRef, unit: str, number: int) -> tuple[CellRef, list[Series]]:
+def _scale(
+    page: Page, kind: ArrowKind, of_arrows: tuple[RangeRef, RangeRef], unit: str, number: int
+) -> tuple[CellRef, list[Series]]:
     """Half windows by unit, #N/A while the kind is hidden; and the scale bar, 1, 2 or 5 times a power of ten long.
 
-    sizes  the cells with the largest of each arrow
+    of_arrows  the cells with the largest of each arrow, and with the room that they take
     """
     text = page.plan.text
     shown = page.plan.at.cell(f"#show_{kind}", page.title, None)
     page.put(NAME, text("arrows.scale"))
     scale = page.formula(FIRST, formula(
-        "IF(AND(shown=1,MAX(sizes)>0),longest/MAX(sizes),NA())", shown=shown, sizes=sizes, longest=LONGEST
+        "IF(AND(shown=1,MAX(sizes)>0),MIN(longest/MAX(sizes),1/MAX(rooms)),NA())", shown=shown, sizes=of_arrows[0],
+        rooms=of_arrows[1], longest=LONGEST,
     ))  # fmt: skip
     page.row += 1
     page.put(NAME, text("drawing.bar"))
@@ -174,13 +233,16 @@ def _scale(page: Page, kind: ArrowKind, sizes: RangeRef, unit: str, number: int)
 
 
 def _arrow(page: Page, arrow: Arrow, at: PointCells, scale: CellRef, color: str) -> list[Series]:
-    """From its point to its tip, and on round a head: five corners, the second and the last of them the tip."""
+    """From its point to its tip, and on round a head: five corners, the second and the last of them the tip; and where its
+    name stands."""
     first = page.row
     page.put(NAME, rich(arrow.symbol), styles.SYMBOL)
     page.formula(CHART_X, at.chart_x)
     page.formula(CHART_Y, at.chart_y)
     page.row += 1
-    parts = page.formula(FIRST, arrow.parts[0]), page.formula(SECOND, arrow.parts[1])
+    parts = tuple(
+        page.formula(col, part) for col, part in zip((FIRST, SECOND), arrow.parts(page.at_position), strict=True)
+    )
     tip = tuple(
         page.formula(col, formula("base+scale*part", base=base, scale=scale, part=part))
         for col, base, part in ((CHART_X, at.chart_x, parts[0]), (CHART_Y, at.chart_y, parts[1]))
@@ -199,10 +261,14 @@ def _arrow(page: Page, arrow: Arrow, at: PointCells, scale: CellRef, color: str)
     page.formula(CHART_Y, tip[1])
     last = page.row
     page.row += 1
+    size = formula("SQRT(x^2+y^2)", x=parts[0], y=parts[1])
+    for col, place in ((CHART_X, tip[0]), (CHART_Y, tip[1])):
+        page.formula(col, formula("IF(scale*size<named,NA(),place)", scale=scale, size=size, named=NAMED, place=place))
+    x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
+    page.row += 1
     name = plain(arrow.symbol)
     line = Series(
         name, page.reference(first, CHART_X, last), page.reference(first, CHART_Y, last), line=color, width=1.75,
         in_legend=False,
     )  # fmt: skip
-    x, y = page.reference(last, CHART_X), page.reference(last, CHART_Y)
     return [line, replace(line, x=x, y=y, line="", show_name=True, label_side="right")]

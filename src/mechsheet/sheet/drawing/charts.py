@@ -33,7 +33,9 @@ WIDE_AS_A_PAGE, SMALLEST = 60, 40
 """Percent: two charts side by side are as wide as an upright page, in LibreOffice's wider columns too; letters below the
 other are not read."""
 ROWS_OF_AN_UPRIGHT_PAGE = 78
-"""Rows of charts on an upright page at that size."""
+"""Rows on an upright page at that size."""
+READABLE = 50
+"""Percent: a sheet that is a page less at that size, or a larger one, is printed so."""
 HEIGHT = (SIZE - GAP) // 2
 """Two curves are as high as the drawing beside them."""
 
@@ -292,5 +294,8 @@ def with_room(sheet: Sheet) -> Sheet:
 def _on_pages(sheet: Sheet, rows: int, charts_end: int) -> PrintSetup:
     """Of a sheet that is too long for one page: upright, what is read first, the charts on a page of their own behind it."""
     scale = max(SMALLEST, min(WIDE_AS_A_PAGE, WIDE_AS_A_PAGE * ROWS_OF_AN_UPRIGHT_PAGE // charts_end))
+    pages = math.ceil(rows * scale / (WIDE_AS_A_PAGE * ROWS_OF_AN_UPRIGHT_PAGE))
+    fewer = WIDE_AS_A_PAGE * ROWS_OF_AN_UPRIGHT_PAGE * (pages - 1) // rows
+    scale = fewer if READABLE <= fewer < scale else scale
     area = Area(0, 0, rows - 1, CHARTS + math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH) - 1)
     return replace(sheet.print_setup, landscape=False, scale=scale, page_at=CHARTS, area=area)

@@ -104,7 +104,7 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     first, last = marks(page, cells)
     toothed = _toothed(page, frame, cells, guides, wheels)
     behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *toothed, *_shapes(page, cells, guides)]
-    before = [*frame.series, _caption(page), *last, *arrows_of(page, cells)]
+    before = [*frame.series, _caption(page), *last, *arrows_of(page, frame, cells)]
     names = names_of(page, cells)[: max(0, MOST_SERIES - len(behind) - len(before))]
     series = [*behind, *names, *before]
     title = plan.mechanism.title.of(plan.language)
@@ -160,10 +160,10 @@ def _frame(page: Page, title: str, names: Sequence[str], margin: float, wheels: 
 def _guides(page: Page, frame: Frame, cells: Mapping[str, PointCells]) -> list[Guide]:
     """The lines of the sliding joints, after the angles and displacements that they need."""
     mechanism = page.plan.mechanism
-    if not mechanism.joints:
+    if not mechanism.sliding:
         return []
-    wanted = {joint.symbol: joint.symbol for joint in mechanism.joints}
-    lines = [(joint, through_of(mechanism, joint), direction_of(mechanism, joint)) for joint in mechanism.joints]
+    wanted = {joint.symbol: joint.symbol for joint in mechanism.sliding}
+    lines = [(joint, through_of(mechanism, joint), direction_of(mechanism, joint)) for joint in mechanism.sliding]
     for _, (x, y), direction in lines:
         wanted |= {name: name for node in (x, y, direction) for name in symbols(node)}
     known = {f"{point}.{axis}": getattr(place, axis) for point, place in cells.items() for axis in ("x", "y")}
@@ -249,7 +249,7 @@ def _shapes(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Guide]
             name = text("drawing.slot", symbol=plain(guide.joint.symbol))
             color = link_color(links[owner], driven)
             found.append(slot(page, name, guide, guide_base(page, guide, cells), color))
-    for link in mechanism.links[1:]:
+    for link in mechanism.whole_links[1:]:
         if len(link.points) > 1:
             name = link.label.of(plan.language) if link.label else link.name
             found.append(outline(page, name, cells, corners(link, dimensions), link_color(link, driven)))

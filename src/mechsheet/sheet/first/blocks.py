@@ -8,6 +8,7 @@ from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Style, Validation
+from mechsheet.units import Unit
 
 
 class Writer:
@@ -43,10 +44,15 @@ class Writer:
             self.put(row, col, over_tolerance if col == TOLERANCE else None, styles.SECTION)
 
 
-def shown_unit(plan: Plan, symbol: str) -> str:
+def unit_of_column(plan: Plan, symbol: str) -> Unit:
     """The unit in which a column is shown."""
     mechanism = plan.mechanism
-    return mechanism.shown(mechanism.given_unit(symbol) or plan.equations.of(symbol).unit).text
+    return mechanism.shown(mechanism.given_unit(symbol) or plan.equations.of(symbol).unit)
+
+
+def shown_unit(plan: Plan, symbol: str) -> str:
+    """The same as text: `°`."""
+    return unit_of_column(plan, symbol).text
 
 
 def value_style(plan: Plan, kind: str) -> Style:

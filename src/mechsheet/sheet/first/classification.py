@@ -5,10 +5,12 @@ Found in the mechanism and its groups, before any cell has a place; `verdicts` w
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from itertools import combinations
 
 from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Joint, Link, Mechanism
 from mechsheet.sheet.table.lowering import Assignments
 
@@ -143,12 +145,21 @@ def _returning(
     mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
     newton = any(group.system is not None for group in equations.groups)  # no ratio of two times from rows alone
-    if not mechanism.driver.link or not mechanism.driver.stepped or newton:
+    if not mechanism.driver.link or not (mechanism.driver.stepped or _once_round(mechanism)) or newton:
         return ()
     final = _final_links(mechanism, equations)
     ground = mechanism.ground.name
     slides = [joint.symbol for joint in strokes if (joint.link if joint.on == ground else joint.on) in final]
     return (*(link.angle_symbol for link in swings if link.name in final), *slides)
+
+
+def _once_round(mechanism: Mechanism) -> bool:
+    """Whether a motion law leads the driver once round."""
+    law = mechanism.driver.law
+    if law is None:
+        return False
+    values = dimension_values(mechanism)
+    return abs(abs(values[law.stop] - values[law.start]) - math.tau) < 1e-9
 
 
 def _four_bar(mechanism: Mechanism, group: Group, pivoted: list[Link]) -> FourBar | None:

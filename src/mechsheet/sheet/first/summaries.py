@@ -1,13 +1,14 @@
-"""The block of summaries on the first sheet: one number of the whole motion, and the driver's value where it occurs."""
+"""The block of summaries on the first sheet: one number of the whole motion, and the driver's value where it occurs; and
+the outputs that follow from these numbers."""
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
-from mechsheet.model import Summary
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, transform
+from mechsheet.model import Output, Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import Way, about
 from mechsheet.sheet.checks.limits import STRETCHES
-from mechsheet.sheet.first.blocks import Writer, shown_unit, value_style
+from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
@@ -23,6 +24,8 @@ def write_summaries(writer: Writer) -> None:
     writer.heading("summary", plan.text("head.at"))
     for summary in plan.mechanism.summaries:
         _write(writer, summary)
+    for output in plan.mechanism.motion_outputs:
+        _write_output(writer, output)
 
 
 def _write(writer: Writer, summary: Summary) -> None:
@@ -33,28 +36,72 @@ def _write(writer: Writer, summary: Summary) -> None:
         if summary.label
         else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
     )
-    closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
-    before, after = plan.text("summary.part", count="#", rows=plan.rows).split("#")
-    part = joined(f"{label}: {before}", closed, after)
-    words = formula("IF(closed=rows,label,part)", closed=closed, rows=plan.rows, label=label, part=part)
+    words = _with_part(plan, label)
     refined: dict[str, tuple[Way, ...]] = {"min": ("min",), "max": ("max",), "range": ("min", "max")}
     if summary.take in refined and summary.of != plan.mechanism.driver.symbol:
         words = plan.at.bind(joined(words, about(plan, summary.of, refined[summary.take])), plan.main)
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
-    writer.formula(row, MEANING, words, styles.LABEL)
-    partial = formula("closed<rows", closed=closed, rows=plan.rows)
-    writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
+    _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
     style = styles.decimals(styles.RESULT, places_of(plan, unit)) if unit.per else value_style(plan, unit.kind)
     if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_places:
         style = styles.decimals(styles.RESULT, plan.band_places[summary.of])
     value, where = _of(plan, summary)
-    # over nothing: no number, and no 0 that somebody who looks for the smallest would take
-    found = formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=closed, value=value)
-    writer.formula(row, VALUE, plan.at.bind(found, plan.main), style)
+    writer.formula(row, VALUE, _where_it_closes(plan, value), style)
     if where is not None:
-        found = formula("IF(closed=0,NA(),IFERROR(where,NA()))", closed=closed, where=where)
-        writer.formula(row, TOLERANCE, plan.at.bind(found, plan.main), value_style(plan, "angle"))
+        writer.formula(row, TOLERANCE, _where_it_closes(plan, where), value_style(plan, "angle"))
+
+
+def _where_it_closes(plan: Plan, value: Node) -> Node:
+    """Over nothing: no number, and no 0 that somebody who looks for the smallest would take."""
+    return plan.at.bind(formula("IF(_rows_closed=0,NA(),IFERROR(value,NA()))", value=value), plan.main)
+
+
+def _with_part(plan: Plan, label: str) -> Node:
+    """The label; where only a part of the sweep exists, of how many positions."""
+    closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
+    before, after = plan.text("summary.part", count="#", rows=plan.rows).split("#")
+    part = joined(f"{label}: {before}", closed, after)
+    return formula("IF(closed=rows,label,part)", closed=closed, rows=plan.rows, label=label, part=part)
+
+
+def _said(writer: Writer, row: int, words: Node) -> None:
+    """The words of a line, amber where only a part of the sweep exists."""
+    plan = writer.plan
+    writer.formula(row, MEANING, words, styles.LABEL)
+    closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
+    partial = formula("closed<rows", closed=closed, rows=plan.rows)
+    writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
+
+
+def _write_output(writer: Writer, output: Output) -> None:
+    """A line of an output of summaries."""
+    plan = writer.plan
+    row = plan.blocks["summary"].rows[output.symbol]
+    writer.line(row, rich(output.symbol), plan.mechanism.shown(output.unit).text, None)
+    _said(writer, row, _with_part(plan, output_words(plan, output)))
+    writer.formula(
+        row, VALUE, _where_it_closes(plan, over_summaries(plan, output)), value_style(plan, output.unit.kind)
+    )
+
+
+def output_words(plan: Plan, output: Output) -> str:
+    """What an output of summaries is called: its label, or its formula."""
+    return output.label.of(plan.language) if output.label else f"= {' '.join(output.written.split())}"
+
+
+def over_summaries(plan: Plan, output: Output) -> Node:
+    """An output of summaries, as people read it, over the cells of the summaries: angles in them are read as radians."""
+    taken = {summary.symbol: summary for summary in plan.mechanism.summaries}
+
+    def change(part: Node) -> Node:
+        if not isinstance(part, Symbol) or part.name not in taken:
+            return part
+        cell, unit = Symbol(f"#summary {part.name}"), unit_of_column(plan, taken[part.name].of)
+        return Call("RADIANS", (cell,)) if unit.in_degrees else cell
+
+    tree = transform(output.formula, change)
+    return Call("DEGREES", (tree,)) if plan.mechanism.shown(output.unit).in_degrees else tree
 
 
 def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:

@@ -23,9 +23,10 @@ from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
-from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.sheet.table.start_table import assemblies_lost
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.equations import link_words
@@ -101,6 +102,10 @@ class _Block:
         self.writer.formula(row, VALUE, value, style)
         self.writer.formula(row, MEANING, words, styles.VERDICT)
         return self.value(key)
+
+    def where_it_closes(self, words: Node | str) -> Node:
+        """Words about rows: nothing where no row closes."""
+        return formula('IF(closed=0,"",words)', closed=self.value("rows_closed"), words=words)
 
     def value(self, key: str) -> CellRef:
         """The cell of a line's value."""
@@ -262,23 +267,25 @@ class _Block:
     def newton(self) -> None:
         """Whether each row is of the same assembly, how well the links meet, how many passes that took, the least |det|."""
         key, cell = "same_assembly", self.value("same_assembly")
-        kept, lost = self.text(f"{key}.kept"), self.text(f"{key}.lost")
-        words = formula('IF(closed=0,"",IF(count=0,kept,lost))', closed=self.value("rows_closed"), count=cell, kept=kept,
-                        lost=lost)  # fmt: skip
+        kept, lost, begun = (self.text(f"{key}.{word}") for word in ("kept", "lost", "begun"))
+        words = formula('IF(closed=0,"",IF(count>0,lost,IF(ends>0,begun,kept)))', closed=self.value("rows_closed"),
+                        count=cell, kept=kept, lost=lost, begun=begun, ends=assemblies_lost(self.plan))  # fmt: skip
         self.line(key, self.text(key), "", self.checks.worst("assembly"), 0, words)
         self.colour(key, "count>0", styles.BAD, count=cell)
+        self.colour(key, "said=begun", styles.WARN, said=self.words(key), begun=begun)
         self.colour(key, "said=kept", styles.GOOD, said=self.words(key), kept=kept)
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line("largest_residual", self.text("residual"), "", self.checks.worst("residual"), style,
-                  Text(self.text("residual.fine")))  # fmt: skip
+                  self.where_it_closes(self.text("residual.fine")))  # fmt: skip
         key, cell = "passes_needed", self.value("passes_needed")
         most = max(group.system.passes for group in self.plan.equations.groups if group.system is not None)
         words = formula("IF(count>most,many,fine)", count=cell, most=most, many=self.text(f"{key}.many", passes=most),
                         fine=self.text(f"{key}.fine", passes=most))  # fmt: skip
-        self.line(key, self.text(key), "", self.checks.worst("needed"), 0, words)
+        self.line(key, self.text(key), "", self.checks.worst("needed"), 0, self.where_it_closes(words))
         self.colour(key, "count>most", styles.WARN, count=cell, most=most)
         key = "least_det"
-        self.line(key, self.text(key), "", self.checks.worst("det"), 4, Text(self.text(f"{key}.words")))
+        words = self.where_it_closes(self.text(f"{key}.words"))
+        self.line(key, self.text(key), "", self.checks.worst("det"), 4, words)
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("det")))
 
     # --- four-bar loops ---------------------------------------------------------------------------------------
@@ -355,14 +362,21 @@ class _Block:
         self._extent(f"stroke_{symbol}", symbol, unit, self._range(symbol), "length", Text(self.text("stroke")))
 
     def ratio(self, symbol: str) -> None:
-        """Time of the slower way between the extremes over that of the faster, for a driver that turns evenly."""
+        """Time of the slower way between the extremes over that of the faster: of a driver that turns evenly, or by its
+        motion law, again and again."""
+        law, ends = self.plan.mechanism.driver.law, "at"
         turn = whole_turn(self.driver.unit.in_degrees)
+        closes = formula("wraps>0", wraps=Symbol(f"#wraps_{symbol}"))
+        if law is not None:
+            first, last = Symbol(SHOWN + law.start), Symbol(SHOWN + law.stop)
+            closes = formula("AND(closes,ABS(ABS(last-first)/turn-1)<1E-9)", closes=closes, first=first, last=last,
+                             turn=turn)  # fmt: skip
+            ends, turn = "place", float(self.plan.rows - 1)
         way = formula(
-            "MOD(high-low,turn)", high=Symbol(f"#max_at_{symbol}"), low=Symbol(f"#min_at_{symbol}"), turn=turn
+            "MOD(high-low,turn)", high=Symbol(f"#max_{ends}_{symbol}"), low=Symbol(f"#min_{ends}_{symbol}"), turn=turn
         )
         value = formula("MAX(way,turn-way)/MIN(way,turn-way)", way=way, turn=turn)
-        node = self.bound("IF(wraps>0,IFERROR(value,NA()),NA())", value=value,
-                          wraps=Symbol(f"#wraps_{symbol}"))  # fmt: skip
+        node = self.bound("IF(closes,IFERROR(value,NA()),NA())", value=value, closes=closes)
         cell = self.value(f"time_ratio_{symbol}")
         words = self.bound(
             'IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
@@ -417,7 +431,7 @@ class _Block:
                            ok=self.plan.text("status.ok"))  # fmt: skip
         some = self.text("dead_centres.some", rates=self.plan.at.titles["rates"])
         words = formula("IF(count=0,none,some)", count=cell, none=self.text("dead_centres.none"), some=some)
-        self.line(key, self.text(key), f"/ {self.plan.rows}", count, 0, words)
+        self.line(key, self.text(key), f"/ {self.plan.rows}", count, 0, self.where_it_closes(words))
         self.colour(key, "count>0", styles.WARN, count=cell)
 
     def fits(self, kind: Literal["velocity", "acceleration"], key: str) -> None:
@@ -427,9 +441,10 @@ class _Block:
         words = formula("IF(gap>rounding,wrong,fine)", gap=self.value(key), rounding=rounding, wrong=wrong,
                         fine=self.text("rates.fit"))  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        self.line(key, self.text(key), self.plan.mechanism.length_unit, self.checks.worst(kind), style, words)
+        unit = self.plan.mechanism.length_unit
+        self.line(key, self.text(key), unit, self.checks.worst(kind), style, self.where_it_closes(words))
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
-        self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
+        self.colour(key, "said=fine", styles.GOOD, said=self.words(key), fine=self.text("rates.fit"))
 
     # --- forces -----------------------------------------------------------------------------------------------
 
@@ -440,7 +455,8 @@ class _Block:
         unit = plan.equations.of(effort).unit
         style = styles.decimals(styles.RESULT, places_of(plan, unit))
         key = "largest_effort"
-        self.line(key, rich(effort), unit.text, self.checks.worst("effort"), style, Text(self.text(key)))
+        self.line(key, rich(effort), unit.text, self.checks.worst("effort"), style,
+                  self.where_it_closes(self.text(key)))  # fmt: skip
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("effort")))
         key, cell = "largest_force", self.value("largest_force")
         names: list[Node | str] = [
@@ -452,16 +468,16 @@ class _Block:
         force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
         style = styles.decimals(styles.RESULT, places(plan, "force"))
         self.line(key, self.text(key), force_unit, self.checks.worst("force"), style,
-                  joined(self.text(f"{key}.words"), *names))  # fmt: skip
+                  self.where_it_closes(joined(self.text(f"{key}.words"), *names)))  # fmt: skip
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("force")))
         key = "effort_fits"
         wrong = self.text("effort.not", sheet=self.checks.title)
         words = formula("IF(gap>agrees,wrong,fine)", gap=self.value(key), agrees=AGREES, wrong=wrong,
                         fine=self.text("effort.fit"))  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        self.line(key, self.text(key), "", self.checks.worst("torque"), style, words)
+        self.line(key, self.text(key), "", self.checks.worst("torque"), style, self.where_it_closes(words))
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
-        self.colour(key, "said<>wrong", styles.GOOD, said=self.words(key), wrong=wrong)
+        self.colour(key, "said=fine", styles.GOOD, said=self.words(key), fine=self.text("effort.fit"))
 
     def flywheel(self) -> None:
         """Mean torque, change of energy over the turn, and the moment of inertia that keeps the speed within its bounds."""
@@ -476,7 +492,8 @@ class _Block:
         missing = self.text("flywheel.missing")
 
         def said(key: str, words: Node | str) -> Node:
-            return formula("IF(ISNUMBER(value),words,missing)", value=self.value(key), words=words, missing=missing)
+            known = formula("IF(ISNUMBER(value),words,missing)", value=self.value(key), words=words, missing=missing)
+            return self.where_it_closes(known)
 
         unit = plan.equations.of(torque).unit.text
         self.line("mean_torque", self.text("mean_torque"), unit, mean, style,
@@ -510,19 +527,20 @@ class _Block:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", self.words(f"grashof_{loop.group}")]
-        for group in plan.found.transmission[:1]:
-            key, what = f"transmission_{group.number}", f"; {self.text('line.transmission')} "
-            said = formula('IF(ISNUMBER(value),what&words,"")', value=self.value(key), what=what, words=self.words(key))
-            parts.append(said)
+        if plan.found.transmission:
+            parts.append(self._worst_transmission())
         gap = self.words("largest_gap")
         good = joined(*parts)
         lost: Node | None = None
+        nowhere: Node = Text(self.text("line.nowhere"))
         if plan.found.newton:
+            nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(plan), ended=self.text("line.ended"),
+                              nowhere=nowhere)  # fmt: skip
             lost = self.words("same_assembly")
             good = formula("IF(lost=kept,good,lost)", lost=lost, kept=self.text("same_assembly.kept"), good=good)
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
-            fine=Symbol("#fine"), count=count, nowhere=self.text("line.nowhere"), gap=gap,
+            fine=Symbol("#fine"), count=count, nowhere=nowhere, gap=gap,
             closed=self.text("gap.closed"),
             good=good, inputs=self.words("inputs"),
         )  # fmt: skip
@@ -533,13 +551,31 @@ class _Block:
         bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
                       inputs=self.words("inputs"))  # fmt: skip
         if lost is not None:
-            bad = formula("OR(bad,AND(count>0,leapt>0))", bad=bad, count=count, leapt=self.value("same_assembly"))
+            bad = formula("OR(bad,count=0,leapt>0)", bad=bad, count=count, leapt=self.value("same_assembly"))
         doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))
+        if lost is not None:
+            doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=self.text("same_assembly.begun"))
         self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
+
+    def _worst_transmission(self) -> Node:
+        """The words of the group with the least angle of transmission; of several with its symbol."""
+        keys = [f"transmission_{group.number}" for group in self.plan.found.transmission]
+        what = f"; {self.text('line.transmission')} "
+        if len(keys) == 1:
+            return formula('IF(ISNUMBER(value),what&words,"")', value=self.value(keys[0]), what=what,
+                           words=self.words(keys[0]))  # fmt: skip
+        symbols, values, said = (
+            RangeRef(*(CellRef(self.rows[key], col, True, True) for key in (keys[0], keys[-1])))
+            for col in (SYMBOL, VALUE, MEANING)
+        )
+        return formula(
+            'IFERROR(what&INDEX(symbols,MATCH(MIN(values),values,0))&" "&INDEX(said,MATCH(MIN(values),values,0)),"")',
+            what=what, symbols=symbols, values=values, said=said,
+        )  # fmt: skip
 
 
 def _in(value: Node, degrees: bool) -> Node:

@@ -42,6 +42,7 @@ PARAGRAPHS = (
     "checks",
     "extremes",
     "missing",
+    "delete",
 )
 ASSUMPTIONS = ("planar", "angles", "radians", "cosines", "continuous", "constant_mode", "rounding")
 RATE_ASSUMPTIONS = ("rates", "coefficients", "dead")
@@ -128,6 +129,7 @@ class _Page:
         plan = self.plan
         titles = plan.at.titles
         return {
+            "notes": titles["notes"],
             "rows": plan.rows,
             "last": plan.rows - 1,
             "driver": plain(plan.mechanism.driver.symbol),

@@ -3,18 +3,19 @@
     X = (x - xc) / h,    Y = (y - yc) / h        in a square plot from -1 to 1, so that a circle is round
 
 Every corner of a link is a row; a point that stands in the table is read there, another is computed from the angles of
-the row that is drawn. Circles of points that turn about fixed pins need no columns: their window is the pin and the arm.
+the row that is drawn. Hodographs have such cells, too. Circles of points that turn about fixed pins need no columns: their
+window is the pin and the arm.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, Unary, symbols, transform
 from mechsheet.kinematics.solve import dimension_values
-from mechsheet.model import Joint, Link
+from mechsheet.model import ChartRequest, Joint, Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER, PATH_COLORS
@@ -40,6 +41,9 @@ FEW_POINTS = 3
 """So many moving points have their extents in one formula."""
 
 LEFT, BOTTOM, CAPTION = -0.95, -0.95, 0.93
+HODOGRAPH_INNER = (0.08, 0.12, 0.85, 0.85)
+"""The square plot below the title, as a part of the chart."""
+
 STYLE = styles.decimals(styles.INNER, 4)
 WORDS = replace(styles.INNER, name="", align="left", wrap=True)
 """Wrapped: a text that is too long would be drawn over the columns beside those that are folded away."""
@@ -64,14 +68,14 @@ class PageDrawing:
         for symbol in charted:
             self._quantity(symbol)
         self._needed()
-        self.x, self.y, self.half = self._window()
-        bar = self._scale_bar()
+        self.x, self.y, self.half = self._window(self._extents, MARGIN)
+        bar = self._scale_bar(self.half, plan.mechanism.length_unit)
         caption = self._caption()
-        links = [self._link(link) for link in plan.mechanism.links[1:]]
-        guides = [self._guide(joint) for joint in plan.mechanism.joints]
+        links = [self._link(link) for link in plan.mechanism.whole_links[1:]]
+        guides = [self._guide(joint) for joint in plan.mechanism.sliding]
         pins = self._pins()
         paths = [self._path(point, index) for index, point in enumerate(self._traced())]
-        blocks = [self._block(joint) for joint in plan.mechanism.joints]
+        blocks = [self._block(joint) for joint in plan.mechanism.sliding]
         series = [each for each in (*paths, *guides, *links, *blocks, *pins, *bar, caption) if each is not None]
         title = plan.mechanism.title.of(plan.language)
         self.chart = Chart(
@@ -124,7 +128,7 @@ class PageDrawing:
         wanted: list[Node] = []
         for point in moving_points(mechanism):
             wanted += [Symbol(f"{point}.{axis}") for axis in ("x", "y")]
-        for joint in mechanism.joints:
+        for joint in mechanism.sliding:
             wanted += [*through_of(mechanism, joint), direction_of(mechanism, joint)]
         for node in wanted:
             self._at_position(node)
@@ -148,18 +152,23 @@ class PageDrawing:
 
     # --- the window -------------------------------------------------------------------------------------------
 
-    def _window(self) -> tuple[CellRef, CellRef, CellRef]:
-        """The middle and half the side of a square round all rows, live."""
+    def _window(
+        self, extents: Callable[[str], tuple[list[Node], list[Node]]], margin: float
+    ) -> tuple[CellRef, CellRef, CellRef]:
+        """The middle and half the side of a square round all rows, live.
+
+        extents  least and largest places along x or y;  margin: how much larger than that the square is
+        """
         middles, sizes = [], []
         for axis in ("x", "y"):
-            lows, highs = self._extents(axis)
+            lows, highs = extents(axis)
             self._text(NAME, axis)
             low, high = self._formula(X, al.smallest(lows)), self._formula(Y, al.largest(highs))
             middles.append(self._formula(MIDDLE, formula("(low+high)/2", low=low, high=high)))
             sizes.append(formula("high-low", low=low, high=high))
             self.row += 1
         self._text(NAME, self.plan.text("drawing.half"))
-        half = formula("IF(MAX(w,h)>0,factor*MAX(w,h),1)", w=sizes[0], h=sizes[1], factor=MARGIN / 2)
+        half = formula("IF(MAX(w,h)>0,factor*MAX(w,h),1)", w=sizes[0], h=sizes[1], factor=margin / 2)
         cell = self._formula(X, half)
         self.row += 1
         return middles[0], middles[1], cell
@@ -384,35 +393,83 @@ class PageDrawing:
 
     def _path(self, point: str, index: int) -> Series:
         """The path of a point: two columns beside the table."""
-        plan, areas = self.plan, []
-        for axis in ("x", "y"):
-            col = self.start + MIDDLE + 1 + self.path_columns
-            spot = plan.at.spots[f"{point}.{axis}"]
-            cell = CellRef(plan.at.first, spot.col, col_abs=True)
-            node = self._chart_x(cell) if axis == "x" else self._chart_y(cell)
-            self.cells.append(Cell(plan.symbol_row, col, f"{axis.upper()} {plain(point)}", styles.HEAD))
-            self.fills.append(Fill(plan.at.first, col, node, STYLE, rows=plan.rows))
-            areas.append(SeriesRef(plan.main, Area(plan.at.first, col, plan.at.last, col)))
-            self.path_columns += 1
-        return Series(
-            plain(point), areas[0], areas[1], line=PATH_COLORS[index % len(PATH_COLORS)], width=1.25, in_legend=False
-        )
+        nodes = self._chart_x(self._of_row(f"{point}.x")), self._chart_y(self._of_row(f"{point}.y"))
+        x, y = (self._beside(f"{axis} {plain(point)}", node) for axis, node in zip(("X", "Y"), nodes, strict=True))
+        return Series(plain(point), x, y, line=PATH_COLORS[index % len(PATH_COLORS)], width=1.25, in_legend=False)
 
-    def _scale_bar(self) -> tuple[Series, Series]:
+    def _of_row(self, symbol: str) -> CellRef:
+        """A column of the table in the row of a column beside it."""
+        return CellRef(self.plan.at.first, self.plan.at.spots[symbol].col, col_abs=True)
+
+    def _beside(self, head: str, node: Node) -> SeriesRef:
+        """A column beside the table, filled down."""
+        plan, col = self.plan, self.start + MIDDLE + 1 + self.path_columns
+        self.cells.append(Cell(plan.symbol_row, col, head, styles.HEAD))
+        self.fills.append(Fill(plan.at.first, col, node, STYLE, rows=plan.rows))
+        self.path_columns += 1
+        return SeriesRef(plan.main, Area(plan.at.first, col, plan.at.last, col))
+
+    # --- hodographs -------------------------------------------------------------------------------------------
+
+    def hodograph(self, request: ChartRequest) -> Chart:
+        """The ends of velocities from one pole at true scale, and the vectors in the row that is drawn."""
+        plan = self.plan
+        names = ", ".join(plain(point) for point in request.hodographs)
+        title = request.title.of(plan.language) if request.title else plan.text("chart.hodograph", points=names)
+        self._text(NAME, title)
+        self.row += 1
+
+        def extents(axis: str) -> tuple[list[Node], list[Node]]:
+            columns = [self._table_column(f"{point}.v{axis}", plan.last_looked_at) for point in request.hodographs]
+            least, most = ([over_rows(way, column) for column in columns] for way in (LEAST, MOST))
+            return [al.ZERO, *least], [al.ZERO, *most]
+
+        x, y, half = self._window(extents, MARGIN)
+        bar = self._scale_bar(half, f"{plan.mechanism.length_unit}/s")
+
+        def places(read: Callable[[str], Node], point: str) -> tuple[Node, Node]:
+            at_x, at_y = (read(f"{point}.v{axis}") for axis in ("x", "y"))
+            return al.div(al.sub(at_x, x), half), al.div(al.sub(at_y, y), half)
+
+        curves, vectors = [], []
+        for index, point in enumerate(request.hodographs):
+            color, name = styles.SERIES[index % len(styles.SERIES)], plain(f"{point}.v")
+            curve = [self._beside(f"{axis} {name}", node) for axis, node in
+                     zip(("X", "Y"), places(self._of_row, point), strict=True)]  # fmt: skip
+            curves.append(Series(name, curve[0], curve[1], line=color, width=1.75, in_legend=False))
+            first = self.row
+            for ends in (places(lambda _: al.ZERO, point), places(self._indexed, point)):
+                self._text(NAME, rich(f"{point}.v"))
+                self._formula(X, ends[0])
+                self._formula(Y, ends[1])
+                self.row += 1
+            line = Series(name, self._ref(first, X, first + 1), self._ref(first, Y, first + 1), line=INK, width=1.25,
+                          in_legend=False)  # fmt: skip
+            end = replace(
+                line, x=self._ref(first + 1, X), y=self._ref(first + 1, Y), line="", marker="circle", marker_size=7,
+                marker_line=INK, marker_fill=color, show_name=True,
+            )  # fmt: skip
+            vectors += [line, end]
+        return Chart(
+            title, Anchor(0, 0, CHART_HEIGHT, CHART_HEIGHT), (*curves, *vectors, *bar), HIDDEN_AXIS, HIDDEN_AXIS,
+            legend="", inner=HODOGRAPH_INNER, alt_text=title,
+        )  # fmt: skip
+
+    # --- what is written beside -------------------------------------------------------------------------------
+
+    def _scale_bar(self, half: CellRef, unit: str) -> tuple[Series, Series]:
         """A bar of 1, 2 or 5 times a power of ten, at most a quarter of the window; its length is the label."""
-        text, unit = self.plan.text, self.plan.mechanism.length_unit
+        text = self.plan.text
         self._text(NAME, text("drawing.bar"))
-        power = self._formula(MIDDLE, formula("10^INT(LOG10(half/2))", half=self.half))
-        length = self._formula(
-            X, formula("power*IF(half>=10*power,5,IF(half>=4*power,2,1))", half=self.half, power=power)
-        )
+        power = self._formula(MIDDLE, formula("10^INT(LOG10(half/2))", half=half))
+        length = self._formula(X, formula("power*IF(half>=10*power,5,IF(half>=4*power,2,1))", half=half, power=power))
         words = self._formula(Y, joined(formula("ROUND(length,12)", length=length), f" {unit}" if unit else ""))
         self.row += 1
         first = self.row
         self._text(X, LEFT)
         self._text(Y, BOTTOM)
         self.row += 1
-        self._formula(X, formula("left+length/half", left=al.number(LEFT), length=length, half=self.half))
+        self._formula(X, formula("left+length/half", left=al.number(LEFT), length=length, half=half))
         self._text(Y, BOTTOM)
         x, y = self._ref(first, X, self.row), self._ref(first, Y, self.row)
         bar = Series(text("drawing.bar"), x, y, line=INK, width=2.0, in_legend=False)

@@ -62,9 +62,11 @@ def _page(plan: PagePlan) -> Sheet:
     top, table = Top(plan), Table(plan)
     widths = _widths(table)
     requests = [request for request in chart_requests(plan) if request.y and _has_columns(plan, request)]
-    right = _charts_right(widths, len(requests) + plan.drawn)
+    hodographs = [request for request in chart_requests(plan) if request.hodographs and plan.drawn]
+    right = _charts_right(widths, len(requests) + len(hodographs) + plan.drawn)
     drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
-    charts = _placed(plan, widths, requests, drawing)
+    ends = [drawing.hodograph(request) for request in hodographs] if drawing else []
+    charts = _placed(plan, widths, requests, drawing, ends)
     columns = [Column(col, col, width) for col, width in enumerate(widths)]
     if right >= len(widths):
         columns.append(Column(len(widths), right, NARROW))
@@ -135,10 +137,14 @@ def _charted(requests: list[ChartRequest]) -> list[str]:
 
 
 def _placed(
-    plan: PagePlan, widths: list[float], requests: list[ChartRequest], drawing: PageDrawing | None
+    plan: PagePlan,
+    widths: list[float],
+    requests: list[ChartRequest],
+    drawing: PageDrawing | None,
+    hodographs: list[Chart],
 ) -> tuple[Chart, ...]:
-    """The drawing beside the dimensions, the curves beside it."""
-    charts = [drawing.chart] if drawing else []
+    """The drawing beside the dimensions, hodographs and curves beside it."""
+    charts = [drawing.chart, *hodographs] if drawing else []
     charts += [_curves(plan, request, drawing) for request in requests]
     x, found = sum(map(_pixels, widths[: LAST + 1])) + GAP, []
     for chart in charts:

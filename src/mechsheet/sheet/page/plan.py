@@ -166,7 +166,7 @@ def _plan_top(plan: PagePlan) -> None:
     grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
     transmission = [f"transmission_{group.number}" for group in found.transmission]
     _block(plan, "verdicts", ["inputs", "rows_closed", *grashof, *transmission])
-    _block(plan, "summary", (summary.symbol for summary in mechanism.summaries))
+    _block(plan, "summary", (each.symbol for each in mechanism.motion_numbers))
     _block(plan, "variables", ())
     _name_places(plan, modes)
 
@@ -181,9 +181,8 @@ def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
 def _name_places(plan: PagePlan, modes: list[str]) -> None:
     """A place for everything on top; it has a name where formulas are to read names."""
     mechanism, rows = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}
-    cells = {dim.symbol: dim.cell for dim in mechanism.dimensions} | {
-        each.symbol: each.cell for each in mechanism.summaries
-    }
+    cells = {dim.symbol: dim.cell for dim in mechanism.dimensions}
+    cells |= {each.symbol: each.cell for each in mechanism.motion_numbers}
     taken = {folded(cell) for cell in cells.values() if cell}
     for dim in mechanism.dimensions:
         row = rows["derived" if dim.derived else "dimensions"][dim.symbol]

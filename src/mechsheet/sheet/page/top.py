@@ -13,6 +13,7 @@ from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
+from mechsheet.sheet.first.summaries import output_words, over_summaries
 from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, over_rows
 from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
@@ -280,8 +281,10 @@ class Top:
         parts: list[Node | str] = [counted, rows, text("page.verdict.positions")]
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)]
-        for group in plan.found.transmission[:1]:
-            value = self.cell(f"#transmission_{group.number}")
+        if plan.found.transmission:
+            value: Node = Call(
+                "MIN", tuple(self.cell(f"#transmission_{each.number}") for each in plan.found.transmission)
+            )
             unit = plan.mechanism.angle_unit.text
             parts += [text("page.verdict.transmission"), formula("ROUND(value,1)", value=value),
                       f"{'' if unit == '°' else ' '}{unit}{text('page.verdict.rows')}"]  # fmt: skip
@@ -313,6 +316,13 @@ class Top:
             kind = (plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit).kind
             value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=self._taken(summary))
             self.fill(row, VALUE, value, value_style(plan, kind))
+        for output in plan.mechanism.motion_outputs:
+            row = plan.blocks["summary"].rows[output.symbol]
+            meaning = plan.text("page.take.rows", label=output_words(plan, output))
+            self.line(row, rich(output.symbol), plan.mechanism.shown(output.unit).text, meaning)
+            value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"),
+                            value=over_summaries(plan, output))  # fmt: skip
+            self.fill(row, VALUE, value, value_style(plan, output.unit.kind))
 
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""

@@ -46,7 +46,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
-from mechsheet.synthesis.dead_centres import LONGEST
+from mechsheet.synthesis.over_ratio import LONGEST
 
 SWINGS = tuple(range(10, 130, 10))
 """psi of the columns, degrees; the task's own follows them."""
@@ -164,7 +164,7 @@ class _Alt:
 
     def _asked(self, name: str) -> Node:
         """An angle of the task's, in degrees."""
-        return formula("IF(ISNUMBER(cell),cell,NA())", cell=self._degrees(self.naming.used[name]))
+        return formula("IF(ISNUMBER(cell),cell,NA())", cell=self._degrees(self.naming.symbols[name]))
 
     def _degrees(self, symbol: str) -> Node:
         cell = self.plan.at.cell(symbol, self.title, None)

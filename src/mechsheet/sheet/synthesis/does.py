@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
@@ -12,10 +12,9 @@ from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
-from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import largest
-from mechsheet.sheet.synthesis.tables import MU, curve_columns, sensitivity_columns
+from mechsheet.sheet.synthesis.tables import MU, curve_columns, exact_column, has_points, sensitivity_columns
 from mechsheet.sheet.workbook import Area, Conditional
 from mechsheet.units import behind_number
 
@@ -34,8 +33,17 @@ POOR = 40.0
 DEAD = 0.01
 """Degrees from a dead centre that count as one."""
 
+LOST = "AND(value<0,exact>=0)"
+"""Whether rounding takes what the exact lengths have: of what must not be below 0."""
+
 COARSE = 0.05
 """A length that changes by more than this part of it is not known well."""
+
+
+Over = Mapping[str, Node | float]
+"""What names in a test mean."""
+
+NOTHING: Over = {}
 
 
 def can_be(page: Page, symbol: str) -> Node:
@@ -65,9 +73,9 @@ class Does:
 
     def _entry(
         self, key: str, value: Node, unit: str, words: Sequence[tuple[str, Node | str]], otherwise: Node | str,
-        red: str = "FALSE", amber: str = "FALSE", counted: bool = False, **holes: Node | float,
+        red: str = "FALSE", amber: str = "FALSE", counted: bool = False, over: Over = NOTHING,
     ) -> None:  # fmt: skip
-        """A number and what it says: the words of the first test that holds. Tests are over `value` and the holes.
+        """A number and what it says: the words of the first test that holds. Tests are over `value` and the names `over`.
 
         counted  the number is a whole one
         """
@@ -79,13 +87,13 @@ class Does:
         page.put(row, UNIT, unit, styles.UNIT)
         said: Node = Text(otherwise) if isinstance(otherwise, str) else otherwise
         for test, reason in reversed(words):
-            condition = formula(test, value=number, **holes)
+            condition = formula(test, value=number, **over)
             said = formula("IF(condition,reason,said)", condition=condition, reason=reason, said=said)
         if key not in (INPUTS, UNSOLVED):
             said = formula("IF(_unsolved>0,none,IFERROR(said,nothing))", said=said, none="–", nothing="–")
         page.formula_across(row, USED, MEANING, said, styles.VERDICT)
         bad, poor = (
-            formula(f"IFERROR({test},{otherwise})", value=number, **holes)
+            formula(f"IFERROR({test},{otherwise})", value=number, **over)
             for test, otherwise in ((red, "TRUE"), (amber, "FALSE"))
         )
         grade = formula("IF(bad,no,IF(poor,doubt,yes))", bad=bad, poor=poor, no=NO, doubt=DOUBT, yes=YES)
@@ -134,26 +142,35 @@ class Does:
         return RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True))
 
     def _meets(self, key: str) -> None:
-        """The largest error of what is asked, in parts of each unit."""
+        """The largest error of what is asked, in parts of each unit.
+
+        Where only rounding keeps the mechanism from reaching it, that is a doubt: the exact lengths do.
+        """
         page = self.page
         errors = self._column("asked", USED)
-        kinds = {each.kind for each in requirements(page.given)}
-        unit = page.unit_text(kinds.pop()) if len(kinds) == 1 else ""
+        measures = {each.measure for each in page.kind.asked(page.given)}
+        unit = page.unit_text(measures.pop()) if len(measures) == 1 else ""
         value = formula("MAX(MAX(errors),-MIN(errors))", errors=errors)
         missing = formula("COUNT(errors)<ROWS(errors)", errors=errors)
         largest_error = joined(page.text("meets.about"), formula("ROUND(number,4)", number=CellRef(
             page.rows.of["does", key], VALUE, True, True)), behind_number(unit))  # fmt: skip
-        self._entry(
-            key, formula("IF(missing,NA(),value)", missing=missing, value=value), unit,
-            [("ISNA(value)", page.text("meets.not")), (f"value>{EXACT}", largest_error)], page.text("meets.exactly"),
-            red="ISNA(value)", amber=f"value>{EXACT}",
-        )  # fmt: skip
+        said: list[tuple[str, Node | str]] = [
+            ("ISNA(value)", page.text("meets.not")),
+            (f"value>{EXACT}", largest_error),
+        ]
+        red, amber, over = "ISNA(value)", f"value>{EXACT}", dict(NOTHING)
+        if page.rounds:
+            exact = self._column("asked", exact_column(page.given))
+            over["reached"] = formula("COUNT(exact)=ROWS(exact)", exact=exact)
+            said.insert(0, ("AND(ISNA(value),reached)", page.text("meets.rounded")))
+            red, amber = "AND(ISNA(value),NOT(reached))", f"IF(ISNA(value),reached,{amber})"
+        value = formula("IF(missing,NA(),value)", missing=missing, value=value)
+        self._entry(key, value, unit, said, page.text("meets.exactly"), red, amber, over=over)
 
     def _assemblies(self, key: str) -> None:
         """On how many of the two assemblies the points lie."""
         page = self.page
-        names = [name for name in page.given.names if name.startswith("side_p")]
-        sides = [page.cell(page.given.names[name]) for name in names]
+        sides = [page.cell(symbol) for symbol in page.given.sides if symbol not in page.given.results.values()]
         total = formula("ABS(total)", total=al.total(sides))
         listed: list[Node | str] = [page.text("assemblies.both")]
         for number, side in enumerate(sides, 1):
@@ -165,14 +182,9 @@ class Does:
     def _order(self, key: str) -> None:
         """Whether the input goes through the points one after the other."""
         page = self.page
-        if page.given.kind == "guidance":
-            two, three = page.tree("beta_A2"), page.tree("beta_A3")
-            value = formula("IF(AND(two*three>0,ABS(three)>ABS(two)),1,0)", two=two, three=three)
-        else:
-            count = int(page.given.chosen["points"])
-            steps = [page.tree(f"theta_p{n + 1} - theta_p{n}") for n in range(1, count)]
-            value = formula("IF(ABS(total)=count,1,0)", total=al.total(formula("SIGN(step)", step=step) for step in steps),
-                            count=len(steps))  # fmt: skip
+        steps = [page.tree(step) for step in page.kind.steps(page.given)]
+        total = al.total(formula("SIGN(step)", step=step) for step in steps)
+        value = formula("IF(ABS(total)=count,1,0)", total=total, count=len(steps))
         other = [("value=0", page.text("order.not"))]
         self._entry(key, value, "", other, page.text("order.kept"), amber="value=0", counted=True)
 
@@ -182,7 +194,7 @@ class Does:
         self._entry(
             key, formula("COUNT(column)", column=column), "",
             [("value<most", self.page.text("closes_throughout.not"))], self.page.text("closes_throughout.all"),
-            red="value<most", counted=True, most=formula("ROWS(column)", column=column),
+            red="value<most", counted=True, over={"most": formula("ROWS(column)", column=column)},
         )  # fmt: skip
 
     def _curve_col(self, key: str) -> int:
@@ -204,7 +216,7 @@ class Does:
         poor = POOR if page.degrees else formula("RADIANS(poor)", poor=POOR)
         self._entry(
             key, value, unit, [("value<poor", page.text("transmission.poor"))], page.text("transmission.good"),
-            amber="value<poor", poor=poor,
+            amber="value<poor", over={"poor": poor},
         )  # fmt: skip
 
     def _transmission_least(self, key: str) -> None:
@@ -219,37 +231,34 @@ class Does:
         )
 
     def _turns(self, key: str) -> None:
-        """Whether the crank turns fully."""
+        """Whether the crank turns fully: a doubt where only rounding keeps it from that."""
         page = self.page
-        four_bar = page.given.kind == "dead-centres"
-        fits = page.tree("min(a3 + a4 - a1 - a2, a1 - a2 - abs(a3 - a4))" if four_bar else "a3 - a2 - abs(c)")
         unit = page.unit_text("length")
-        self._entry(key, fits, unit, [("value<0", page.text("turns.not"))], page.text("turns.fully"), red="value<0")
+        said: list[tuple[str, Node | str]] = [("value<0", page.text("turns.not"))]
+        red, amber, over = "value<0", "FALSE", dict(NOTHING)
+        if page.rounds:
+            exact = over["exact"] = page.exactly(page.kind.turns)
+            margin = formula("ROUND(exact,4)", exact=exact)
+            said.insert(0, (LOST, joined(page.text("turns.rounded"), margin, behind_number(unit))))
+            red, amber = "AND(value<0,exact<0)", LOST
+        self._entry(key, page.tree(page.kind.turns), unit, said, page.text("turns.fully"), red, amber, over=over)
 
     def _at_dead_centre(self, key: str) -> None:
         """How near a point is to a dead centre."""
         page = self.page
-        at_points = page.given.kind == "function"
-        value = self._nearest_to_line(self._column("asked", MU)) if at_points else self._least_at_poses()
+        if has_points(page.given):
+            value = self._nearest_to_line(self._column("asked", MU))
+        else:
+            value = page.shown(page.tree(page.kind.beside), "angle")
         near = DEAD if page.degrees else formula("RADIANS(dead)", dead=DEAD)
         self._entry(
             key, value, page.unit_text("angle"), [("value<near", page.text("at_dead_centre.yes"))],
-            page.text("at_dead_centre.no"), amber="value<near", near=near,
+            page.text("at_dead_centre.no"), amber="value<near", over={"near": near},
         )  # fmt: skip
 
-    def _least_at_poses(self) -> Node:
-        """The least angle between coupler and output at the poses of a guided body.
-
-        Of A→B and B0→B: their product's share of the two lengths'.
-        """
-        across = [
-            f"abs((x_B{n} - x_A{n})*(y_B{n} - y_B0) - (y_B{n} - y_A{n})*(x_B{n} - x_B0))" for n in ("", "_2", "_3")
-        ]
-        sine = f"min({', '.join(across)})/(a3*a4)"
-        return self.page.shown(self.page.tree(f"asin(min(1, {sine}))"), "angle")
-
     def _grashof(self, key: str) -> None:
-        """What the first sheet says of the loop: red where it cannot be closed, amber at a change point."""
+        """What the first sheet says of the loop: red where it cannot be closed, amber at a change point, and where only
+        rounding keeps the input link from turning fully."""
         page, plan = self.page, self.page.plan
         loop = plan.found.four_bars[0]
         excess = plan.at.cell(f"#grashof_{loop.group}", page.title, None)
@@ -257,10 +266,15 @@ class Does:
         said = CellRef(row, FIRST_SHEET_WORDS, True, True, plan.main)
         opened = Text(f"{loop.name}: {plan.text('verdict.grashof.open')}")
         rounding = plan.at.bind(Symbol(plan.equations.tolerance), page.title)
-        self._entry(
-            key, excess, page.unit_text("length"), [], said, red="said=opened", amber="ABS(value)<=rounding",
-            said=said, opened=opened, rounding=rounding,
-        )  # fmt: skip
+        amber = "ABS(value)<=rounding"
+        over: dict[str, Node | float] = {"said": said, "opened": opened, "rounding": rounding}
+        words: list[tuple[str, Node | str]] = []
+        if page.rounds:
+            over |= {"exact": page.exactly(page.kind.turns), "used": page.tree(page.kind.turns)}
+            lost = LOST.replace("value", "used")
+            words.append((lost, joined(said, page.text("grashof.rounded"))))
+            amber = f"OR({amber},{lost})"
+        self._entry(key, excess, page.unit_text("length"), words, said, "said=opened", amber, over=over)
 
     def _sensitivity(self, key: str) -> None:
         """The largest change of a length for a small change of one input, as a part of the length."""

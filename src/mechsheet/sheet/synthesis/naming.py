@@ -10,14 +10,13 @@ from mechsheet.model import Synthesis
 
 
 class Naming:
-    """Results mean the mechanism's dimensions where it takes them, else their exact values."""
+    """Results mean the mechanism's dimensions where it takes them, else, or where asked for, their exact values."""
 
-    def __init__(self, task: Synthesis) -> None:
-        used = {name: symbol for symbol, name in task.taken.items()}
-        modes = {name: symbol for symbol, name in task.mode.items()}
-        self.used: Mapping[str, str] = {**task.names, **task.results, **used, **modes}
+    def __init__(self, task: Synthesis, exact: bool = False) -> None:
+        used = {name: symbol for symbol, name in (*task.taken.items(), *task.mode.items())}
+        self.symbols: Mapping[str, str] = {**task.names, **task.results, **({} if exact else used)}
 
     def tree(self, text: str | Node) -> Node:
         """The tree of an expression in the description's notation."""
         tree = parse_description(text) if isinstance(text, str) else text
-        return with_symbols(tree, {name: Symbol(symbol) for name, symbol in self.used.items()})
+        return with_symbols(tree, {name: Symbol(symbol) for name, symbol in self.symbols.items()})

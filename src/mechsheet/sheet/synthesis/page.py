@@ -11,6 +11,7 @@ from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.synthesis.naming import Naming
 from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
 from mechsheet.sheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.synthesis.kinds import kind_of
 
 LARGE = 1e6
 """A number from here on would not fit its cell with six decimals."""
@@ -21,8 +22,9 @@ class Page:
 
     def __init__(self, plan: Plan, task: Synthesis, rows: Rows) -> None:
         self.plan, self.given, self.rows = plan, task, rows
+        self.kind = kind_of(task)
         self.title = plan.at.titles["synthesis"]
-        self.naming = Naming(task)
+        self.naming, self.exact_naming = Naming(task), Naming(task, exact=True)
         self.dimensions: dict[str, Dimension] = {dim.symbol: dim for dim in plan.mechanism.dimensions}
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
@@ -52,6 +54,15 @@ class Page:
         """An expression over names of the task, with some of its names standing for cells of this sheet."""
         return with_symbols(self.naming.tree(text), cells)
 
+    def exactly(self, text: str) -> Node:
+        """The same expression of the results before they are rounded."""
+        return self.exact_naming.tree(text)
+
+    @property
+    def rounds(self) -> bool:
+        """Whether lengths are rounded before they are used."""
+        return bool(self.given.rounding)
+
     @property
     def degrees(self) -> bool:
         """Whether angles are shown in degrees."""
@@ -80,7 +91,9 @@ class Page:
         return styles.decimals(style, 4 if kind == "length" or self.is_degrees(kind) else 6)
 
     def dimension_style(self, dim: Dimension, style: Style) -> Style:
-        """The same of a dimension; one that is large, as it is described, as a power of ten."""
+        """The same of a dimension; ±1 as it is; one that is large, as it is described, as a power of ten."""
+        if dim.symbol in self.given.sides:
+            return styles.decimals(style, 0)
         if dim.unit.kind == "number" and abs(self.nominal[dim.symbol]) >= LARGE:
             return styles.numbered(style, "0.00000E+00")
         return styles.decimals(style, 4 if dim.unit.kind == "length" or dim.unit.in_degrees else 6)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 from mechsheet.formula import algebra as al
@@ -10,14 +11,12 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.synthesis.curves import curve_of
-from mechsheet.sheet.synthesis.figures import Line, lines_of
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import WINDOW
-from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, SYMBOL, UNIT, USED, VALUE
-from mechsheet.sheet.synthesis.tables import THETA, curve_columns
+from mechsheet.sheet.synthesis.tables import THETA, curve_columns, has_points
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
+from mechsheet.synthesis.kind import Line
 
 SIZE, LEGEND, HEIGHT, GAP = 286, 72, 240, 12
 """Pixels: the side of the figure, what its title and legend take, the height of the curve below it, the space around."""
@@ -39,7 +38,7 @@ BESIDE = "\N{EN SPACE}"
 
 def write_figure(page: Page) -> None:
     """The points of the figure, their window, and where they lie in it."""
-    lines = lines_of(page.given)
+    lines = page.kind.figure(page.given)
     page.heading("figure", value="x", rounded="y", used="X", meaning="Y")
     count = sum(len(line.vertices) for line in lines)
     first = page.rows.of["figure", "0"]
@@ -122,7 +121,7 @@ def _named_points(page: Page, lines: list[Line], first: int) -> list[Series]:
 
 def write_curve_chart(page: Page) -> None:
     """The curve over its range; of a function generator with the points that are wanted."""
-    curve = curve_of(page.given)
+    curve = page.kind.curve(page.given)
     if curve is None:
         return
     places = curve_columns(page.given)
@@ -139,11 +138,12 @@ def write_curve_chart(page: Page) -> None:
         )
         series.append(wanted)
     x_axis = Axis(page.text(f"curve.axis.{curve.x}"))
-    if page.given.kind == "function":
+    if has_points(page.given):
         series.append(_points(page))
     elif curve.x == "lam":
         series.append(_here(page))
-        x_axis = Axis(page.text("curve.axis.lam"), low=1.0, high=10.0, step=1.0)
+        tens = math.ceil(page.nominal[page.given.results["lam"]] / 10)  # so that the solution is on the chart
+        x_axis = Axis(page.text("curve.axis.lam"), low=0.0 if tens > 1 else 1.0, high=10.0 * tens, step=float(tens))
     title = page.text(f"curve.title.{page.given.kind}")
     anchor = Anchor(FIRST_ROW, CHARTS, SIZE, HEIGHT, dx=GAP, dy=SIZE + LEGEND + GAP)
     page.charts.append(
@@ -156,7 +156,7 @@ def write_curve_chart(page: Page) -> None:
 
 def _points(page: Page) -> Series:
     """The precision points: angles of the input beside those of the output, in the rows of what is asked."""
-    count = len(requirements(page.given))
+    count = len(page.kind.asked(page.given))
     first = page.rows.of["asked", "0"]
     x = SeriesRef(page.title, Area(first, THETA, first + count - 1, THETA))
     y = SeriesRef(page.title, Area(first, VALUE, first + count - 1, VALUE))

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from mechsheet.model import Dimension, Mechanism, Synthesis
-from mechsheet.sheet.synthesis.curves import curve_of
-from mechsheet.sheet.synthesis.figures import lines_of
-from mechsheet.sheet.synthesis.requirements import requirements
 from mechsheet.sheet.synthesis.rows import BOTH_CHARTS, CHART_ROWS, FIRST_ROW, LINE_ROW, SYMBOL, VALUE, Rows
+from mechsheet.synthesis.kinds import kind_of
 
 INPUTS = "task_inputs"
 """The first verdict: the number of the first input that cannot be, 0 where all can."""
@@ -19,30 +17,6 @@ UNSOLVED = "unsolved"
 GRASHOF = "grashof"
 """What kind of four-bar it is and which link turns: where the mechanism has one, as the first sheet says it."""
 
-THROUGH_POINTS = (
-    "meets",
-    "assemblies",
-    "order",
-    "closes_throughout",
-    "transmission_used",
-    "at_dead_centre",
-    GRASHOF,
-    "sensitivity",
-)
-"""Verdicts on a mechanism that has to pass points, or poses."""
-
-BETWEEN_DEAD_CENTRES = ("meets", "together", "turns", "transmission_least", "sensitivity")
-"""Verdicts on one whose dead centres are asked for."""
-
-VERDICTS: dict[str, tuple[str, ...]] = {
-    "function": THROUGH_POINTS,
-    "dead-centres": BETWEEN_DEAD_CENTRES,
-    "guidance": THROUGH_POINTS,
-    "quick-return-slider": BETWEEN_DEAD_CENTRES,
-    "quick-return-lever": ("meets", "sensitivity"),
-}
-"""Names of what is said of the mechanism that comes out, after `unsolved`."""
-
 WINDOW = ("x", "y", "half")
 """The middle of the figure and half its side."""
 
@@ -52,7 +26,7 @@ Place = Callable[[str, int, int, bool, str], None]
 
 def verdicts_of(task: Synthesis, four_bar: bool) -> tuple[str, ...]:
     """Names of what is said about the mechanism that comes out, in order."""
-    return (INPUTS, UNSOLVED, *(key for key in VERDICTS[task.kind] if four_bar or key != GRASHOF))
+    return (INPUTS, UNSOLVED, *(key for key in kind_of(task).verdicts if four_bar or key != GRASHOF))
 
 
 def plan_rows(mechanism: Mechanism, task: Synthesis, four_bar: bool, place: Place) -> Rows:
@@ -66,11 +40,12 @@ def plan_rows(mechanism: Mechanism, task: Synthesis, four_bar: bool, place: Plac
     rows.block("task", task.inputs)
     rows.block("result", tuple(task.results))
     rows.block("does", verdicts)
-    curve = curve_of(task)
+    kind = kind_of(task)
+    curve = kind.curve(task)
     rows.not_before(FIRST_ROW + (CHART_ROWS if curve is None else BOTH_CHARTS))
     rows.block("solution", task.steps)
-    rows.block("asked", _numbers(len(requirements(task))))
-    rows.block("figure", (*WINDOW, *_numbers(sum(len(line.vertices) for line in lines_of(task)))))
+    rows.block("asked", _numbers(len(kind.asked(task))))
+    rows.block("figure", (*WINDOW, *_numbers(sum(len(line.vertices) for line in kind.figure(task)))))
     if curve is not None:
         rows.block("curve", _numbers(curve.rows))
     for block, symbols in (("task", task.inputs), ("solution", task.steps)):

@@ -94,14 +94,14 @@ def _task(page: Page) -> None:
 def _results(page: Page) -> None:
     """Exact, rounded, as the mechanism uses it; amber where somebody has typed over the mechanism's dimension."""
     page.heading("result", value=page.text("exact"), rounded=page.text("rounded"), used=page.text("used"))
-    used = {name: symbol for symbol, name in page.given.taken.items()}
+    used = {name: symbol for symbol, name in (*page.given.taken.items(), *page.given.mode.items())}
     for name, symbol in page.given.results.items():
         row, dim = page.rows.of["result", name], page.dimensions[symbol]
         style = page.dimension_style(dim, styles.RESULT)
         page.put(row, SYMBOL, rich(name), styles.SYMBOL)
         page.formula(row, VALUE, page.cell(symbol), style)
         page.put(row, UNIT, dim.unit.text, styles.UNIT)
-        rounds = bool(page.given.rounding) and dim.unit.kind == "length"
+        rounds = page.rounds and dim.unit.kind == "length"
         if rounds:
             exact, step = page.cell(symbol), page.cell(page.given.rounding)
             page.formula(row, ROUNDED, formula("step*ROUND(exact/step,0)", exact=exact, step=step), style)

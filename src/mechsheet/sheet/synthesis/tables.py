@@ -8,30 +8,40 @@ from mechsheet.model import Synthesis
 from mechsheet.sheet import styles
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.synthesis.curves import curve_of
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.requirements import Requirement, requirements, transmission_angle
 from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import changes, mark
 from mechsheet.sheet.workbook import Column
+from mechsheet.synthesis.four_bar import transmission_angle
+from mechsheet.synthesis.kind import Requirement
+from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.synthesis import step_words
 
 MU, THETA = REMARK + 1, REMARK + 2
-"""The columns beside the table of what is asked in which a function generator's points have their transmission angle and
-their input angle."""
+"""The columns beside the table of what is asked in which points have their transmission angle and their input angle."""
 
 CURVE_COLUMNS = (VALUE, ROUNDED, USED, MEANING, REMARK)
 
 
 def curve_columns(task: Synthesis) -> dict[str, int]:
     """Key of a column of the curve's table -> where it stands."""
-    curve = curve_of(task)
+    curve = kind_of(task).curve(task)
     return {} if curve is None else dict(zip(curve.columns, CURVE_COLUMNS, strict=False))
+
+
+def has_points(task: Synthesis) -> bool:
+    """Whether what is asked is asked at angles of the input link."""
+    return any(row.at for row in kind_of(task).asked(task))
+
+
+def exact_column(task: Synthesis) -> int:
+    """Where the errors of the exact lengths stand, if those that are used are rounded: beside what is asked."""
+    return MU + (2 if has_points(task) else 0)
 
 
 def sensitivity_columns(task: Synthesis) -> tuple[int, int]:
     """First and last column of the changes: beside the solution, behind all that is printed."""
-    first = MU + (2 if task.kind == "function" else 0)
+    first = exact_column(task) + (1 if task.rounding else 0)
     return first, first + sum(1 for symbol in task.inputs if symbol != task.rounding) - 1
 
 
@@ -39,40 +49,50 @@ def sensitivity_columns(task: Synthesis) -> tuple[int, int]:
 
 
 def write_asked(page: Page) -> None:
-    """Wanted, got, the difference."""
+    """Wanted, got, the difference; that of the exact lengths where they are rounded."""
     text = page.text
     page.heading("asked", REMARK, value=text("wanted"), rounded=text("got"), used=text("error"))
-    if page.given.kind == "function":
+    if page.rounds:
+        page.put(page.rows.heads["asked"], exact_column(page.given), text("error.exact"), styles.SECTION)
+    if has_points(page.given):
         for col, over in ((MU, "μ"), (THETA, "θ")):
             page.put(page.rows.heads["asked"], col, over, styles.SECTION)
-    for number, asked in enumerate(requirements(page.given)):
+    for number, asked in enumerate(page.kind.asked(page.given)):
         _asked(page, page.rows.of["asked", str(number)], number + 1, asked)
 
 
 def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
-    style = page.number_style(asked.kind, styles.RESULT)
+    style = page.number_style(asked.measure, styles.RESULT)
     wanted, got = (CellRef(row, col) for col in (VALUE, ROUNDED))
     page.put(row, SYMBOL, str(number), styles.SYMBOL)
-    page.formula(row, VALUE, page.shown(page.tree(asked.wanted), asked.kind), style)
-    page.put(row, UNIT, page.unit_text(asked.kind), styles.UNIT)
+    page.formula(row, VALUE, page.shown(page.tree(asked.wanted), asked.measure), style)
+    page.put(row, UNIT, page.unit_text(asked.measure), styles.UNIT)
     found: Node = page.tree(asked.got)
-    if asked.kind == "angle":
+    if asked.measure == "angle":
         raw = CellRef(row, REMARK)
         page.formula(row, REMARK, page.shown(found, "angle"), style)
         apart = page.read(raw, "angle"), page.read(wanted, "angle")
-        # whole turns are none
-        off = formula("ATAN2(COS(raw-wanted),SIN(raw-wanted))", raw=apart[0], wanted=apart[1])
-        page.formula(row, ROUNDED, formula("wanted+off", wanted=wanted, off=page.shown(off, "angle")), style)
+        off = page.shown(_apart(*apart), "angle")
+        page.formula(row, ROUNDED, formula("wanted+off", wanted=wanted, off=off), style)
     else:
-        page.formula(row, ROUNDED, page.shown(found, asked.kind), style)
+        page.formula(row, ROUNDED, page.shown(found, asked.measure), style)
         page.put(row, REMARK, None, styles.LABEL)
     page.formula(row, USED, formula("got-wanted", got=got, wanted=wanted), styles.numbered(style, "0.0E+00"))
+    if page.rounds:
+        exact, aim = page.exactly(asked.got), page.read(wanted, asked.measure)
+        off = _apart(exact, aim) if asked.measure == "angle" else formula("exact-aim", exact=exact, aim=aim)
+        page.formula(row, exact_column(page.given), page.shown(off, asked.measure), styles.numbered(style, "0.0E+00"))
     words = step_words(asked.key, **dict(asked.parts))
     page.put(row, MEANING, words.of(page.plan.language), styles.LABEL)
-    if page.given.kind == "function":
-        mu = page.tree(transmission_angle(f"(theta_p{number} + theta_offset)"))
+    if asked.at:
+        mu = page.tree(transmission_angle(f"({asked.at} + theta_offset)"))
         page.formula(row, MU, page.shown(mu, "angle"), style)
-        page.formula(row, THETA, page.shown(page.tree(f"theta_p{number}"), "angle"), style)
+        page.formula(row, THETA, page.shown(page.tree(asked.at), "angle"), style)
+
+
+def _apart(got: Node, wanted: Node) -> Node:
+    """The angle between two angles: whole turns are none."""
+    return formula("ATAN2(COS(got-wanted),SIN(got-wanted))", got=got, wanted=wanted)
 
 
 # --- the curve -----------------------------------------------------------------------------------------------------
@@ -80,7 +100,7 @@ def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
 
 def write_curve(page: Page) -> None:
     """One formula a column, filled down."""
-    curve = curve_of(page.given)
+    curve = page.kind.curve(page.given)
     if curve is None:
         return
     first = page.rows.of["curve", "0"]

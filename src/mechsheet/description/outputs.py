@@ -1,0 +1,158 @@
+"""The part [outputs]: further quantities of every row, and those that follow from summaries, of the whole motion."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mechsheet.description.driving.rates import is_rate
+from mechsheet.description.driving.rates import known as known_rate
+from mechsheet.description.index import Path
+from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, listed, suggestion
+from mechsheet.description.results import coordinates, is_coordinate
+from mechsheet.description.scope import Scope, words
+from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
+from mechsheet.model import Driver, Output
+from mechsheet.units import Unit, unit_of
+
+
+def outputs(data: dict[str, Any], driver: Driver | None, scope: Scope) -> tuple[tuple[Output, ...], tuple[Output, ...]]:
+    """(quantities of every row, quantities of the whole motion): the latter are those whose formulas name summaries."""
+    trees: dict[str, Node] = {}
+    for name, entry in data.items():
+        text = BAD if entry is BAD else entry["formula"]
+        tree = None if text is BAD else scope.parse(text, ("outputs", name, "formula"))
+        if tree is not None:
+            trees[name] = tree
+    for name, tree in trees.items():
+        if scope.summaries.keys() & {*symbols(tree)}:
+            scope.outputs.remove(name)
+            scope.motion_outputs[name] = tree
+    units = {name: _unit(entry, scope) for name, entry in data.items() if entry is not BAD}
+    for name, tree in trees.items():
+        if name in scope.outputs:
+            _check_of_row(name, tree, data[name]["formula"], units[name], scope)
+    _note_summaries(units, scope)
+    for name in scope.motion_outputs:
+        _check_of_motion(name, trees[name], data[name]["formula"], units[name], scope)
+    made = [_made(name, trees[name], data[name], units[name], scope) for name in trees]
+    _show_units(units, driver, scope)
+    return (
+        tuple(output for output in made if output.symbol in scope.outputs),
+        tuple(output for output in made if output.symbol in scope.motion_outputs),
+    )
+
+
+def _unit(entry: dict[str, Any], scope: Scope) -> Unit:
+    word = entry.get("unit", scope.length_unit)
+    return unit_of(scope.length_unit if word is BAD else plain_unit(word), scope.length_unit)
+
+
+def _made(name: str, tree: Node, entry: dict[str, Any], unit: Unit, scope: Scope) -> Output:
+    cell = scope.cell(entry, ("outputs", name))
+    return Output(name, tree, unit, words(entry.get("label")), cell, entry["formula"])
+
+
+# --- of every row -----------------------------------------------------------------------------------------------------
+
+
+def _check_of_row(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> None:
+    """An expression over variables, coordinates, rates and dimensions."""
+    path = ("outputs", name, "formula")
+    names = symbols(tree)
+    good = [each in scope.units or _is_known(each, text, path, scope) for each in names]
+    if any(is_rate(each, scope) or each in scope.forces for each in names):
+        scope.of_rates.add(name)
+    scope.fits(tree, text, unit_kind(unit), path)
+    if all(good) and all(each in scope.numbers for each in names):
+        scope.value(tree, path)
+    _check_label(name, tree, text, unit, scope)
+
+
+def _check_label(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> None:
+    """A label of one's own must not stand behind radians, nor behind lengths in another unit."""
+    if unit.kind != "label":
+        return
+    message, hint = label_fault(tree, scope.kinds, unit.symbol, scope.length_unit)
+    if message:
+        scope.report.at(("outputs", name, "unit"), f"{quoted(text)} {message}", hint)
+
+
+def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
+    """True when a formula's symbol is a variable or a coordinate; reports what else it is."""
+    where = _where(name, text)
+    if name in scope.variables or known_rate(name, path, scope) or is_coordinate(name, path, scope, where):
+        return True
+    if "." in name or not (scope.complete and scope.solved):
+        return False
+    if name in scope.outputs or name in scope.motion_outputs:
+        scope.report.at(path, f"{where}{quoted(name)} is an output; only variables and dimensions are allowed")
+        return False
+    rates = scope.rates if scope.moves else ()
+    hint = suggestion(name, [*scope.variables, *coordinates(scope), *scope.units, *rates, *scope.forces], "allowed")
+    scope.report.at(path, f"{where}{quoted(name)} is not a variable or dimension", hint)
+    return False
+
+
+def _where(name: str, text: str) -> str:
+    return "" if name == text.strip() else f"in {quoted(text)}: "
+
+
+# --- of the whole motion ----------------------------------------------------------------------------------------------
+
+
+def _note_summaries(units: dict[str, Unit], scope: Scope) -> None:
+    """A summary is of the kind of what it is of."""
+    for summary, of in scope.summaries.items():
+        if of is not BAD:
+            own = unit_kind(units[of]) if of in units else LENGTH if of.endswith((".x", ".y")) else scope.kinds.get(of)
+            if own:
+                scope.kinds.setdefault(summary, own)
+
+
+def _check_of_motion(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> None:
+    """An expression over summaries and dimensions: what differs from row to row has no place in one number."""
+    path = ("outputs", name, "formula")
+    named = [each for each in symbols(tree) if each in scope.summaries]
+    for each in symbols(tree):
+        if each not in scope.units and each not in scope.summaries:
+            _refuse(each, named, text, path, scope)
+    scope.fits(tree, text, unit_kind(unit), path)
+    _check_label(name, tree, text, unit, scope)
+
+
+def _refuse(name: str, named: list[str], text: str, path: Path, scope: Scope) -> None:
+    where = _where(name, text)
+    known = [*scope.summaries, *scope.units]
+    if name == path[1]:
+        message, hint = f"{quoted(name)} depends on itself", ""
+    elif name in scope.motion_outputs:
+        message, hint = f"{quoted(name)} is an output of summaries, too", "write its formula in its place"
+    elif (
+        name in scope.variables or name in scope.outputs or is_rate(name, scope) or name in scope.forces or "." in name
+    ):
+        of = f"{listed(named)} {'is one number' if len(named) == 1 else 'are numbers'} of the whole motion"
+        message, hint = f"{quoted(name)} differs from row to row, but {of}", f"a summary of {name} may stand there"
+    elif scope.complete:
+        message, hint = f"{quoted(name)} is not a summary or dimension", suggestion(name, known, "allowed")
+    else:
+        return
+    scope.report.at(path, where + message, hint)
+
+
+def _show_units(units: dict[str, Unit], driver: Driver | None, scope: Scope) -> None:
+    """For conditions, which read summaries and dimensions in their units: the formulas over those, in the output's own."""
+    degrees = {name for name, unit in scope.units.items() if unit.in_degrees}
+    for summary, of in scope.summaries.items():
+        own = units[of] if of in units else scope.angle_unit if scope.kinds.get(summary) == ANGLE else None
+        own = driver.unit if driver is not None and of == driver.symbol else own
+        if own is not None and own.in_degrees:
+            degrees.add(summary)
+
+    def change(part: Node) -> Node:
+        return Call("RADIANS", (part,)) if isinstance(part, Symbol) and part.name in degrees else part
+
+    for name, tree in scope.motion_outputs.items():
+        shown = transform(tree, change)
+        scope.motion_outputs[name] = Call("DEGREES", (shown,)) if units[name].in_degrees else shown

@@ -1,0 +1,102 @@
+"""`redundant = true` under a link: it moves with the others anyway, and is left out of what has to be solved.
+
+Its second revolute joint becomes a pin in a slot along the link, which asks nothing of its length: so the link follows the
+others, and whether its length fits is measured in every row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from mechsheet import portable
+from mechsheet.description.head import part
+from mechsheet.description.index import Path
+from mechsheet.description.joints import Ends
+from mechsheet.description.kinds import LENGTH
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import listed
+from mechsheet.description.scope import Scope
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Call, Node, Number
+from mechsheet.model import Cartesian, Distances, Joint, Link, Place, Polar, Quantity, Redundant
+
+
+def read(
+    data: dict[str, Any], links: tuple[Link, ...], joints: tuple[Joint, ...], ends: Ends, scope: Scope
+) -> tuple[tuple[Link, ...], tuple[Joint, ...], tuple[Redundant, ...]]:
+    """(links without the second pins of redundant ones, joints with the slots in their place, what was taken apart).
+
+    data  the whole description
+    """
+    bodies, driver = part(data, "links", {}), part(data, "driver", {})
+    driven = {driver.get(key) for key in ("link", "relative_to")}
+    found: list[Redundant] = []
+    slots: list[Joint] = []
+    kept: list[Link] = []
+    for link in links:
+        entry = bodies[link.name]
+        slot = None
+        if isinstance(entry, dict) and entry.get("redundant") is True:
+            if link.name in driven:
+                scope.report.at(
+                    ("links", link.name, "redundant"), f"the link {quoted(link.name)} is driven: it is needed"
+                )
+            slot = _slot(link, links, joints, ends, scope)
+        if slot is None:
+            kept.append(link)
+            continue
+        slots.append(slot)
+        found.append(Redundant(link, slot.symbol))
+        points = {name: place for name, place in link.points.items() if name != slot.point}
+        kept.append(replace(link, points=points))
+    return tuple(kept), (*joints, *slots), tuple(found)
+
+
+def _slot(link: Link, links: Sequence[Link], joints: Sequence[Joint], ends: Ends, scope: Scope) -> Joint | None:
+    """The slot that takes the place of the second pin; None where the link is none that can be left out."""
+    path: Path = ("links", link.name, "redundant")
+    shared = [point for point in link.points if len(scope.points[point]) > 1]
+    sliding = [joint.name for joint in joints if link.name in (joint.on, joint.link)]
+    if link is links[0] or len(shared) != 2 or sliding:
+        joined = f"joined at {listed(shared)}" if shared else "joined at no point"
+        message = f"the link {quoted(link.name)} is {joined}" + (f" and slides at {listed(sliding)}" if sliding else "")
+        scope.report.at(path, message, "a link can be left out that joins two others by two revolute joints")
+        return None
+    first, second = shared
+    if any(isinstance(place, Distances) for place in link.points.values()):
+        hint = 'give its points by coordinates: B = ["a3", 0]'
+        scope.report.at(path, "points of a redundant link cannot be given by distances", hint)
+        return None
+    owner = next(name for name in scope.points[second] if name != link.name)
+    symbol = ends.pair_symbol("s", link.name, owner)
+    scope.add_variable(symbol, LENGTH, "length of a redundant link", path)
+    angle = _direction(link.points[first], link.points[second])
+    return Joint(symbol, "pin-slot", owner, link.name, second, first, angle, 0.0, symbol)
+
+
+def _direction(start: Place, end: Place) -> Quantity:
+    """Of the way from one place to the other, in the link's frame."""
+    if isinstance(end, Polar) and isinstance(start, Cartesian) and start.x == start.y == 0.0:
+        return end.angle
+    x, y = (al.sub(there, here) for there, here in zip(_parts(end), _parts(start), strict=True))
+    if isinstance(x, Number) and isinstance(y, Number):
+        return float(portable.arctan2(y.value, x.value))
+    if al.is_zero(y) and start == Cartesian(0.0, 0.0):
+        return 0.0  # along the x axis, by a length
+    return al.atan2(x, y)
+
+
+def _parts(place: Place) -> tuple[Node, Node]:
+    match place:
+        case Cartesian(x, y):
+            return _node(x), _node(y)
+        case Polar(r, angle):
+            length, turn = _node(r), _node(angle)
+            return al.mul(length, Call("COS", (turn,))), al.mul(length, Call("SIN", (turn,)))
+    raise ValueError(f"no coordinates: {place}")
+
+
+def _node(quantity: Quantity) -> Node:
+    return Number(quantity) if isinstance(quantity, float) else quantity

@@ -1,0 +1,129 @@
+"""The function routines of the text's Appendix 2, known when a workbook calls them: its macros never run.
+
+Boy, Açı, AçıCos, KolKızak, DörtÇubuk, AyarlıPompa, by their English names (Mag, Ang, AngCos, SlottedLever, FourBar,
+AdjustablePump) and in plain letters (Aci, DortCubuk) too, with the others that `mechsheet export --to vba` writes. They are
+the same routines, put into the workbook as names for LAMBDA. A macro that is only called so keeps its stored values.
+"""
+
+from __future__ import annotations
+
+import math
+import unicodedata
+from collections.abc import Collection, Iterator
+from copy import copy
+from functools import lru_cache
+from typing import Literal, TypeAlias
+
+from mechsheet.compiled import Compiled
+from mechsheet.description import loads
+from mechsheet.description.templates import template_text
+from mechsheet.engine import evaluate
+from mechsheet.exporting.functions import functions_of
+from mechsheet.exporting.lambdas import named_functions
+from mechsheet.exporting.routines import Source
+from mechsheet.formula.book import Block, Book, BookSheet, DefinedName
+from mechsheet.formula.functions import FUNCTIONS
+from mechsheet.formula.names import folded
+from mechsheet.formula.nodes import Call, Node, Number, walk
+
+PUMP = "adjustable-pump"
+"""The mechanism that the text has a routine of its own for."""
+SAME = 1e-5
+"""The routine of the text has a pi of 3.1415926: what is stored may differ so far from what is computed."""
+MOST_COMPARED = 50
+
+Language: TypeAlias = Literal["en", "tr"]
+
+
+def with_routines(book: Book) -> Book:
+    """The book with the routines that its formulas call and that nothing in it defines."""
+    defined = {folded(one.name) for one in book.names}
+    called = {name for sheet in book.sheets for name in _called(sheet) if folded(name) not in defined}
+    known = {name: language for name in sorted(called) if (language := _language(name)) is not None}
+    if not known:
+        return book
+    whole = _named(book, known, defined)
+    others = _of_another_meaning(whole, known)
+    return _named(book, {name: known[name] for name in known if name not in others}, defined) if others else whole
+
+
+def _called(sheet: BookSheet) -> Iterator[str]:
+    """The functions that a sheet's formulas call and no spreadsheet program has."""
+    for block in sheet.blocks:
+        yield from (part.name for part in walk(block.formula) if isinstance(part, Call) and part.name not in FUNCTIONS)
+
+
+def _language(name: str) -> Language | None:
+    return next((language for language in _LANGUAGES if _plain(name) in _routines(language)), None)
+
+
+_LANGUAGES: tuple[Language, ...] = ("tr", "en")
+
+
+def _plain(name: str) -> str:
+    """A name in small letters without their marks: Açı, AÇI and Aci are one."""
+    letters = unicodedata.normalize("NFKD", name.replace("ı", "i").replace("İ", "i"))
+    return "".join(letter for letter in letters if not unicodedata.combining(letter)).casefold()
+
+
+@lru_cache(maxsize=2)
+def _routines(language: Language) -> dict[str, tuple[str, Node]]:
+    """Plain name -> (name, LAMBDA) of all routines of a language; configurations of the pump are those of its sketch."""
+    mechanism = loads(template_text(PUMP), PUMP, language=language)
+    compiled = Compiled(mechanism)
+    functions = functions_of(Source(compiled), language)
+    names = {function.key: function.name for function in functions}
+    found = named_functions(functions, names, lambda symbol: Number(float(compiled.modes[symbol])))
+    return {_plain(one.name): (one.name, one.formula) for one in found}
+
+
+def _named(book: Book, known: dict[str, Language], defined: Collection[str]) -> Book:
+    """The book with names for what is called, and for what those call."""
+    added: dict[str, DefinedName] = {}
+    for name, language in known.items():
+        routines = _routines(language)
+        waiting = [(name, routines[_plain(name)][1])]
+        while waiting:
+            called, formula = waiting.pop()
+            if folded(called) not in defined and folded(called) not in added:
+                added[folded(called)] = DefinedName(called, formula)
+                inner = {part.name for part in walk(formula) if isinstance(part, Call)}
+                waiting += [routines[_plain(one)] for one in sorted(inner) if _plain(one) in routines]
+    found = copy(book)
+    found.names = [*book.names, *added.values()]
+    return found
+
+
+def _of_another_meaning(book: Book, known: Collection[str]) -> set[str]:
+    """Those of the names that give something else here than what the file has stored for their cells."""
+    values = evaluate(book)
+    others: set[str] = set()
+    for sheet in book.sheets:
+        for block in sheet.blocks:
+            called = {part.name for part in walk(block.formula) if isinstance(part, Call)} & set(known)
+            if called and not all(
+                _alike(values.get(sheet.title, *place), sheet.cached.get(*place)) for place in _cells(block)
+            ):
+                others |= called
+    return others
+
+
+def _cells(block: Block) -> list[tuple[int, int]]:
+    cells = ((block.row + down, block.col + right) for right in range(block.cols) for down in range(block.rows))
+    return [cell for cell, _ in zip(cells, range(MOST_COMPARED), strict=False)]
+
+
+def _alike(computed: object, stored: object) -> bool:
+    """Whether a computed value is the stored one, angles in another turn included; yes where no number is stored."""
+    if not isinstance(stored, float):
+        return True
+    if not isinstance(computed, float):
+        return False
+    apart = abs(computed - stored)
+    turned = min(abs(math.remainder(computed - stored, turn)) for turn in (math.tau, 360.0))
+    return min(apart, turned) <= SAME * max(1.0, abs(stored))
+
+
+def routine_names(book: Book) -> list[DefinedName]:
+    """The names of a book that stand for functions."""
+    return [one for one in book.names if isinstance(one.formula, Call) and one.formula.name == "LAMBDA"]

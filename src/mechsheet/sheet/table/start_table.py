@@ -1,0 +1,174 @@
+"""Where a group that Newton's method solves begins: a small table, passes downwards from the start values.
+
+The start values belong to the dimensions of the description, which stand in the first row. From there the dimensions go in
+`LED` equal steps to those of the first sheet, a pass each; the passes that are left are made there. While the determinant
+keeps its sign and the unknowns their trend the assembly is the described one; a row where they do not says 1 in the last
+column.
+"""
+
+from __future__ import annotations
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
+from mechsheet.kinematics.equations import Group, System
+from mechsheet.kinematics.newton.system import FIRST_PASSES, LED
+from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Addresses, Spot
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW
+from mechsheet.sheet.table.start_columns import begun, start_columns
+from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Merge, Style
+from mechsheet.units import DEG
+
+TREND = 0.4
+"""Radians, or parts of the size, by which an unknown may leave its trend from one step to the next."""
+
+
+class StartTable:
+    """Collects the cells of one group's table, and of its start values."""
+
+    def __init__(self, plan: Plan, group: Group, system: System) -> None:
+        self.plan, self.group, self.system = plan, group, system
+        self.title = plan.at.titles["iterations"]
+        self.columns = start_columns(plan.equations, system)
+        self.left = plan.at.spots[f"#start_{group.number}"].col
+        self.first, self.row = plan.at.first, plan.at.first + system.row
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.merges: list[Merge] = []
+        self.now = self._at({})
+        names = (*self.columns.given, *(each.symbol for each in self.columns.way), *self.columns.passes)
+        self.place = {name: self.left + index for index, name in enumerate(names, 1)}
+        self.at = self._at({name: self._spot(name) for name in names})
+
+    def _spot(self, symbol: str) -> Spot:
+        """A column of the table; what is given stands there as it stands where it comes from."""
+        degrees = symbol in self.columns.given and self.plan.at.spots[symbol].degrees
+        return Spot(self.title, self.first, self.place[symbol], column=True, degrees=degrees)
+
+    def _at(self, own: dict[str, Spot]) -> Addresses:
+        """All places, columns of other tables in the row at which the start values were found."""
+        spots = {
+            name: Spot(spot.sheet, self.row, spot.col, degrees=spot.degrees) if spot.column else spot
+            for name, spot in self.plan.at.spots.items()
+        }
+        at = self.plan.at
+        return Addresses(at.references, at.titles, at.first, at.last, spots | own)
+
+    def write(self) -> None:
+        """Its headings and all its columns, and the start values."""
+        self._headings()
+        self._way()
+        self._passes()
+        self._lost()
+        self._starts()
+
+    def _put(self, row: int, col: int, content: Content, style: Style) -> None:
+        self.cells.append(Cell(row, col, content, style))
+
+    def _fill(self, row: int, col: int, node: Node, rows: int, decimals: int = 4) -> None:
+        bound = self.at.bind(node, self.title, row)
+        self.fills.append(Fill(row, col, bound, styles.decimals(styles.INNER, decimals), rows=rows))
+
+    def _headings(self) -> None:
+        plan, columns = self.plan, self.columns
+        last = self.left + columns.width - 1
+        title = plan.text("iterations.start", group=self.group.number, led=LED, number=FIRST_PASSES - LED)
+        self._put(GROUP_ROW, self.left, title, styles.SECTION)
+        for col in range(self.left + 1, last + 1):
+            self._put(GROUP_ROW, col, None, styles.SECTION)
+        self.merges.append(Merge(Area(GROUP_ROW, self.left, GROUP_ROW, last)))
+        for symbol, col in self.place.items():
+            degrees = symbol in columns.given and self.at.spots[symbol].degrees
+            self._put(SYMBOL_ROW, col, rich(symbol, f" [{DEG.text}]" if degrees else ""), styles.HEAD)
+        self._put(SYMBOL_ROW, self.left, plan.text("iterations.share"), styles.HEAD)
+        self._put(SYMBOL_ROW, last, plan.text("iterations.lost"), styles.HEAD)
+        for col in range(self.left, last + 1):
+            self._put(FORMULA_ROW, col, None, styles.FORMULA_TEXT)
+
+    def _way(self) -> None:
+        """The share of the way, and what is given, from the described values to those that are there."""
+        share = formula("MIN(1,(ROW()-ROW(top))/steps)", top=CellRef(self.first, self.left, True, True), steps=LED)
+        self._fill(self.first, self.left, share, FIRST_PASSES + 1)
+        described = dict(self.system.described)
+        for symbol in self.columns.given:
+            spot, col = self.at.spots[symbol], self.place[symbol]
+            value = DEG.written(described[symbol]) if spot.degrees else described[symbol]
+            self._put(self.first, col, value, styles.INPUT)
+            begin = CellRef(self.first, col, True, True)
+            node = formula("begin+share*(there-begin)", begin=begin, share=CellRef(self.first + 1, self.left, False, True),
+                           there=self.now.cell(symbol, self.title, None))  # fmt: skip
+            self._fill(self.first + 1, col, node, FIRST_PASSES)
+        for each in self.columns.way:
+            self._fill(self.first, self.place[each.symbol], begun(each), FIRST_PASSES + 1)
+
+    def _passes(self) -> None:
+        """From the start values of the assembly chosen; where no step can be made the unknowns stay."""
+        plan, system, first = self.plan, self.system, self.first
+        starts = plan.at.spots[f"#starts_{self.group.number}"]
+        for index, (unknown, correction) in enumerate(zip(system.unknowns, system.corrections, strict=True)):
+            col = starts.col + 1 + index
+            values = RangeRef(CellRef(first, col, True, True), CellRef(first + len(system.starts) - 1, col, True, True))
+            chosen = formula("INDEX(values,mode)", values=values, mode=Symbol(system.mode))
+            unit = plan.mechanism.shown(plan.equations.of(system.variables[index]).unit)
+            if unit.in_degrees:  # as they are written
+                chosen = formula("RADIANS(chosen)", chosen=chosen)
+            self._fill(first, self.place[unknown], chosen, 1)
+            step = formula("IFERROR(next,last)", next=al.sub(Symbol(unknown), correction), last=Symbol(unknown))
+            self._fill(first + 1, self.place[unknown], _above(step, (*self.place,)), FIRST_PASSES)
+        for part in system.body:
+            self._fill(first, self.place[part.symbol], part.expression, FIRST_PASSES + 1)
+
+    def _lost(self) -> None:
+        """1 in a row to which the assembly cannot be kept: the determinant has another sign than at the beginning, or an
+        unknown leaps from its trend (past one end of the assembly to another of the same sign)."""
+        plan, system = self.plan, self.system
+        spot = plan.at.spots[f"#lost_{self.group.number}"]
+        begin = CellRef(self.first, self.place[system.determinant], True, True)
+        keeps = formula("IFERROR(IF(det*begin>0,0,1),1)", det=Symbol(system.determinant), begin=begin)
+        self._fill(self.first, spot.col, keeps, 2, 0)
+        leaps = []
+        for unknown, variable in zip(system.unknowns, system.variables, strict=True):
+            most = TREND * (1.0 if plan.equations.of(variable).unit.kind == "angle" else plan.size)
+            here, above, before = (CellRef(self.first + row, self.place[unknown], False, False) for row in (2, 1, 0))
+            leaps.append(formula("ABS(here-2*above+before)/most", here=here, above=above, before=before, most=most))
+        node = formula("IFERROR(IF(AND(det*begin>0,leap<1),0,1),1)", det=Symbol(system.determinant), begin=begin,
+                       leap=al.largest(leaps))  # fmt: skip
+        self._fill(self.first + 2, spot.col, node, FIRST_PASSES - 1, 0)
+
+    def _starts(self) -> None:
+        """The start values of each assembly: inputs."""
+        plan, system = self.plan, self.system
+        left = plan.at.spots[f"#starts_{self.group.number}"].col
+        self._put(SYMBOL_ROW, left, plan.text("iterations.starts"), styles.HEAD)
+        self._put(FORMULA_ROW, left, None, styles.FORMULA_TEXT)
+        units = [plan.mechanism.shown(plan.equations.of(variable).unit) for variable in system.variables]
+        for index, (variable, unit) in enumerate(zip(system.variables, units, strict=True), 1):
+            self._put(SYMBOL_ROW, left + index, rich(variable, f" [{unit.text}]"), styles.HEAD)
+            self._put(FORMULA_ROW, left + index, None, styles.FORMULA_TEXT)
+        for number, start in enumerate(system.starts):
+            self._put(self.first + number, left, float(number + 1), styles.decimals(styles.INNER, 0))
+            for index, (unit, value) in enumerate(zip(units, start, strict=True), 1):
+                self._put(self.first + number, left + index, unit.written(value), styles.INPUT)
+
+
+def assemblies_lost(plan: Plan) -> Node:
+    """In how many rows of the start tables the assembly chosen could not be kept."""
+    found: list[Node] = []
+    for group in plan.equations.groups:
+        if group.system is not None:
+            spot = plan.at.spots[f"#lost_{group.number}"]
+            ends = (CellRef(row, spot.col, True, True, spot.sheet) for row in (spot.row, spot.row + FIRST_PASSES))
+            found.append(formula("SUM(rows)", rows=RangeRef(*ends)))
+    return al.total(found)
+
+
+def _above(node: Node, names: tuple[str, ...]) -> Node:
+    """The expression over what stands in the row above."""
+
+    def change(part: Node) -> Node:
+        return Previous(part.name) if isinstance(part, Symbol) and part.name in names else part
+
+    return transform(node, change)

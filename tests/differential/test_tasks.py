@@ -1,0 +1,127 @@
+"""Workbooks of random tasks of synthesis, in the programs that people open them with; and a task typed into one of them.
+
+Built lean (no drawing, no rates): what is asked here is the synthesis.
+"""
+
+import contextlib
+import itertools
+import re
+import shutil
+import subprocess
+
+import openpyxl
+import pytest
+
+from chosen import first
+from mechsheet.checking.inputs import description_in, plan_inside
+from mechsheet.checking.probed_cells import compare_program
+from mechsheet.checking.programs import convert_with_libreoffice, stored_values
+from mechsheet.description import loads
+from mechsheet.description.templates import template_text
+from mechsheet.diagnostics import MechanismError
+from mechsheet.engine import evaluate
+from mechsheet.formats import read, write
+from mechsheet.library import changed
+from mechsheet.library.building import compile_workbook
+from mechsheet.synthesis.kinds import KINDS
+from synthesis_tasks import description, task
+
+COUNT = len(first(range(20), 1))
+
+LEAN = ((r"(?m)^speed = .*\n", ""), (r"\Z", "[workbook]\ndrawing = false\n"))
+"""What makes a packaged description small: pattern, what stands in its place."""
+
+
+def lean(asked):
+    text = description(asked)
+    for pattern, new in LEAN:
+        text = re.sub(pattern, new, text, count=1)
+    return text
+
+
+def workbooks(folder, count=COUNT, suffix="xlsx"):
+    """So many files of each kind, of the first tasks that have a solution: others are refused when they are built."""
+    folder.mkdir(exist_ok=True)
+    paths = []
+    for kind in KINDS:
+        for seed in itertools.count():
+            path = folder / f"{kind}-{seed}.{suffix}"
+            with contextlib.suppress(MechanismError):
+                write(compile_workbook(loads(lean(task(kind, seed))))[0], path)
+                paths.append(path)
+            if sum(made.name.startswith(f"{kind}-") for made in paths) == count:
+                break
+    return paths
+
+
+def compared(judge, source, answer):
+    """What the program that wrote `answer` computed from `source`, cell by cell, with what the engine computes."""
+    book = read(source)
+    plan = plan_inside(description_in(book), source.name)
+    return compare_program(judge, book, evaluate(book), stored_values(answer).get, plan, source.name)
+
+
+@pytest.mark.slow
+@pytest.mark.libreoffice
+def test_libreoffice_computes_them(tmp_path):
+    (tmp_path / "answers").mkdir()
+    sources = workbooks(tmp_path / "ods", suffix="ods")
+    for source, answer in zip(sources, convert_with_libreoffice(sources, "xlsx", tmp_path / "answers"), strict=True):
+        found = compared("libreoffice", source, answer)
+        assert found.agrees, (source.name, found)
+
+
+@pytest.mark.slow
+@pytest.mark.gnumeric
+def test_gnumeric_computes_them(tmp_path):
+    for source in workbooks(tmp_path / "xlsx"):
+        answer = tmp_path / source.name
+        subprocess.run([shutil.which("ssconvert"), "--recalc", source, answer], check=True, capture_output=True)
+        found = compared("gnumeric", source, answer)
+        assert found.agrees, (source.name, found)
+
+
+TYPED = {
+    "function-generator": ("psi_p2", "psi.2", 79.5),
+    "crank-rocker-swing": ("psi", "psi", 70),
+    "rigid-body-guidance": ("alpha_p2", "poses.2.3", -11.0),
+    "quick-return-slider": ("stroke", "stroke", 110),
+    "quick-return-lever": ("time_ratio", "time_ratio", 1.6),
+}
+"""Packaged description -> symbol of a yellow cell, what `--set` calls it, the number that is typed."""
+
+
+@pytest.mark.slow
+@pytest.mark.libreoffice
+def test_what_is_typed_moves_everything_as_if_it_were_built_anew(tmp_path):
+    """Drawing, curves, table, verdicts: every formula of the workbook in which the number was typed."""
+    (tmp_path / "answers").mkdir()
+    typed, anew = [], []
+    for name, (symbol, key, value) in TYPED.items():
+        built, fresh = tmp_path / f"{name}.xlsx", tmp_path / f"{name}-anew.xlsx"
+        spots = compiled_into(built, name)
+        compiled_into(fresh, name, {key: str(value)})
+        anew.append(fresh)
+        typed.append(tmp_path / f"{name}-typed.xlsx")
+        type_into(built, typed[-1], spots[symbol], value)
+    for fresh, answer in zip(anew, convert_with_libreoffice(typed, "xlsx", tmp_path / "answers"), strict=True):
+        found = compared("libreoffice", fresh, answer)
+        assert found.agrees, (fresh.name, found)
+        assert found.cells > 1000
+
+
+def compiled_into(path, name, overrides=None):
+    """The workbook of a packaged description, with other values in its task; where its cells are."""
+    workbook, plan = compile_workbook(changed.loads(template_text(name), name, overrides))
+    write(workbook, path)
+    return plan.at.spots
+
+
+def type_into(source, target, spot, value):
+    """The same file with a number typed into a cell; openpyxl keeps no stored values, so nothing but computing helps."""
+    book = openpyxl.load_workbook(source)
+    cell = book[spot.sheet].cell(spot.row + 1, spot.col + 1)
+    assert isinstance(cell.value, int | float)
+    assert cell.value != value
+    cell.value = value
+    book.save(target)

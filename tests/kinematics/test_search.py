@@ -1,0 +1,50 @@
+"""What a motion does between the rows: held against the triangle in which a four-bar stops."""
+
+import math
+
+import numpy as np
+import pytest
+
+from mechsheet.description import loads
+from mechsheet.description.templates import template_text
+from mechsheet.kinematics.driving import given_values
+from mechsheet.kinematics.search import Search, edges
+from mechsheet.kinematics.solve import dimension_values, solve
+
+
+def searched(text):
+    mechanism = loads(text)
+    return Search(mechanism, solve(mechanism), given_values(mechanism, dimension_values(mechanism)))
+
+
+@pytest.mark.parametrize("step", [15, 7, -15])
+def test_it_closes_up_to_where_crank_and_coupler_are_in_line_with_the_rocker(step):
+    """A triangle of a1, a2 and a3 + a4: the crank stops at this angle, on both sides of the line of the pivots."""
+    text = template_text("four-bar").replace("value = 35,", "value = 50,").replace("step = 15", f"step = {step}")
+    search = searched(text.replace("stop = 360", "stop = -360") if step < 0 else text)
+    a1, a2, a3, a4 = 70, 50, 62.3, 56
+    angle = math.acos((a1**2 + a2**2 - (a3 + a4) ** 2) / (2 * a1 * a2))
+    expected = sorted(math.copysign(each, step) for each in (angle, math.tau - angle))
+    assert sorted(search.driver(search.edges)) == pytest.approx(expected, abs=1e-9)
+    assert search.exists(search.known(search.edges)).all()
+    assert not search.exists(search.known(search.edges + np.array([1e-6, -1e-6]))).any()
+    assert search.dips == []
+
+
+def test_a_crank_that_turns_fully_has_no_edges():
+    search = searched(template_text("four-bar"))
+    assert search.edges.size == 0
+    assert search.there.all()
+
+
+@pytest.mark.parametrize("starts", [True, False])
+def test_edges_lie_on_the_closing_side(starts):
+    def exists(u):
+        return (u >= 2.3) if starts else (u <= 2.3)
+
+    places = np.array([1.0, 2.0, 3.0, 4.0])
+    (found,) = edges(places, exists(places), exists, 45)
+    assert found == pytest.approx(2.3, abs=1e-12)
+    assert exists(found)
+    (row,) = edges(places, exists(places), exists, 0)
+    assert row == (3 if starts else 2)

@@ -1,0 +1,92 @@
+"""Links marked as redundant: they follow the others, and what their length misses is said."""
+
+import numpy as np
+import pytest
+from laid import Laid
+
+from mechsheet.checking import check, perturb
+from mechsheet.compiled import Compiled
+from mechsheet.description import loads
+from mechsheet.formats import write
+from mechsheet.kinematics.sketched import doubts
+
+LAMP = """
+format = 1
+[mechanism]
+name = "double-parallelogram"
+[dimensions]
+a1 = 60
+a2 = 150
+a4 = 150
+[links.ground]
+points = { A0 = [0, 0], B0 = ["a1", 0], C0 = ["2*a1", 0] }
+[links.crank]
+points = { A0 = [0, 0], A = ["a2", 0] }
+[links.follower]
+points = { B0 = [0, 0], B = ["a2", 0] }
+[links.third]
+points = { C0 = [0, 0], C = ["a4", 0], P = { r = 80, angle = 30 } }
+redundant = true
+[links.coupler]
+points = { A = [0, 0], B = ["a1", 0], C = ["2*a1", 0] }
+[driver]
+link = "crank"
+start = 30
+stop = 150
+step = 20
+speed = { value = 10, unit = "rpm" }
+[assembly]
+B = [190, 75]
+"""
+TURNED = 'points = { C = ["-a4", 0], C0 = [0, 0], P = { r = 80, angle = 30 } }'
+POLAR = 'points = { C0 = [0, 0], C = { r = "a4", angle = 40 }, P = { r = 80, angle = 30 } }'
+WRITTEN = {
+    "as a length": LAMP,
+    "turned": LAMP.replace(LAMP.splitlines()[15], TURNED),
+    "polar": LAMP.replace(LAMP.splitlines()[15], POLAR),
+}
+
+
+@pytest.mark.parametrize("text", WRITTEN.values(), ids=WRITTEN.keys())
+def test_it_follows_and_its_length_is_checked_in_every_row(text):
+    sheet = Laid(text)
+    assert all(sheet.exists)
+    assert sheet.spot("#largest_gap") < 1e-12
+    lengths = [sheet.column(each.symbol) for each in sheet.mechanism.redundant]
+    assert np.abs(lengths) == pytest.approx(150.0, abs=1e-12)
+    rates = sheet.plan.at.spots["omega14"]
+    assert {round(sheet.values.get(rates.sheet, rates.row + row, rates.col), 9) for row in range(7)} == {
+        round(10 * 2 * np.pi / 60, 9)
+    }
+    sheet.change(a4=151)
+    assert all(sheet.exists)
+    assert sheet.spot("#largest_gap") == pytest.approx(1.0, abs=1e-12)
+    assert sheet.words("largest_gap") == sheet.plan.text("verdict.gap.open", sheet=sheet.plan.at.titles["checks"])
+    assert sheet.verdict == sheet.words("largest_gap")
+
+
+def test_it_is_drawn_as_a_link_and_not_as_a_slot():
+    sheet = Laid(LAMP)
+    (symbol,) = (each.symbol for each in sheet.mechanism.redundant)
+    drawing = next(own for own in sheet.workbook.sheets if own.title == sheet.plan.at.titles["drawing"])
+    names = [cell.content for cell in drawing.cells if isinstance(cell.content, str)]
+    assert "third" in names
+    assert not [name for name in names if symbol in name]
+
+
+def test_a_word_about_each():
+    compiled = Compiled(loads(LAMP))
+    (said,) = [fault for fault in doubts(compiled.mechanism, compiled.equations) if fault.key.startswith("links")]
+    assert said.key == "links.third.redundant"
+    assert '"third" is redundant' in said.message
+    assert all(not group.open for group in compiled.equations.groups)
+
+
+@pytest.mark.parametrize("length", [150, 147])
+def test_the_reference_and_the_search_agree(tmp_path, length):
+    """Whether it fits or not."""
+    compiled = Compiled(loads(LAMP.replace("a4 = 150", f"a4 = {length}")))
+    path = tmp_path / "lamp.xlsx"
+    write(compiled.workbook, path)
+    assert check(path).agrees
+    assert perturb(path, 3).agrees
