@@ -45,7 +45,7 @@ def _asked(_: Synthesis) -> list[Requirement]:
 
 
 def _figure(_: Synthesis) -> list[Line]:
-    """The lever at both dead centres, the crank square to it."""
+    """The lever at both dead centres, the crank square to it, and the way of the lever's end between them."""
     lines = []
     arm = "sqrt(centre^2 - crank^2)"
     for n, sign in ((1, ""), (2, "-")):
@@ -53,7 +53,9 @@ def _figure(_: Synthesis) -> list[Line]:
         end = (f"B{n}", f"{sign}lever*sin({HALF})", f"lever*cos({HALF})")
         lines.append(Line("figure.dead", (("B0", "0", "0"), pin, end), n - 1, number=n))
         lines.append(Line("figure.crank", (("A0", "0", "centre"), pin), n - 1, "dash", False, n))
-    return lines
+    on_way = [f"({HALF}*{n}/6)" for n in range(-6, 7)]
+    vertices = tuple(("", f"lever*sin{at}", f"lever*cos{at}") for at in on_way)
+    return [*lines, Line("figure.swing", vertices, 4, "dash", False)]
 
 
 KIND = Kind(

@@ -245,6 +245,7 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.asked": ("What is asked", "İstenenler"),
     "synthesis.wanted": ("wanted", "istenen"),
     "synthesis.got": ("got", "elde edilen"),
+    "synthesis.got.turns": ("got, but for whole turns", "elde edilen, tam tur farkıyla"),
     "synthesis.error": ("error", "hata"),
     "synthesis.error.exact": ("exact: error", "tam boylarla hata"),
     "synthesis.figure": ("Figure", "Şekil"),

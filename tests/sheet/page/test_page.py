@@ -312,6 +312,16 @@ def test_drawing_stays_in_its_window(name):
                 assert all(isinstance(cell, float) and abs(cell) <= 1.001 for cell in cells), (series.name, cells)
 
 
+@pytest.mark.parametrize("name", ["quick-return-slider", "slider-crank", "four-bar"])
+def test_it_can_be_read_on_paper(name):
+    """Side by side on as many sheets of A4 as letters of 10 points need to be 4.5 high, charts beside the table included."""
+    sheet = Page(text_of(name)).sheet
+    widths = {col: column.width for column in sheet.columns for col in range(column.first, column.last + 1)}
+    reached = sum(7 * widths[col] + 5 for col in range(sheet.print_setup.area.last_col + 1))
+    needed = reached * 0.45 / 1050
+    assert needed <= sheet.print_setup.fit_width < needed + 1.01
+
+
 def test_helpers_are_folded_away():
     page = Page(text_of("four-bar"))
     hidden = [column for column in page.sheet.columns if column.hidden]

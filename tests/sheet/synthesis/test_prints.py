@@ -5,7 +5,10 @@ from pathlib import Path
 import pytest
 
 from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
+from mechsheet.formula.references import cell_address
+from mechsheet.library.session import Session
 from mechsheet.sheet.symbols import plain
 from mechsheet.synthesis.kinds import kind_of
 
@@ -66,6 +69,27 @@ def test_each_point_with_a_name_is_named_once(laid_out):
     }
     assert sorted(shown) == sorted(map(plain, names))
     assert {"A₀", "A₁", "B₁", "A₂", "B₂"} <= set(shown)
+
+
+@pytest.mark.parametrize("name", ["crank-rocker-swing", "quick-return-lever"])
+def test_the_swing_is_drawn_from_one_dead_centre_to_the_other(name):
+    """An arc round the output's pivot that begins and ends where B stands."""
+    compiled = Compiled(loads((TEMPLATES / f"{name}.toml").read_text(encoding="utf-8")))
+    title = compiled.plan.at.titles["synthesis"]
+    figure = next(sheet for sheet in compiled.layout.sheets if sheet.title == title).charts[0]
+    session = Session(book_of(compiled.layout))
+
+    def points(series):
+        return [
+            complex(*(session.get(cell_address(title, row, ref.area.first_col)) for ref in (series.x, series.y)))
+            for row in range(series.x.area.first_row, series.x.area.last_row + 1)
+        ]
+
+    named = {series.name.strip(): points(series)[0] for series in figure.series if series.show_name}
+    way = points(next(series for series in figure.series if series.name == "swing"))
+    ends = sorted([way[0], way[-1]], key=lambda point: point.real)
+    assert ends == pytest.approx(sorted([named["B₁"], named["B₂"]], key=lambda point: point.real))
+    assert [abs(point - named["B₀"]) for point in way] == pytest.approx([abs(way[0] - named["B₀"])] * len(way))
 
 
 @pytest.mark.parametrize(("lam", "high"), [(3, 10), (10, 10), (16, 20)])

@@ -39,8 +39,11 @@ TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)
 NARROW = 10.0
 """Width of a column beside the table."""
 
-COLUMNS_OF_A_PAGE = 26
-"""Columns that are still readable on one sheet of A4, landscape."""
+PAPER = 1050
+"""Pixels across A4, landscape, at full size."""
+
+LEAST_SCALE = 0.45
+"""Printed smaller, table and charts stand on more sheets of paper side by side."""
 
 GAP, CHART_WIDTH = 12, 420
 """Pixels between charts, and of a chart of curves."""
@@ -96,7 +99,7 @@ def _page(plan: PagePlan) -> Sheet:
             footer=plan.footer,
             repeat_rows=(plan.symbol_row, plan.symbol_row),
             area=Area(0, 0, plan.at.last, last),
-            fit_width=1 + plan.status_column // COLUMNS_OF_A_PAGE,
+            fit_width=_sheets_of_paper(widths, last),
         ),
     )
 
@@ -123,6 +126,12 @@ def _charts_right(widths: list[float], count: int) -> int:
         reached += _pixels(widths[col] if col < len(widths) else NARROW)
         col += 1
     return col
+
+
+def _sheets_of_paper(widths: list[float], last: int) -> int:
+    """Side by side, for the columns up to the last one."""
+    reached = sum(_pixels(widths[col] if col < len(widths) else NARROW) for col in range(last + 1))
+    return math.ceil(LEAST_SCALE * reached / PAPER)
 
 
 def _has_columns(plan: PagePlan, request: ChartRequest) -> bool:

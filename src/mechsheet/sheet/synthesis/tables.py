@@ -51,13 +51,15 @@ def sensitivity_columns(task: Synthesis) -> tuple[int, int]:
 def write_asked(page: Page) -> None:
     """Wanted, got, the difference; that of the exact lengths where they are rounded."""
     text = page.text
-    page.heading("asked", REMARK, value=text("wanted"), rounded=text("got"), used=text("error"))
+    rows = page.kind.asked(page.given)
+    turns = text("got.turns") if any(row.measure == "angle" for row in rows) else ""
+    page.heading("asked", REMARK, value=text("wanted"), rounded=text("got"), used=text("error"), remark=turns)
     if page.rounds:
         page.put(page.rows.heads["asked"], exact_column(page.given), text("error.exact"), styles.SECTION)
     if has_points(page.given):
         for col, over in ((MU, "μ"), (THETA, "θ")):
             page.put(page.rows.heads["asked"], col, over, styles.SECTION)
-    for number, asked in enumerate(page.kind.asked(page.given)):
+    for number, asked in enumerate(rows):
         _asked(page, page.rows.of["asked", str(number)], number + 1, asked)
 
 
