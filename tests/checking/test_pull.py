@@ -298,3 +298,18 @@ def test_a_duration_and_listed_speeds(tmp_path):
         found = pull(saved(edited(workbook, **{place: 3.5}), tmp_path / "typed.xlsx"))
         assert len(found.changes) == 1
         assert wanted in found.text
+
+
+@pytest.mark.parametrize(
+    ("symbol", "value", "mode"), [("psi_p2", 80.5, 1), ("psi_p2", 81.0, -1), ("theta_p3", 130.0, None)]
+)
+def test_the_assembly_of_a_task_follows_the_task(tmp_path, symbol, value, mode):
+    """Also when the new task asks for the other one: no sketch has to say so."""
+    workbook, plan = laid_out("function-generator")
+    spot = plan.at.spots[symbol]
+    path = saved(edited(workbook, **{f"{spot.sheet}_B{spot.row + 1}": value}), tmp_path / "e.xlsx")
+    found = pull(path)
+    assert len(changed_lines(template("function-generator"), found.text)) == 1
+    (group,) = solve(loads(found.text)).groups
+    assert mode is None or group.mode_value == mode
+    assert held(found.text, path) == []

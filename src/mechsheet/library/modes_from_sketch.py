@@ -52,12 +52,16 @@ def with_modes(source: Source, wanted: Mapping[str, int]) -> Source:
 
 
 def _wrong(mechanism: Mechanism, wanted: Mapping[str, int]) -> list[Group]:
-    """Groups that take another mode; all that have one when the sketch lies between two."""
+    """Groups that take another mode; all that have one when the sketch lies between two.
+
+    None of those whose mode follows from the task of a synthesis: no sketch says it.
+    """
     try:
         groups = solve(mechanism).groups
     except MechanismError:
-        return [group for group in solve(mechanism, wanted).groups if group.mode]
-    return [group for group in groups if group.mode and group.mode_value != wanted.get(group.mode, group.mode_value)]
+        return [group for group in solve(mechanism, wanted).groups if group.mode and group.follows is None]
+    sketched = [group for group in groups if group.mode and group.follows is None]
+    return [group for group in sketched if group.mode_value != wanted.get(group.mode, group.mode_value)]
 
 
 def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], group: Group) -> Source:
