@@ -103,7 +103,7 @@ class Page:
         row = self.rows.heads[block]
         over = {VALUE: "value", ROUNDED: "rounded", USED: "used", MEANING: "meaning", REMARK: "remark"}
         for col in range(SYMBOL, last + 1):
-            content = self.text(block) if col == SYMBOL else columns.get(over.get(col, ""))
+            content = self.text(block) if col == SYMBOL else columns.get(over.get(col, "")) or None
             self.put(row, col, content, styles.SECTION)
 
     def across(self, row: int, first: int, last: int, content: Content, style: Style) -> None:
