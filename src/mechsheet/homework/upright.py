@@ -398,7 +398,7 @@ def _told(remarks: Iterable[Fault]) -> list[Fault]:
 
 
 def _numbers_with_commas(book: Book) -> list[str]:
-    """Numbers typed as texts with a decimal comma become numbers in the book; says so, but for the samples of a page of text."""
+    """Numbers typed as texts with a decimal comma become numbers in the book; says so, but not of a page of text."""
     count = 0
     for sheet in book.sheets:
         typed = [
