@@ -24,6 +24,9 @@ EXACT, ABOUT = 1e-4, 5e-2
 ROUNDED = 1e-8
 """As a part of the size, or as an angle [rad]: rounding at a dead centre."""
 
+POLE = 1e3
+"""A quantity whose range is so many times that of its rows has a pole between them, and no largest value."""
+
 SAME = 1e-9
 """As a part of itself an output of summaries may be off what its formula makes of the summaries shown."""
 
@@ -115,7 +118,10 @@ class Expected:
 
 
 def expected_of(plan: Plan, summary: Summary, search: Search) -> Expected | None:
-    """What a summary is over the rows that exist and, but on a page, what lies between them; None where no row exists."""
+    """What a summary is over the rows that exist and, but on a page, what lies between them.
+
+    None where no row exists, and for a quantity with a pole.
+    """
     if not search.count or summary.of not in search.at:
         return None
     judged = SearchedVerdicts(plan, search)
@@ -124,15 +130,18 @@ def expected_of(plan: Plan, summary: Summary, search: Search) -> Expected | None
     inner, outer = search.extremes(summary.of, rows_only=True), search.extremes(summary.of, rows_only=judged.page)
     if inner is None or outer is None:
         return None
+    reach, of_all = inner[2] - inner[0], outer[2] - outer[0]
+    if not math.isfinite(of_all) or (reach > 0 and of_all > POLE * reach):
+        return None
     column = search.at[summary.of][:: search.fine][search.row_there]
-    rows = {"min": inner[0], "max": inner[2], "range": inner[2] - inner[0]}
-    motion = {"min": outer[0], "max": outer[2], "range": outer[2] - outer[0]}
+    rows = {"min": inner[0], "max": inner[2], "range": reach}
+    motion = {"min": outer[0], "max": outer[2], "range": of_all}
     plain = {"first": float(column[0]), "last": float(column[-1]), "mean": float(np.mean(column))}
     value, of_rows = ({**found, **plain}[summary.take] * scale for found in (motion, rows))
     whole = search.count == search.rows
     unit = 1.0 if angle else search.size
     return Expected(
-        value, of_rows, (outer[2] - outer[0]) * scale, ROUNDED * unit * scale,
+        value, of_rows, of_all * scale, ROUNDED * unit * scale,
         TURN * scale if angle and summary.take != "range" else 0.0,
         whole, judged.sure and (whole or not angle or len(search.row_stretches) == 1),
     )  # fmt: skip

@@ -10,6 +10,7 @@ from .layout import Area, Layout
 
 Functions = Mapping[FunctionRef, Node]
 _NONE: Functions = {}
+_CELLS = (CellRef, RangeRef)
 
 _UNREAD = frozenset(
     ("ROW", "COLUMN", "ROWS", "COLUMNS", "AREAS", "ISREF", "ISFORMULA", "FORMULATEXT", "SHEET", "SHEETS", "OFFSET")
@@ -25,7 +26,7 @@ def references(node: Node, functions: Functions = _NONE) -> Iterator[CellRef | R
     seen: set[FunctionRef] = set()
     while stack:
         part = stack.pop()
-        if isinstance(part, CellRef | RangeRef):
+        if isinstance(part, _CELLS):
             yield part
         elif isinstance(part, FunctionRef):
             if part in functions and part not in seen:

@@ -296,9 +296,9 @@ def walk(node: Node) -> Iterator[Node]:
     while stack:
         current = stack.pop()
         yield current
-        below = children(current)
-        if below:
-            stack.extend(below[::-1])
+        operands = _OPERANDS.get(type(current))
+        if operands:
+            stack.extend(operands(current)[::-1])
 
 
 def transform(node: Node, change: Callable[[Node], Node]) -> Node:

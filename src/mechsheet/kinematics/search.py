@@ -37,6 +37,8 @@ NEARLY = 1e-9
 
 Change = Callable[[Array], Array]
 Mask = NDArray[np.bool_]
+Extremes = tuple[float, float, float, float]
+"""(least, where, largest, where)"""
 
 
 def edges(places: Array, there: Mask, exists: Callable[[Array], Mask], halvings: int) -> Array:
@@ -83,6 +85,7 @@ class Search:
         self.at = self.known(self.u)
         self.there = self.exists(self.at)
         self.row_there = self.there[:: self.fine]
+        self._known_extremes: dict[tuple[str, bool], Extremes | None] = {}
         self.edges = edges(self.u, self.there, lambda u: self.exists(self.known(u)), HALVINGS if self.stepped else 0)
         self.dips: list[float] = []
         self.peeps: list[float] = []
@@ -234,11 +237,15 @@ class Search:
 
     # --- quantities ------------------------------------------------------------------------------------------------------
 
-    def extremes(
-        self, symbol: str, of: Change | None = None, rows_only: bool = False
-    ) -> tuple[float, float, float, float] | None:
+    def extremes(self, symbol: str, of: Change | None = None, rows_only: bool = False) -> Extremes | None:
         """(least, where, largest, where) of a quantity over all that exists; None where it is nowhere a number."""
-        change = of or (lambda column: column)
+        if of is not None:
+            return self._extremes(symbol, of, rows_only)
+        if (symbol, rows_only) not in self._known_extremes:
+            self._known_extremes[symbol, rows_only] = self._extremes(symbol, lambda column: column, rows_only)
+        return self._known_extremes[symbol, rows_only]
+
+    def _extremes(self, symbol: str, change: Change, rows_only: bool) -> Extremes | None:
         column = np.asarray(change(self.at[symbol]), float)
         shown = self._of_rows()
         if rows_only:

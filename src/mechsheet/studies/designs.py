@@ -17,6 +17,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.driving import given_between, given_values
+from mechsheet.kinematics.equations import RATES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.model import Condition, Mechanism, Study
@@ -50,7 +51,8 @@ class Designs:
     row_given  the same as arrays of one design
     constants  the program for what rows do not change
     ruling     the one for what conditions ask of the rows;  in_rows: for all quantities there
-    at_places  by quantity the one for it at other places;  closing: there, for how far groups are from coming apart
+    at_places  by quantity the one for it at other places;  derivatives: for its derivatives, where the workbook has them
+    closing    there, for how far groups are from coming apart
     """
 
     def __init__(self, mechanism: Mechanism) -> None:
@@ -132,8 +134,24 @@ class Designs:
         )
         self.closing = Called(lowering.columns([], rows=False, closing=True))
         self.at_places = {of: Called(lowering.columns([of], rows=False)) for of in wanted}
+        self.derivatives = {
+            of: Called(lowering.columns([f"{of}.d", f"{of}.dd"], rows=False))
+            for of in wanted
+            if self._has_derivatives(of)
+        }
         self.limits = bool(lowering.margins) and not mechanism.driver.values and self.rows > 1
         self.rows_only = bool(mechanism.driver.values) or self.rows < 4 or mechanism.layout == "page"
+
+    def _has_derivatives(self, symbol: str) -> bool:
+        """Whether the workbook has both, in rows that are equally far from each other in the driver's value."""
+        columns = {equation.symbol for equation in self.equations.columns if equation.role in RATES}
+        return self.mechanism.driver.law is None and columns.issuperset((f"{symbol}.d", f"{symbol}.dd"))
+
+    @property
+    def step(self) -> float:
+        """How far the driver goes from row to row."""
+        values = self.given[self.mechanism.driver.symbol]
+        return float(values[-1] - values[0]) / max(1, self.rows - 1)
 
     def _angle_of(self, link: str) -> str:
         mechanism = self.mechanism

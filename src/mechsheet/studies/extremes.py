@@ -2,8 +2,9 @@
 
 As the sheet of extremes does (`sheet/checks/extremes.py`): the best row, a probe at the vertex of the parabola through it
 and its neighbours, one beside it, on the row's other side or by the root of the distance from a limit, then two at the
-vertices of parabolas through what is known. What is given has been attained: the best of the row, the probes and both ends
-of the stretch. Of several stretches the rows are all. Places count rows from 1.
+vertices of parabolas through what is known; where the workbook has the quantity's derivatives, two probes where the first
+changes its sign. What is given has been attained: the best of the row, the probes and both ends of the stretch. Of several
+stretches the rows are all. Places count rows from 1.
 """
 
 from __future__ import annotations
@@ -148,6 +149,28 @@ def joined(parts: list[OfDesigns]) -> OfDesigns:
 Probe = Callable[[Array], Array]
 """The quantity at places (n, k)."""
 
+Slopes = Callable[[Array], tuple[Array, Array]]
+"""Its first and second derivative by the number of the row at places (n,)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Around:
+    """Where an extreme is sought, for each design.
+
+    low, high  where the stretch begins and ends, between rows;  first, last: its rows
+    beyond     whether the ends of the motion are neighbours, so that places go on beyond them
+    """
+
+    low: Array
+    high: Array
+    first: NDArray[np.int64]
+    last: NDArray[np.int64]
+    beyond: Mask
+
+    def within(self, places: Array) -> Array:
+        """Places, none beyond the stretch."""
+        return np.where(self.beyond, places, np.maximum(self.low, np.minimum(self.high, places)))
+
 
 def refined(
     way: Way,
@@ -156,52 +179,85 @@ def refined(
     edges: tuple[Array, Array],
     ends: bool,
     probe: Probe,
+    slopes: Slopes | None = None,
 ) -> Array:
     """The extremes of designs of one stretch.
 
-    edges  where their stretches begin and end, between rows;  ends: as in `anchors_of`
+    edges   where their stretches begin and end, between rows;  ends: as in `anchors_of`
+    slopes  where the workbook has the quantity's derivatives, too
     """
     first, last = stretches.first, stretches.last
     low, high = edges
     here, best = anchors.here, anchors.best
-    beyond = anchors.wraps > 0 if ends else np.zeros(len(here), bool)
-    before, value, after = anchors.before, anchors.value, anchors.after
+    around = Around(low, high, first, last, anchors.wraps > 0 if ends else np.zeros(len(here), bool))
+
+    def found(*places: Array) -> list[Array]:
+        values = probe(np.stack(places, axis=1))
+        return [np.where(np.isfinite(column), column, best) for column in values.T]
+
     with np.errstate(all="ignore"):
-        step = (before - after) / (2.0 * (before - 2.0 * value + after))
-        vertex = anchors.middle + np.where(np.isfinite(step), step, 0.0)
-        at_first, at_last = ~beyond & (here == first), ~beyond & (here == last)
-        least = np.where(at_first & (low == first), here + FROM_END, low)
-        most = np.where(at_last & (high == last), here - FROM_END, high)
-        near = np.minimum(here + 1.0, vertex)
-        one = np.where(beyond, np.maximum(here - 1.0, near),
-                       np.maximum(np.maximum(least, here - 1.0), np.minimum(most, near)))  # fmt: skip
-
-        def found(*places: Array) -> list[Array]:
-            values = probe(np.stack(places, axis=1))
-            return [np.where(np.isfinite(column), column, best) for column in values.T]
-
         partial = (low < first) | (high > last)
         at_ends = [best, best]
         if partial.any():
             at_ends = found(np.where(partial, low, here), np.where(partial, high, here))
             at_ends = [np.where(partial, column, best) for column in at_ends]
-        at_low, at_high = at_first & (low < first), at_last & (high > last)
-        limited, limit = at_low | at_high, np.where(at_low, low, high)
-        (y_one,) = found(one)
-        worse = y_one > best if way == "min" else y_one < best
-        aside = np.where(worse, 2.0 * here - one, one + np.where(one - here > 1e-6, -BESIDE, BESIDE))
-        two = np.where(beyond, aside, np.maximum(low, np.minimum(high, aside)))
-        root = vertex_of_root(limit, np.where(at_low, *at_ends), here, best, value)
-        two = np.where(limited, np.where(np.isfinite(root), root, limit), two)
-        (y_two,) = found(two)
-        three = _further(one, beyond, low, high, (here, best), (one, y_one), (two, y_two))
-        (y_three,) = found(three)
-        four = _further(one, beyond, low, high, (one, y_one), (two, y_two), (three, y_three))
-        (y_four,) = found(four)
-        candidates = [best, y_one, y_two, y_three, y_four, *at_ends]
-        stacked = np.array(candidates)
+        if slopes is None:
+            probed = _by_parabolas(way, anchors, around, at_ends, found)
+        else:
+            probed = found(*_where_it_turns(way, anchors, around, slopes))
+        stacked = np.array([best, *probed, *at_ends])
         extreme = stacked.min(axis=0) if way == "min" else stacked.max(axis=0)
     return np.where((stretches.number > 1) | ~np.isfinite(best), best, extreme)
+
+
+def _by_parabolas(
+    way: Way, anchors: Anchors, around: Around, at_ends: list[Array], found: Callable[..., list[Array]]
+) -> list[Array]:
+    """The values at four probes, each placed by what is known before it."""
+    low, high, beyond = around.low, around.high, around.beyond
+    here, best = anchors.here, anchors.best
+    before, value, after = anchors.before, anchors.value, anchors.after
+    step = (before - after) / (2.0 * (before - 2.0 * value + after))
+    vertex = anchors.middle + np.where(np.isfinite(step), step, 0.0)
+    at_first, at_last = ~beyond & (here == around.first), ~beyond & (here == around.last)
+    least = np.where(at_first & (low == around.first), here + FROM_END, low)
+    most = np.where(at_last & (high == around.last), here - FROM_END, high)
+    near = np.minimum(here + 1.0, vertex)
+    one = np.where(beyond, np.maximum(here - 1.0, near),
+                   np.maximum(np.maximum(least, here - 1.0), np.minimum(most, near)))  # fmt: skip
+    at_low, at_high = at_first & (low < around.first), at_last & (high > around.last)
+    limited, limit = at_low | at_high, np.where(at_low, low, high)
+    (y_one,) = found(one)
+    worse = y_one > best if way == "min" else y_one < best
+    two = around.within(np.where(worse, 2.0 * here - one, one + np.where(one - here > 1e-6, -BESIDE, BESIDE)))
+    root = vertex_of_root(limit, np.where(at_low, *at_ends), here, best, value)
+    two = np.where(limited, np.where(np.isfinite(root), root, limit), two)
+    (y_two,) = found(two)
+    three = _further(one, around, (here, best), (one, y_one), (two, y_two))
+    (y_three,) = found(three)
+    four = _further(one, around, (one, y_one), (two, y_two), (three, y_three))
+    return [y_one, y_two, y_three, *found(four)]
+
+
+def _where_it_turns(way: Way, anchors: Anchors, around: Around, slopes: Slopes) -> tuple[Array, Array]:
+    """The two places of `sheet/checks/turning.py`: inverse Hermite interpolation of the derivative, then a Newton step."""
+    here = anchors.here
+    once, twice = slopes(here)
+    side = np.where(once > 0 if way == "max" else once < 0, 1.0, -1.0)
+    turned = np.where(anchors.wraps == 1, around.last - 1, around.last)
+    neighbour = np.maximum(around.first, np.minimum(around.last, here + side))
+    there_once, there_twice = slopes(np.where(around.beyond, 1.0 + (here + side - 1.0) % turned, neighbour))
+    t = once / (once - there_once)
+    t = np.where(np.isfinite(t), t, 0.0)
+    s = t**2 * (3 - 2 * t) + side * t * (1 - t) * (there_once - once) * ((1 - t) / twice - t / there_twice)
+    inside = (t > 0) & (t < 1)
+
+    def newton(at: Array, rate: Array, change: Array) -> Array:
+        step = np.maximum(here - 1.0, np.minimum(here + 1.0, at - rate / change))
+        return np.where(np.isfinite(step), around.within(step), at)
+
+    one = np.where(inside, here + side * np.where((s > 0) & (s < 1), s, t), newton(here, once, twice))
+    return one, newton(one, *slopes(one))
 
 
 Point = tuple[Array, Array]
@@ -227,10 +283,9 @@ def vertex_of_root(limit: Array, there: Array, here: Array, best: Array, value: 
     return np.asarray(limit + np.sign(here - limit) * np.minimum(far + 1, np.maximum(0.0, root) ** 2))
 
 
-def _further(middle: Array, beyond: Mask, low: Array, high: Array, one: Point, two: Point, three: Point) -> Array:
+def _further(middle: Array, around: Around, one: Point, two: Point, three: Point) -> Array:
     vertex = vertex_of(one, two, three)
-    near = np.maximum(middle - 1.0, np.minimum(middle + 1.0, vertex))
-    place = np.where(beyond, near, np.maximum(low, np.minimum(high, near)))
+    place = around.within(np.maximum(middle - 1.0, np.minimum(middle + 1.0, vertex)))
     return np.where(np.isfinite(place), place, middle)
 
 

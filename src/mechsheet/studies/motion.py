@@ -19,6 +19,7 @@ from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import Condition
 from mechsheet.studies.extremes import (
     Anchors,
+    Slopes,
     Stretches,
     Way,
     anchors_of,
@@ -146,8 +147,25 @@ class Motion:
                 out = designs.at_places[symbol].run.both(of, given={**given, **designs.driven(places)})
                 return np.broadcast_to(out[symbol], places.shape)
 
-            found[symbol, way] = refined(way, own_anchors, stretches, (low, high), moves, probe)
+            slopes = self._slopes(symbol, given)
+            found[symbol, way] = refined(way, own_anchors, stretches, (low, high), moves, probe, slopes)
         return found
+
+    def _slopes(self, symbol: str, given: Mapping[str, Array]) -> Slopes | None:
+        """The derivatives of a quantity by the number of the row, where the workbook has a column of each."""
+        designs = self.designs
+        if symbol not in designs.derivatives:
+            return None
+        run = designs.derivatives[symbol].run
+        of_designs = run.designs(given)
+
+        def slopes(places: Array) -> tuple[Array, Array]:
+            column = places[:, None]
+            out = run.both(of_designs, given={**given, **designs.driven(column)})
+            once, twice = (np.broadcast_to(out[f"{symbol}{end}"], column.shape)[:, 0] for end in (".d", ".dd"))
+            return once * designs.step, twice * designs.step**2
+
+        return slopes
 
     def _edges(self, first: Array, last: Array, inside: Mapping[str, Array]) -> tuple[Array, Array]:
         run = self.designs.closing.run

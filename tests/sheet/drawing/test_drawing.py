@@ -91,7 +91,8 @@ def test_everything_lies_in_the_window(name):
             if "slot" in str(series.name) or "kanal" in str(series.name):
                 continue
             places = laid.series(values, series)
-            assert np.nanmax(np.abs(places)) <= 1.0, (position, series.name)
+            # an arrow too short to be read has no name: nothing but gaps
+            assert np.nanmax(np.abs(places), initial=0.0) <= 1.0, (position, series.name)
 
 
 @pytest.mark.parametrize("name", ["four-bar", "adjustable-pump", "jansen", "inverted-slider-crank", "oldham"])
