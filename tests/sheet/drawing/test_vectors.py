@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from laid import Laid
+from laid import Laid, template_text
 
 from in_line import IN_LINE
 from mechsheet import loads
@@ -10,7 +10,7 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
-from mechsheet.sheet.drawing.arrows import EDGE, LONGEST, NAMED
+from mechsheet.sheet.drawing.arrows import COLORS, EDGE, LONGEST, NAMED
 from mechsheet.sheet.first.mechanism import controls
 
 OUTPUTS = "".join(
@@ -32,7 +32,11 @@ def laid():
 
 def named(laid, chart, name):
     """The series of a chart with that name that has a line, as numbers: (n, 2)."""
-    series = next(each for each in chart.series if each.name == name and each.line)
+    return places(laid, next(each for each in chart.series if each.name == name and each.line))
+
+
+def places(laid, series):
+    """A series as numbers: (n, 2)."""
     columns = []
     for ref in (series.x, series.y):
         area = ref.area
@@ -96,6 +100,21 @@ def test_arrows_are_true_to_scale_and_stay_in_the_window(laid, speed):
         longest = scales[0] * largest
         assert longest <= LONGEST + 1e-9
         assert max(longest / LONGEST, max(tips) / EDGE) == pytest.approx(1)
+
+
+@pytest.mark.parametrize("changed", [{}, {"a4": 180.0, "a5": 260.0, "die": 430.0}], ids=["as it is", "ram lower"])
+def test_no_scale_bar_lies_on_the_mechanism(changed):
+    """Links, supports, the ram and its rail end above the scale bars, whatever the dimensions."""
+    press = Laid(template_text("toggle-press")).change(**changed)
+    for row in range(0, press.plan.rows, 18):
+        press.change(_position=row)
+        heights = {}
+        for series in charts(press)[0].series:
+            if series.line and (series.name == "scale bar" or series.line not in COLORS.values()):
+                heights.setdefault(series.name, []).extend(places(press, series)[:, 1])
+        bars = np.nanmax(heights.pop("scale bar"))
+        assert len(heights) >= 8, list(heights)
+        assert {name: height for name, height in heights.items() if np.nanmin(height) < bars + 0.02} == {}, row
 
 
 def test_a_cell_hides_a_kind(laid):

@@ -24,7 +24,7 @@ from mechsheet.sheet.drawing.frames import BOTTOM, CHART_X, CHART_Y, FIRST, NAME
 from mechsheet.sheet.drawing.outlines import direction_of
 from mechsheet.sheet.drawing.points import PointCells
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
-from mechsheet.sheet.plan import ArrowKind
+from mechsheet.sheet.plan import ArrowKind, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Area, Rich, Series
@@ -43,8 +43,16 @@ BARB_BACK, BARB_ASIDE = 0.2, 0.07
 
 COLORS: dict[ArrowKind, str] = {"velocity": "0070C0", "acceleration": "C00000", "forces": "7030A0"}
 
-BAR_START, BAR_RISE = 0.3, 0.09
-"""Where the scale bars begin in the window, and how far one stands above the other."""
+BAR_START, BAR_RISE = -0.36, 0.09
+"""Where the scale bars begin in the window, beside that of lengths, and how far one stands above the other."""
+
+BAR_ROOM = 0.24
+"""What the lowest scale bar with its label, and above the bars a support or the end of a rail need [half windows]."""
+
+
+def room_of_bars(plan: Plan) -> float:
+    """What the drawing leaves free at its lower edge, so that no scale bar lies on a link [half windows]."""
+    return BAR_ROOM + BAR_RISE * (len(plan.arrows) - 1) if plan.arrows else 0.0
 
 
 Parts = tuple[Node, Node]

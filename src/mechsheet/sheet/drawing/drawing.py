@@ -18,7 +18,7 @@ from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.drawing.arrows import arrows_of
+from mechsheet.sheet.drawing.arrows import arrows_of, room_of_bars
 from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
@@ -94,7 +94,7 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     page.put(NAME, text("drawing.note"), styles.SUBTITLE)
     page.row += 1
     wheels = Wheels(page, dimension_values(plan.mechanism))
-    frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN, wheels)
+    frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN, wheels, room_of_bars(plan))
     for key, cell in (("x", frame.x), ("y", frame.y), ("half", frame.half)):
         plan.window[key] = Spot(page.title, cell.row, cell.col)
     cells = write_points(page, frame)
@@ -138,8 +138,10 @@ def _all_points(plan: Plan) -> tuple[str, ...]:
     return moving_points(plan.mechanism) + fixed
 
 
-def _frame(page: Page, title: str, names: Sequence[str], margin: float, wheels: Wheels | None = None) -> Frame:
-    """A window around the points at all positions of the sweep, and the wheels about them."""
+def _frame(
+    page: Page, title: str, names: Sequence[str], margin: float, wheels: Wheels | None = None, below: float = 0.0
+) -> Frame:
+    """A window around the points at all positions of the sweep, and the wheels about them; `below` see `write_frame`."""
     moving = [name for name in names if name in moving_points(page.plan.mechanism)]
     fixed = [name for name in names if name not in moving]
     page.section(page.plan.text("drawing.reach"), [page.plan.text("drawing.from"), page.plan.text("drawing.to")])
@@ -154,7 +156,7 @@ def _frame(page: Page, title: str, names: Sequence[str], margin: float, wheels: 
                 lows.append(al.sub(ends[0], radius))
                 highs.append(al.add(ends[1], radius))
         extremes.append((al.smallest((*lows, *constants)), al.largest((*highs, *constants))))
-    return write_frame(page, title, extremes[0], extremes[1], margin)
+    return write_frame(page, title, extremes[0], extremes[1], margin, below=below)
 
 
 def _guides(page: Page, frame: Frame, cells: Mapping[str, PointCells]) -> list[Guide]:

@@ -202,21 +202,36 @@ class Frame:
 
 
 def write_frame(
-    page: Page, title: str, x: tuple[Node, Node], y: tuple[Node, Node], margin: float, unit: str | None = None
+    page: Page,
+    title: str,
+    x: tuple[Node, Node],
+    y: tuple[Node, Node],
+    margin: float,
+    *,
+    unit: str | None = None,
+    below: float = 0.0,
 ) -> Frame:
     """The rows of a frame around everything between the least and the most of x and of y.
 
     `margin`: how much larger than that the window is. Where nothing moves the half side is 1. `unit`: of what is drawn;
-    without one, that of lengths.
+    without one, that of lengths. `below`: what stays free at the window's lower edge, at least [half sides]; where that is
+    more than the margin leaves, everything stands higher, and a window around something high is larger.
     """
     text = page.plan.text
     page.section(title, [text("drawing.from"), text("drawing.to"), "", text("drawing.middle")])
+    above = 1 - 1 / margin
+    raised = max(0.0, below - above) / 2
+    half_side = CellRef(page.row + 2, FIRST, True, True)  # written below
     middles, sizes = [], []
     for name, (low, high) in (("x", x), ("y", y)):
         page.put(NAME, name)
         a, b = page.formula(FIRST, low), page.formula(SECOND, high)
-        middles.append(page.formula(CHART_Y, al.div(al.add(a, b), al.TWO)))
-        sizes.append(al.sub(b, a))
+        middle, size = al.div(al.add(a, b), al.TWO), al.sub(b, a)
+        if name == "y" and raised:
+            middle = al.sub(middle, al.mul(_rounded(raised), half_side))
+            size = al.mul(_rounded((1 - above) / (1 - above - raised)), size)
+        middles.append(page.formula(CHART_Y, middle))
+        sizes.append(size)
         page.row += 1
     page.put(NAME, text("drawing.half"))
     size = Call("MAX", tuple(sizes))
@@ -224,6 +239,11 @@ def write_frame(
     page.row += 1
     series = _scale_bar(page, half, page.plan.mechanism.length_unit if unit is None else unit)
     return Frame(middles[0], middles[1], half, series)
+
+
+def _rounded(value: float) -> Node:
+    """A share of the window as a short number in a formula."""
+    return al.number(round(value, 3))
 
 
 def _scale_bar(page: Page, half: CellRef, unit: str) -> tuple[Series, ...]:

@@ -28,7 +28,7 @@ def hodograph_chart(page: Page, request: ChartRequest, size: int, inner: tuple[f
         extremes.append((al.smallest([al.ZERO, *low]), al.largest([al.ZERO, *high])))
     unit = f"{plan.mechanism.length_unit}/s"
     heading = plan.text("drawing.hodograph.frame", points=names)
-    frame = write_frame(page, heading, extremes[0], extremes[1], MARGIN, unit)
+    frame = write_frame(page, heading, extremes[0], extremes[1], MARGIN, unit=unit)
     series = []
     for index, point in enumerate(request.hodographs):
         color = styles.SERIES[index % len(styles.SERIES)]
