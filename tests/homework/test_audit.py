@@ -257,6 +257,22 @@ def test_circles_links_and_volatile_functions_are_remarks(tmp_path, mechanism):
     assert any("decimal comma" in remark for remark in found.remarks)
 
 
+@pytest.mark.parametrize("read", [False, True])
+def test_a_page_of_text_has_no_numbers_typed_as_texts(tmp_path, mechanism, read):
+    """The legend of our own Turkish workbooks shows colours on `12,5`; but what a formula reads is a number."""
+    import openpyxl
+
+    path = tmp_path / "book.xlsx"
+    mechsheet.build(mechsheet.template("four-bar", language="tr"), path)
+    book = openpyxl.load_workbook(path)
+    if read:
+        book.worksheets[0]["Z90"] = "=2*Notlar!A17"
+    assert book["Notlar"]["A17"].value == "12,5"
+    book.save(path)
+    found = audit(path, mechanism)
+    assert any("decimal comma" in remark for remark in found.remarks) is read
+
+
 def test_the_angle_of_a_slider_is_not_asked():
     """It cannot turn: a student would be asked for a column of zeros, which no audit counts."""
     mechanism = description.load(Path(__file__).parents[2] / "templates" / "slider-crank.toml")

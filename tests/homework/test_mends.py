@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 import mechsheet
@@ -10,6 +12,8 @@ from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
 from homework.styles import STYLES as LAYOUTS
 from mechsheet import description
 from mechsheet.formula.nodes import Binary, Call, Number
+from mechsheet.formula.parser import parse_formula
+from mechsheet.formula.printer import print_formula
 from mechsheet.homework.audit import audit, audited
 from mechsheet.homework.candidates import Surroundings, candidates
 from mechsheet.homework.marking_rules import asked_of
@@ -96,10 +100,6 @@ LOST = {
 @pytest.mark.parametrize("slip", first(list(LOST), 1))
 def test_a_driver_that_no_formula_reads_any_more_is_found(slip):
     """Its column stands beside the table; nothing else says which column it was."""
-    from dataclasses import replace
-
-    from mechsheet.formula.parser import parse_formula
-
     style, wrong = LOST[slip]
     four_bar_ = mechsheet.template("four-bar")
     book = LAYOUTS[style](four_bar_)
@@ -157,3 +157,22 @@ def test_the_pumps_routine_is_known(tmp_path):
     call = ",".join(f"{{{symbol}}}" for symbol in order)
     table = Table(given, [("derece", "deg", STEPS), ("x", "x", f"AyarlıPompa({call},{{deg}})")])
     assert audit(table.save(tmp_path / "pump.xlsx"), pump).right
+
+
+LARGE = {
+    "watt-ii": ("two sheets", "RADIANS($A22)", "$A22"),
+    "rigid-body-guidance": ("names", "v_y_A0+v_a2*SIN(B89)", "v_y_A0+v_a2/SIN(B89)"),
+}
+
+
+@pytest.mark.parametrize("name", first(list(LARGE), 1))
+def test_a_fault_in_a_large_linkage_is_found(name):
+    """With dozens of formulas, or of dimensions that are computed from a task, in which nothing is right any more."""
+    style, was, now = LARGE[name]
+    mechanism = mechsheet.template(name)
+    book = LAYOUTS[style](mechanism)
+    blocks = book.sheets[-1].blocks
+    place = next(n for n, block in enumerate(blocks) if print_formula(block.formula) == was)
+    blocks[place] = replace(blocks[place], formula=parse_formula(now))
+    found = audited(upright(book), mechanism, asked_of(mechanism), name)
+    assert [(fault.formula, fault.mend) for fault in found.faults] == [(now, was)]

@@ -188,16 +188,30 @@ def _judged(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str) -> J
     effort = Effort()
     try:
         seen = _seen(work, mechanism, wanted)
+        other = None
         if mechanism.synthesis is not None and seen.right < len(seen.first):
-            seen = max(seen, _seen(work, _found_once(mechanism), wanted), key=lambda one: one.right)
-        judged = _with_mends(seen, effort)
+            other = _seen(work, _found_once(mechanism), wanted)
+        judged = _of_both(seen, other, effort) if other is not None else _with_mends(seen, effort)
         if not judged.promising:
-            other = _seen(work, mechanism, wanted, unusual=True)
-            if other.right:
-                judged = _with_mends(other, effort)
+            unusual = _seen(work, mechanism, wanted, unusual=True)
+            if unusual.right:
+                judged = _with_mends(unusual, effort)
     except WorkbookError as error:
         raise _told(error, mechanism, shown) from error
     return judged
+
+
+def _of_both(typed: _Seen, computed: _Seen, effort: Effort) -> Judged:
+    """A sheet read with the dimensions of a task typed, or computed: as more is right. A fault can leave nothing right
+    either way, and any number near a dimension may be taken for it: then as more is right with mends, computed first."""
+    if typed.right != computed.right:
+        return _with_mends(max(typed, computed, key=lambda one: one.right), effort)
+    judged = _with_mends(computed, effort)
+    if all(one.verdict == "right" for one in judged.last.values()):
+        return judged
+    return max(
+        _with_mends(typed, Effort()), judged, key=lambda one: sum(f.verdict == "right" for f in one.last.values())
+    )
 
 
 def _seen(work: Work, mechanism: Mechanism, wanted: AskedFor, unusual: bool = False) -> _Seen:

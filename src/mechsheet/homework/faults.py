@@ -31,6 +31,10 @@ VERIFIED = 12
 """Mends of one formula that are tried under retyped dimensions."""
 SURE = 1.3
 """Where a mend of less weight puts all right, only smaller changes are looked for."""
+LIGHT = 1.7
+"""Candidates up to this weight are tried in all formulas before heavier ones in any. In a large linkage the formula at fault
+may be one of the last (its wrong values can still be those of another link), and the heavy candidates, terms and factors
+from anywhere in the sheet, are most of all: those of earlier formulas would use up what may be spent."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
 MOST_OF_PAIRS = 3
@@ -103,20 +107,20 @@ class Search:
             return None
         best: Mend | None = None
         wanted = {symbol for symbol, _ in self.goals if self.results[symbol].verdict == "wrong"}
-        for number in self.suspects():
-            if self.effort.spent:
-                break
-            later = (
-                1.0 if number in self.known and self.derived.get(number) is not False else 0.0
-            )  # it is right as it stands
-            sure = best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE
-            tried = self._candidates(number)
-            if sure and best is not None:  # only what is a smaller change still
-                tried = [one for one in tried if one.weight + later < best.weight]
-            mend = self._of_strip(number, tried) if tried else None
-            if mend is not None:
-                mend = replace(mend, weight=mend.weight + later)
-                best = mend if best is None or _rank(mend) < _rank(best) else best
+        suspects = self.suspects()
+        for heavy in (False, True):
+            for number in suspects:
+                if self.effort.spent:
+                    break
+                # a formula that is known is right as it stands
+                later = 1.0 if number in self.known and self.derived.get(number) is not False else 0.0
+                tried = [one for one in self._candidates(number) if (one.weight > LIGHT) is heavy]
+                if best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE:
+                    tried = [one for one in tried if one.weight + later < best.weight]
+                mend = self._of_strip(number, tried) if tried else None
+                if mend is not None:
+                    mend = replace(mend, weight=mend.weight + later)
+                    best = mend if best is None or _rank(mend) < _rank(best) else best
         return best or self._of_pairs()
 
     def _of_pairs(self) -> Mend | None:

@@ -398,14 +398,30 @@ def _told(remarks: Iterable[Fault]) -> list[Fault]:
 
 
 def _numbers_with_commas(book: Book) -> list[str]:
-    """Numbers typed as texts with a decimal comma become numbers in the book; says so."""
+    """Numbers typed as texts with a decimal comma become numbers in the book; says so, but not of a page of text."""
     count = 0
     for sheet in book.sheets:
-        for row, col, value in list(sheet.constants.items()):
-            if isinstance(value, str) and _COMMA.fullmatch(value):
-                sheet.constants.put(row, col, float(value.replace(",", ".")))
-                count += 1
+        typed = [
+            (row, col, value)
+            for row, col, value in sheet.constants.items()
+            if isinstance(value, str) and _COMMA.fullmatch(value)
+        ]
+        if typed and not _is_text_only(book, sheet):
+            count += len(typed)
+        for row, col, value in typed:
+            sheet.constants.put(row, col, float(value.replace(",", ".")))
     return [f"comma {count}"] if count else []
+
+
+def _is_text_only(book: Book, sheet: BookSheet) -> bool:
+    """Whether a sheet has neither numbers nor formulas, and no formula elsewhere reads it."""
+    if sheet.blocks or any(isinstance(value, float | int) for _, _, value in sheet.constants.items()):
+        return False
+    title = sheet.title.casefold()
+    formulas = [block.formula for other in book.sheets for block in other.blocks]
+    formulas += [defined.formula for defined in book.names]
+    cells = (part for formula in formulas for part in walk(formula) if isinstance(part, CellRef))
+    return not any(cell.sheet is not None and cell.sheet.casefold() == title for cell in cells)
 
 
 def references(formula: Node) -> Iterator[tuple[CellRef, CellRef]]:
