@@ -44,8 +44,9 @@ BESIDE = 0.1
 FROM_END = 0.25
 """How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
-SETTLED = 1e-4
-"""The last probe may improve a value by this part of its range; more, and the value is said to be about right."""
+SETTLED, IMPROVED = 1e-4, 1e-2
+"""The last probe may be worse than the best by the first part of the range, and better than all others by the second; more,
+and the value is said to be about right."""
 
 TITLE_ROW, ABOUT_ROW, HEAD_ROW, FIRST = 0, 1, 3, 4
 
@@ -424,8 +425,11 @@ class Extremes:
         low, high = self._ends_of_stretch()
         # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
-            row + 2, SIDE + 2, "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,ABS(value-last)>settled*ABS(value-other))",
-            value=value, last=probes.cell(row + block.probes, VALUE), settled=SETTLED, other=other, wraps=wraps, place=place,
+            row + 2, SIDE + 2,
+            "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,"
+            "OR(ABS(value-last)>settled*ABS(value-other),ABS(value-before)>improved*ABS(value-other)))",
+            value=value, last=probes.cell(row + block.probes, VALUE), settled=SETTLED, improved=IMPROVED, other=other,
+            before=Call(way.upper(), (probes.cells_down(row, VALUE, block.probes),)), wraps=wraps, place=place,
             low=low, high=high,
         )  # fmt: skip
 
