@@ -20,6 +20,7 @@ from mechsheet.formula.nodes import Scalar
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.requested import tables_of
 from mechsheet.sheet.table.summary_table import SummaryTable
+from mechsheet.sheet.table.tolerance import lines_of
 from mechsheet.sheet.table.two_way import FIRST
 
 Find = Callable[[str, int, int], Scalar]
@@ -31,7 +32,8 @@ UNMOVED = Moves(())
 
 class Searched:
     """Cells that a search in the sheet decides: the probes on the sheet of extremes and below the rows of tables
-    of summaries, what these show, verdicts and summaries on the first sheet."""
+    of summaries, what these show, verdicts and summaries on the first sheet, and on the sheet of tolerances the
+    derivatives where a summary is smallest or largest."""
 
     def __init__(self, plan: Plan, moves: Moves) -> None:
         self.main, extremes = moves.now(plan.main), plan.at.titles["extremes"]
@@ -40,6 +42,9 @@ class Searched:
         rows.append(plan.at.spots["#verdict"].row)
         moved = moves.of(self.main).rows
         self.rows = {moved.now(row) for row in rows}
+        lines = [line for line in lines_of(plan) if line.summary and line.summary.take in ("min", "max", "range")]
+        self.bands = moves.now(plan.at.titles["tolerance"]) if lines else ""
+        self.of_extremes = {moves.of(self.bands).rows.now(line.row + part) for line in lines for part in (0, 1)}
         self.tables: dict[str, tuple[int, int, int]] = {}
         for table in tables_of(plan) if extremes != plan.main else ():
             if isinstance(table, SummaryTable):
@@ -64,6 +69,8 @@ class Searched:
             if row > rows_end:
                 return "nothing"
             return "error" if first <= row <= last else "value"
+        if sheet == self.bands and row in self.of_extremes:
+            return "error"
         return "error" if self.has(sheet, row) else "value"
 
 
