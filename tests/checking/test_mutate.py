@@ -70,6 +70,7 @@ def test_check_catches_all_and_the_same_seed_does_the_same(yoke):
     assert sum(count for count, _ in found.tally(lambda damage: damage.kind).values()) == 3
 
 
+@pytest.mark.ci
 def test_the_sheet_alone_notices_a_pin_that_moves(tmp_path):
     """Its gaps are measured from points and lengths only; docs/proof.md holds the figures of all templates."""
     workbook, plan = laid_out("four-bar")
