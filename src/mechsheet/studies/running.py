@@ -22,8 +22,8 @@ AHEAD = 2
 """Parts that wait for each process: none stands still, and few results are held."""
 
 OF_A_PROCESS = 320 * 2**20
-"""Bytes that a process has at most, in round numbers: the packages (150 to 180 MiB), what it evaluates at once, and the rows that
-it has not written yet."""
+"""Bytes that a process has at most, in round numbers: the packages (150 to 180 MiB), what it evaluates at once, and the
+rows that it has not written yet."""
 
 
 def workers_within(workers: int | None, memory: int | None) -> int:
