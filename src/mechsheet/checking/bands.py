@@ -182,9 +182,8 @@ class _Judge:
         mechanism = self.plan.mechanism
         if mechanism.driver.law is not None or mechanism.listed_symbols:
             return []  # the reference has no positions between their rows
-        ways = {"min": ("min",), "max": ("max",), "range": ("max", "min")}
-        own = ways.get(line.summary.take, ()) if line.summary else ()
-        spots = [self.plan.at.spots[f"#{way}_at_{line.quantity}"] for way in own]
+        ways = reversed(line.summary.extremes) if line.summary else ()  # what is largest first
+        spots = [self.plan.at.spots[f"#{way}_at_{line.quantity}"] for way in ways]
         found = [self.number(spot.sheet, spot.row, spot.col) for spot in spots]
         unit = mechanism.driver.unit
         return [unit.to_internal(place) for place in found] if np.isfinite(found).all() else []

@@ -399,6 +399,17 @@ class Summary:
     label: Words | None = None
     cell: str | None = None
 
+    @property
+    def extremes(self) -> tuple[Literal["min", "max"], ...]:
+        """The extremes of `of` that it is of: one, for a range both."""
+        match self.take:
+            case "min" | "max" as way:
+                return (way,)
+            case "range":
+                return ("min", "max")
+            case _:
+                return ()
+
 
 @dataclass(frozen=True, slots=True)
 class ChartRequest:

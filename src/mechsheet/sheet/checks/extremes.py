@@ -245,8 +245,7 @@ class Extremes:
             return
         wraps = self._wraps(symbol, block)
         if turning.known(plan, symbol):
-            limits = self.limits.of_stretch(1, FIRST_ROW), self.limits.of_stretch(1, LAST_ROW)
-            turning.write(probes, block, symbol, way, wraps, limits, self._ends_of_stretch())
+            turning.write(probes, block, symbol, way, wraps, self._rows_of_stretch(), self._ends_of_stretch())
         else:
             probes.lay(block, [symbol])
             self._first_probes(column, way, block, wraps)
@@ -287,7 +286,7 @@ class Extremes:
         """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
         quantity has gone on by a turn."""
         plan, probes = self.plan, self.probes
-        first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
+        first, last = self._rows_of_stretch()
         turns = self._half_turn(symbol)
         near = "ABS(start-end)<half" if turns else "TRUE"
         start, end = (
@@ -304,7 +303,7 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         here = probes.cell(row, AT)
         # of several stretches the rows are all, so the probes know the first one only
-        first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
+        first, last = self._rows_of_stretch()
         low, high = self._ends_of_stretch()
         around = self._around(wraps)
         middle = probes.work(
@@ -349,7 +348,7 @@ class Extremes:
         """
         probes, row = self.probes, block.row
         here, best, next_best = probes.cell(row, AT), probes.cell(row, VALUE), probes.cell(row + 1, SIDE + 5)
-        first, last = (self.limits.of_stretch(1, key) for key in (FIRST_ROW, LAST_ROW))
+        first, last = self._rows_of_stretch()
         low, high = self._ends_of_stretch()
         limit = probes.work(
             row + 3, SIDE, 'IF(wraps>0,"",IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,"")))',
@@ -369,6 +368,10 @@ class Extremes:
             'IF(ISNUMBER(limit),IFERROR(limit+SIGN(here-limit)*MIN(far+1,MAX(0,root)^2),limit),"")',
             limit=limit, here=here, far=far, root=root,
         )  # fmt: skip
+
+    def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
+        """The first and the last row of the first stretch."""
+        return self.limits.of_stretch(1, FIRST_ROW), self.limits.of_stretch(1, LAST_ROW)
 
     def _ends_of_stretch(self) -> tuple[CellRef, CellRef]:
         """Where the first stretch begins and ends, between rows."""
@@ -499,14 +502,13 @@ def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:
 
 def banded_extremes(plan: Plan) -> list[tuple[str, Way]]:
     """The extremes that summaries with a band are of."""
-    ways: dict[str, tuple[Way, ...]] = {"min": ("min",), "max": ("max",), "range": ("min", "max")}
     asked = plan.mechanism.bands.summaries if plan.mechanism.bands else ()
     summaries = [summary for summary in plan.mechanism.summaries if summary.symbol in asked]
-    return list(dict.fromkeys((each.of, way) for each in summaries for way in ways.get(each.take, ())))
+    return list(dict.fromkeys((each.of, way) for each in summaries for way in each.extremes))
 
 
 def quantities_of(plan: Plan) -> tuple[str, ...]:
     """Symbols whose extremes are asked for: by the lines of the first sheet, and by the description's summaries."""
-    wanted = [summary.of for summary in plan.mechanism.summaries if summary.take in ("max", "min", "range")]
+    wanted = [summary.of for summary in plan.mechanism.summaries if summary.extremes]
     driver = plan.mechanism.driver.symbol
     return tuple(dict.fromkeys(name for name in [*plan.found.extremes, *wanted] if name != driver))
