@@ -6,7 +6,7 @@ from __future__ import annotations
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, transform
 from mechsheet.model import Output, Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.extremes import Way, about
+from mechsheet.sheet.checks.extremes import about
 from mechsheet.sheet.checks.limits import STRETCHES
 from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
@@ -31,15 +31,9 @@ def write_summaries(writer: Writer) -> None:
 def _write(writer: Writer, summary: Summary) -> None:
     plan = writer.plan
     row = plan.blocks["summary"].rows[summary.symbol]
-    label = (
-        summary.label.of(plan.language)
-        if summary.label
-        else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
-    )
-    words = _with_part(plan, label)
-    refined: dict[str, tuple[Way, ...]] = {"min": ("min",), "max": ("max",), "range": ("min", "max")}
-    if summary.take in refined and summary.of != plan.mechanism.driver.symbol:
-        words = plan.at.bind(joined(words, about(plan, summary.of, refined[summary.take])), plan.main)
+    words = _with_part(plan, summary_words(plan, summary))
+    if summary.extremes and summary.of != plan.mechanism.driver.symbol:
+        words = plan.at.bind(joined(words, about(plan, summary.of, summary.extremes)), plan.main)
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
@@ -85,6 +79,15 @@ def _write_output(writer: Writer, output: Output) -> None:
     )
 
 
+def summary_words(plan: Plan, summary: Summary) -> str:
+    """What a summary is called: its label, or what it takes of what."""
+    return (
+        summary.label.of(plan.language)
+        if summary.label
+        else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
+    )
+
+
 def output_words(plan: Plan, output: Output) -> str:
     """What an output of summaries is called: its label, or its formula."""
     return output.label.of(plan.language) if output.label else f"= {' '.join(output.written.split())}"
@@ -110,7 +113,7 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
     column, drivers = Symbol(ALL + summary.of), Symbol(ALL + driver)
     extremes: dict[str, Node] = {way: Symbol(f"#{way}_{summary.of}") for way in ("min", "max")}
     at: dict[str, Node] = {way: Symbol(f"#{way}_at_{summary.of}") for way in ("min", "max")}
-    if summary.of == driver and summary.take in ("min", "max", "range"):
+    if summary.of == driver and summary.extremes:
         extremes = {way: formula(f"{way.upper()}(drivers)", drivers=drivers) for way in ("min", "max")}
         at = extremes
     last = formula("MAX(rows)", rows=_ends(plan, "last"))

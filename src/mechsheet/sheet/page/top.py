@@ -10,10 +10,10 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.first import inputs
-from mechsheet.sheet.first.blocks import input_validation, shown_unit, value_style
+from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
-from mechsheet.sheet.first.summaries import output_words, over_summaries
+from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
 from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, over_rows
 from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
@@ -22,6 +22,7 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import degrees_together, places_of
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.units import Unit
 from mechsheet.words.equations import body_words, link_words
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
@@ -305,24 +306,19 @@ class Top:
     def _summaries(self) -> None:
         plan = self.plan
         for summary in plan.mechanism.summaries:
-            row = plan.blocks["summary"].rows[summary.symbol]
-            label = (
-                summary.label.of(plan.language)
-                if summary.label
-                else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
-            )
-            meaning = plan.text("page.take.rows", label=label)
-            self.line(row, rich(summary.symbol), shown_unit(plan, summary.of), meaning)
-            kind = (plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit).kind
-            value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=self._taken(summary))
-            self.fill(row, VALUE, value, value_style(plan, kind))
+            unit = unit_of_column(plan, summary.of)
+            self._summary(summary.symbol, unit, summary_words(plan, summary), self._taken(summary))
         for output in plan.mechanism.motion_outputs:
-            row = plan.blocks["summary"].rows[output.symbol]
-            meaning = plan.text("page.take.rows", label=output_words(plan, output))
-            self.line(row, rich(output.symbol), plan.mechanism.shown(output.unit).text, meaning)
-            value = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"),
-                            value=over_summaries(plan, output))  # fmt: skip
-            self.fill(row, VALUE, value, value_style(plan, output.unit.kind))
+            unit = plan.mechanism.shown(output.unit)
+            self._summary(output.symbol, unit, output_words(plan, output), over_summaries(plan, output))
+
+    def _summary(self, symbol: str, unit: Unit, label: str, value: Node) -> None:
+        """A line with one number of all rows; none where no row closes."""
+        plan = self.plan
+        row = plan.blocks["summary"].rows[symbol]
+        self.line(row, rich(symbol), unit.text, plan.text("page.take.rows", label=label))
+        found = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=value)
+        self.fill(row, VALUE, found, value_style(plan, unit.kind))
 
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""
