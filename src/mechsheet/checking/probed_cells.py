@@ -36,15 +36,16 @@ class Searched:
     derivatives where a summary is smallest or largest."""
 
     def __init__(self, plan: Plan, moves: Moves) -> None:
-        self.main, extremes = moves.now(plan.main), plan.at.titles["extremes"]
+        extremes = plan.at.titles["extremes"]
         self.sheet = "" if extremes == plan.main else moves.now(extremes)  # a page has no probes
-        rows = [row for key in ("verdicts", "summary") if key in plan.blocks for row in plan.blocks[key].rows.values()]
-        rows.append(plan.at.spots["#verdict"].row)
-        moved = moves.of(self.main).rows
-        self.rows = {moved.now(row) for row in rows}
-        lines = [line for line in lines_of(plan) if line.summary and line.summary.take in ("min", "max", "range")]
-        self.bands = moves.now(plan.at.titles["tolerance"]) if lines else ""
-        self.of_extremes = {moves.of(self.bands).rows.now(line.row + part) for line in lines for part in (0, 1)}
+        blocks = [plan.blocks[key] for key in ("verdicts", "summary") if key in plan.blocks]
+        rows = [(plan.main, row) for block in blocks for row in block.rows.values()]
+        rows.append((plan.main, plan.at.spots["#verdict"].row))
+        for line in lines_of(plan):
+            if line.summary and line.summary.extremes:
+                rows += [(plan.at.titles["tolerance"], line.row + part) for part in (0, 1)]
+        now = {title: moves.now(title) for title, _ in rows}
+        self.rows = {(now[title], moves.of(now[title]).rows.now(row)) for title, row in rows}
         self.tables: dict[str, tuple[int, int, int]] = {}
         for table in tables_of(plan) if extremes != plan.main else ():
             if isinstance(table, SummaryTable):
@@ -55,10 +56,10 @@ class Searched:
                     self.tables[title] = (first, last, end)
 
     def has(self, sheet: str, row: int) -> bool:
-        """Whether the cells of a row are verdicts or summaries."""
+        """Whether the cells of a row are verdicts, summaries, or derivatives where a summary is smallest or largest."""
         if sheet in self.tables:
             return row >= self.tables[sheet][0]
-        return sheet == self.main and row in self.rows
+        return (sheet, row) in self.rows
 
     def compared(self, sheet: str, row: int) -> Compared:
         """What may be compared cell by cell: of a verdict only whether there is one, of a probe nothing."""
@@ -69,8 +70,6 @@ class Searched:
             if row > rows_end:
                 return "nothing"
             return "error" if first <= row <= last else "value"
-        if sheet == self.bands and row in self.of_extremes:
-            return "error"
         return "error" if self.has(sheet, row) else "value"
 
 
