@@ -233,13 +233,16 @@ def _elsewhere(plan: Plan, ours: Mapping[str, Array], theirs: Mapping[str, Array
     """Rows in which something lies farther from where the reference has it than a dead centre makes uncertain."""
     found = np.zeros(plan.rows, dtype=bool)
     for symbol in ours.keys() & {each.symbol for each in plan.equations.columns if each.role in ("variable", "point")}:
-        gap = ours[symbol] - np.asarray(theirs[symbol], float)
-        if plan.equations.of(symbol).unit.kind == "angle":
-            gap = np.remainder(gap + math.pi, math.tau) - math.pi
-        else:
-            gap = gap / max(size, 1e-300)
-        found |= np.abs(gap) > DEAD_CENTRE
+        turns = plan.equations.of(symbol).unit.kind == "angle"
+        found |= _apart(ours[symbol], np.asarray(theirs[symbol], float), turns, max(size, 1e-300)) > DEAD_CENTRE
     return found
+
+
+def _apart(ours: Array, theirs: Array, turns: bool, scale: float | Array) -> Array:
+    """How far two columns are apart, row by row: as a part of the scale; of one that `turns`, but for whole turns [rad]."""
+    with np.errstate(invalid="ignore"):
+        gap = ours - theirs
+        return np.abs(np.remainder(gap + math.pi, math.tau) - math.pi) if turns else np.abs(gap / scale)
 
 
 def _compare_column(
@@ -259,13 +262,7 @@ def _compare_column(
     unit, is_angle = own.kind, own.kind == "angle" and not own.per
     of_length = unit == "length" or (output is None and symbol not in plan.mechanism.given_by_row)
     scale = solution.size if of_length else 1.0
-    with np.errstate(invalid="ignore"):
-        gap = ours - theirs
-        if is_angle:
-            gap = np.remainder(gap + math.pi, math.tau) - math.pi
-        else:
-            gap = gap / (scale if of_length else np.maximum(1.0, np.abs(theirs)))
-    apart = np.abs(gap)
+    apart = _apart(ours, theirs, is_angle, scale if of_length else np.maximum(1.0, np.abs(theirs)))
     fine = np.isnan(ours) & np.isnan(theirs)
     # in a row that does not exist, the sheet goes on with what does not depend on the group that comes apart
     fine |= ~solution.exists & (np.isnan(ours) | (np.isnan(theirs) & (True if opened is None else ~opened)))

@@ -31,15 +31,16 @@ SAME = 1e-9
 """As a part of itself an output of summaries may be off what its formula makes of the summaries shown."""
 
 
-def judge_summaries(values: Any, plan: Plan, tally: Tally, search: Search) -> None:
+def judge_summaries(values: Any, judged: SearchedVerdicts, tally: Tally) -> None:
     """Note each summary of the first sheet, and each output of summaries."""
+    plan = judged.plan
     shown: dict[str, float] = {}
     for summary in plan.mechanism.summaries:
         number = _number(values, plan, summary.symbol)
         shown[summary.symbol] = unit_of_column(plan, summary.of).to_internal(number)
-        _judge(values, plan, tally, search, summary, number)
+        _judge(values, judged, tally, summary, number)
     for output in plan.mechanism.motion_outputs:
-        _judge_output(values, plan, tally, search, output, shown)
+        _judge_output(values, plan, tally, judged.search, output, shown)
 
 
 def _number(values: Any, plan: Plan, symbol: str) -> float:
@@ -53,12 +54,13 @@ def _where(plan: Plan, symbol: str) -> str:
     return f"{cell_address(spot.sheet, spot.row, spot.col)} ({symbol})"
 
 
-def _judge(values: Any, plan: Plan, tally: Tally, search: Search, summary: Summary, number: float) -> None:
+def _judge(values: Any, judged: SearchedVerdicts, tally: Tally, summary: Summary, number: float) -> None:
+    plan = judged.plan
     where = _where(plan, summary.symbol)
-    if not search.count:
+    if not judged.search.count:
         tally.note(math.inf if math.isfinite(number) else 0.0, where, number, "no number")
         return
-    expected = expected_of(plan, summary, search)
+    expected = expected_of(judged, summary)
     if expected is None or not expected.sure:
         return
     spot = plan.at.spots[f"#summary {summary.symbol}"]
@@ -117,16 +119,16 @@ class Expected:
         return off / ((EXACT if settled or not self.whole else ABOUT) * self.range + self.rounded)
 
 
-def expected_of(plan: Plan, summary: Summary, search: Search) -> Expected | None:
+def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
     """What a summary is over the rows that exist and, but on a page, what lies between them.
 
     None where no row exists, and for a quantity with a pole.
     """
+    search = judged.search
     if not search.count or summary.of not in search.at:
         return None
-    judged = SearchedVerdicts(plan, search)
     angle = search.is_angle(summary.of)
-    scale = unit_of_column(plan, summary.of).to_shown(1.0)
+    scale = unit_of_column(judged.plan, summary.of).to_shown(1.0)
     inner, outer = search.extremes(summary.of, rows_only=True), search.extremes(summary.of, rows_only=judged.page)
     if inner is None or outer is None:
         return None

@@ -8,6 +8,7 @@ from typing import Any
 
 from mechsheet.checking.report import Tally
 from mechsheet.checking.searched_summaries import expected_of
+from mechsheet.checking.searched_verdicts import SearchedVerdicts
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.plan import Plan
@@ -46,7 +47,7 @@ def _judge(
             shown = values.get(table.title, row, col)
             words = ", ".join(f"{symbol} = {number:.6g}" for symbol, number in given.items())
             where = f"{cell_address(table.title, row, col)} ({table.request.value} with {words})"
-            expected = expected_of(plan, table.summary, found)
+            expected = expected_of(SearchedVerdicts(plan, found), table.summary)
             if expected is None:
                 tally.note(0.0 if not isinstance(shown, float) else math.inf, where, shown, "no number")
             elif expected.sure or not isinstance(shown, float):

@@ -75,8 +75,9 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
     if found is None:
         return None
     judge = _Judge(values, plan, found)
-    if not judge.page or not judge.filled_further():
-        judge_summaries(values, plan, judge.tally, found)
+    if judge.filled_further():
+        return judge.tally.result()
+    judge_summaries(values, judge.searched, judge.tally)
     if mechanism.layout == "sheets":
         judge_tables(values, plan, judge.tally, search)
     return judge.result()
@@ -93,8 +94,6 @@ class _Judge:
 
     def result(self) -> Comparison:
         """All verdicts that this layout has."""
-        if self.page and self.filled_further():
-            return self.tally.result()
         self._number("inputs", [0.0])
         self._number("rows_closed", [float(self.search.count)])
         for loop in self.plan.found.four_bars:
@@ -147,7 +146,7 @@ class _Judge:
 
     def filled_further(self) -> bool:
         """Whether somebody has filled the page's table further down: then its verdicts are of more rows than the plan's."""
-        return self.values.get(self.plan.main, self.plan.at.last + 1, 0) is not None
+        return self.page and self.values.get(self.plan.main, self.plan.at.last + 1, 0) is not None
 
     def _found(self, key: str) -> Scalar:
         spot = self.plan.at.spots[f"#{key}"]
