@@ -32,8 +32,8 @@ UNMOVED = Moves(())
 
 class Searched:
     """Cells that a search in the sheet decides: the probes on the sheet of extremes and below the rows of tables
-    of summaries, what these show, verdicts and summaries on the first sheet, and on the sheet of tolerances the
-    derivatives where a summary is smallest or largest."""
+    of summaries, what these show, verdicts and summaries on the first sheet, and the derivatives where a summary is
+    smallest or largest, on the sheet of tolerances, with its band on the first sheet."""
 
     def __init__(self, plan: Plan, moves: Moves) -> None:
         extremes = plan.at.titles["extremes"]
@@ -44,6 +44,7 @@ class Searched:
         for line in lines_of(plan):
             if line.summary and line.summary.extremes:
                 rows += [(plan.at.titles["tolerance"], line.row + part) for part in (0, 1)]
+                rows.append((plan.main, plan.blocks["bands"].rows[line.summary.symbol]))
         now = {title: moves.now(title) for title, _ in rows}
         self.rows = {(now[title], moves.of(now[title]).rows.now(row)) for title, row in rows}
         self.tables: dict[str, tuple[int, int, int]] = {}
