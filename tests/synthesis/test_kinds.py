@@ -7,7 +7,8 @@ import pytest
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
-from mechsheet.description.schema import SYNTHESIS, Key, Number, Table, Text
+from mechsheet.description.asked.schema import SYNTHESIS
+from mechsheet.description.grammar import Key, Number, Table, Text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.formula.references import cell_address
 from mechsheet.library.session import Session

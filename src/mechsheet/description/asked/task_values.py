@@ -10,11 +10,12 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any
 
+from mechsheet.description.asked.schema import SYNTHESIS
 from mechsheet.description.asked.synthesis import unit_in
+from mechsheet.description.grammar import Items, Shape, Table, Text, YesNo
 from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.rewrite import with_value, without_key
-from mechsheet.description.schema import SYNTHESIS, Items, Shape, Table, Text, YesNo
 from mechsheet.description.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
