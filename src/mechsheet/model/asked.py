@@ -105,6 +105,11 @@ class Synthesis:
         return tuple(self.task.values())
 
     @property
+    def used(self) -> dict[str, str]:
+        """Name of a result -> symbol of the mechanism's dimension, or of the assembly mode cell, that is it."""
+        return {name: symbol for symbol, name in (*self.taken.items(), *self.mode.items())}
+
+    @property
     def ends(self) -> tuple[str, ...]:
         """Symbols that all have a value where the task has a solution: those of the mechanism's dimensions."""
         names = tuple(self.taken.values()) or tuple(self.results)
