@@ -68,7 +68,7 @@ TaskPlace: TypeAlias = tuple[str | int, ...]
 class Synthesis:
     """A task from which dimensions are found; its inputs and all steps of its solution are dimensions of the mechanism.
 
-    kind      one of `mechsheet.synthesis.KINDS`
+    kind      one of `mechsheet.synthesis.kinds.KINDS`
     task      where the description says it -> symbol of the input dimension
     steps     symbols of the derived dimensions that solve the task, in order
     results   name of a result -> symbol of its exact value
