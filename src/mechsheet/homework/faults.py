@@ -19,7 +19,7 @@ from mechsheet.homework.pairs import pairs
 from mechsheet.homework.series import Graph, Series, aligned
 from mechsheet.homework.summaries import holding, span_of
 from mechsheet.homework.trial import Effort, Trial, UntriableError
-from mechsheet.homework.truth import Array, Quantity, Truth, vocabulary
+from mechsheet.homework.truth import Array, Quantity, Truth, kind_of, vocabulary
 from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
 from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, retype
@@ -213,10 +213,7 @@ class Search:
             called = [dim for dim in dims if any(says(text, dim.symbol) for text in words)]
             if len(called) == 1:
                 value = np.array([self.truth.dimensions[called[0].symbol]])
-                kind = called[0].unit.kind
-                quantity = Quantity(
-                    "", "angle" if kind == "angle" else "length" if kind == "length" else "number", value
-                )
+                quantity = Quantity("", kind_of(called[0].unit.kind), value)
                 apart = [gaps(np.array([work.number(place)]), quantity, Reading(unit)) for unit in units_of(quantity)]
                 found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(quantity))
         return found
@@ -270,8 +267,7 @@ class Search:
     def _are(self, symbol: str, columns: Array) -> NDArray[np.bool_]:
         """Which columns, shape (columns, rows), are what is asked, in whatever unit."""
         if symbol not in self.truth.columns:
-            summary = next(one for one in self.found.mechanism.summaries if one.symbol == symbol)
-            return holding(columns[:, 0], span_of(self.truth, summary), self.truth.size, self.found.tolerance)
+            return holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
         quantity = self.truth.quantity(symbol)
         allowed = self.found.allowed(quantity)
         good = np.zeros(len(columns), bool)
@@ -349,8 +345,7 @@ class Search:
         """One number is soon hit: a mend in a column counts for a summary when there is the column that it is taken of."""
         if symbol in self.truth.columns or not self._beside(strip):
             return True
-        of = next(one.of for one in self.found.mechanism.summaries if one.symbol == symbol)
-        return agreeing(mended, self.truth, of) is not None
+        return agreeing(mended, self.truth, self.truth.summary(symbol).of) is not None
 
 
 def _inside(strip: Strip, series: Series) -> bool:
@@ -394,8 +389,7 @@ def _nearest(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: s
         quantity = truth.quantity(symbol)
         column, wanted = sheet.column(series), quantity.values
     else:
-        summary = next(one for one in sheet.found.mechanism.summaries if one.symbol == symbol)
-        quantity = span_of(truth, summary).quantity
+        quantity = span_of(truth, symbol).quantity
         column, wanted = sheet.column(series), quantity.values[-1:]
     unit = min(units_of(quantity), key=lambda each: float(np.nanmedian(np.abs(column * each - wanted))))
     rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))

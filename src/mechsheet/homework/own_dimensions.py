@@ -42,8 +42,7 @@ def changed_by(judged: Judged, others: Sequence[Input]) -> list[str]:
             quantity = own.quantity(symbol)
             apart = gaps(truth.columns[symbol], quantity, Reading()).max(initial=0.0) > found.allowed(quantity)
         else:
-            summary = next(one for one in found.mechanism.summaries if one.symbol == symbol)
-            one, other = span_of(truth, summary), span_of(own, summary)
+            one, other = span_of(truth, symbol), span_of(own, symbol)
             apart = abs(one.high - other.high) + abs(one.low - other.low) > found.tolerance * max(
                 abs(other.high), 1e-12
             )

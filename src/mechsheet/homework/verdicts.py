@@ -146,7 +146,7 @@ def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
     """The formula of a single cell that is a summary, one that is called so first; else one that is called so."""
     found = sheet.found
     work = found.work
-    span = span_of(truth, summary)
+    span = span_of(truth, summary.symbol)
     called = labels(found.mechanism, summary.symbol)
     best: tuple[tuple[bool, bool], Finding] | None = None
     for strip in work.strips:
@@ -259,8 +259,7 @@ def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
 
 def _summary_follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     assert finding.series is not None and finding.reading is not None
-    summary = next(one for one in found.mechanism.summaries if one.symbol == finding.symbol)
-    before, now = span_of(found.truth, summary), span_of(after.truth, summary)
+    before, now = span_of(found.truth, finding.symbol), span_of(after.truth, finding.symbol)
     number = found.work.number(finding.series.places()[0], after.values)
     allowed = SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high)
     return bool(now.holds(np.array(number), finding.reading, allowed))
