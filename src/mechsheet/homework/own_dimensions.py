@@ -16,6 +16,11 @@ OTHER = 1e-3
 """A number that differs by more than this part of a dimension is another one, not the same one rounded."""
 
 
+def is_other(value: float, own: float) -> bool:
+    """Whether a number is another one than a student's own."""
+    return abs(value - own) > OTHER * max(abs(own), 1e-12)
+
+
 def other_dimensions(found: Understanding) -> list[Input]:
     """The cells whose values are not the mechanism's own."""
     own = reference.dimension_values(found.mechanism)
@@ -23,8 +28,7 @@ def other_dimensions(found: Understanding) -> list[Input]:
     return [
         one
         for one in found.inputs
-        if one.symbol not in derived
-        and abs(found.truth.dimensions[one.symbol] - own[one.symbol]) > OTHER * max(abs(own[one.symbol]), 1e-12)
+        if one.symbol not in derived and is_other(found.truth.dimensions[one.symbol], own[one.symbol])
     ]
 
 

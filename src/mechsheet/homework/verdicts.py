@@ -13,6 +13,7 @@ from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
 from mechsheet.homework.agreement import Reading, gaps, reading_of
 from mechsheet.homework.headings import around, contains, labels, names_over, says
+from mechsheet.homework.inputs import is_length
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
@@ -218,16 +219,12 @@ def retype(found: Understanding, symbols: Sequence[str], turn: int, steps: Seque
         changes = {}
         for number, symbol in enumerate(symbols):
             value = base.dimensions[symbol]
-            span = abs(value) if value else (base.size if _is_length(found, symbol) else 1.0)
+            span = abs(value) if value else (base.size if is_length(found.mechanism, symbol) else 1.0)
             changes[symbol] = value + span * part * RETYPED[(number + turn) % 2]
         result = _typed(found, changes)
         if result is not None and result.truth.exists[base.exists].all():
             return result
     return None
-
-
-def _is_length(found: Understanding, symbol: str) -> bool:
-    return any(dim.symbol == symbol and dim.unit.kind == "length" for dim in found.mechanism.dimensions)
 
 
 def _typed(found: Understanding, changes: Mapping[str, float]) -> Retyped | None:
