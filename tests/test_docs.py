@@ -16,7 +16,8 @@ import mechsheet
 from mechsheet.cli import main as commands
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.description.schema import DESCRIPTION, Either, Items, Kinds, Named, Shape, Table
+from mechsheet.description.grammar import Either, Items, Kinds, Named, Shape, Table
+from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.templates import template_names
 from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.kinematics.solve import solve

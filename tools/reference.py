@@ -12,8 +12,7 @@ import click
 
 import mechsheet
 from mechsheet.cli import main as commands
-from mechsheet.description.schema import (
-    DESCRIPTION,
+from mechsheet.description.grammar import (
     Either,
     Integer,
     Items,
@@ -27,6 +26,7 @@ from mechsheet.description.schema import (
     Words,
     YesNo,
 )
+from mechsheet.description.schema import DESCRIPTION
 from mechsheet.library.building import FORMATS
 
 DOCS = Path(__file__).parent.parent / "docs"

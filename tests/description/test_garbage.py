@@ -7,8 +7,9 @@ from typing import Any
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from mechsheet.description import grammar as s
 from mechsheet.description import loads
-from mechsheet.description import schema as s
+from mechsheet.description.schema import DESCRIPTION
 from mechsheet.diagnostics import DescriptionError
 
 DATA = Path(__file__).parents[1] / "data"
@@ -134,8 +135,8 @@ def of_table(table: s.Table, fixed: dict[str, st.SearchStrategy[str]]) -> st.Sea
 
 
 WHOLE = st.fixed_dictionaries(
-    {key: of_shape(rule.shape) for key, rule in s.DESCRIPTION.keys.items() if rule.required and key != "format"},
-    optional={key: of_shape(rule.shape) for key, rule in s.DESCRIPTION.keys.items() if not rule.required},
+    {key: of_shape(rule.shape) for key, rule in DESCRIPTION.keys.items() if rule.required and key != "format"},
+    optional={key: of_shape(rule.shape) for key, rule in DESCRIPTION.keys.items() if not rule.required},
 )
 
 

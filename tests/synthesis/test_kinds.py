@@ -3,17 +3,14 @@
 import math
 
 import pytest
+from laid import Laid
 
-from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
-from mechsheet.description.schema import SYNTHESIS, Key, Number, Table, Text
+from mechsheet.description.asked.schema import SYNTHESIS
+from mechsheet.description.grammar import Key, Number, Table, Text
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.formula.references import cell_address
-from mechsheet.library.session import Session
 from mechsheet.reference import dimension_values
 from mechsheet.reference.synthesis import results
-from mechsheet.sheet.synthesis.rows import LINE_ROW, SYMBOL
 from mechsheet.synthesis import kinds
 from mechsheet.synthesis.kind import Kind, Line, Requirement
 from mechsheet.words.workbook import WORDS
@@ -88,18 +85,12 @@ def further(monkeypatch):
 
 
 def test_its_workbook_solves_the_task_and_follows_what_is_typed():
-    compiled = Compiled(loads(TEXT))
-    spots, session = compiled.plan.at.spots, Session(book_of(compiled.layout))
-
-    def cell(symbol):
-        return cell_address(spots[symbol].sheet, spots[symbol].row, spots[symbol].col)
-
-    line = cell_address(compiled.plan.at.titles["synthesis"], LINE_ROW, SYMBOL)
-    assert session.get(cell("a2")) == 40
-    assert session.get(cell("a3")) == pytest.approx(40 / math.sin(math.radians(15)), rel=1e-15)
-    assert session.get(line) == "does all that the task asks"
-    session.update({cell("swing"): 30.0})
-    assert session.get(cell("a3")) == pytest.approx(80, rel=1e-15)
+    sheet = Laid(TEXT)
+    assert sheet.spot("a2") == 40
+    assert sheet.spot("a3") == pytest.approx(40 / math.sin(math.radians(15)), rel=1e-15)
+    assert sheet.spot("#synthesis") == "does all that the task asks"
+    sheet.change(swing=30)
+    assert sheet.spot("a3") == pytest.approx(80, rel=1e-15)
 
 
 def test_the_reference_finds_the_same():

@@ -9,8 +9,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from mechsheet.description.schema import (
-    DESCRIPTION,
+from mechsheet.description.grammar import (
     Either,
     Integer,
     Items,
@@ -25,6 +24,7 @@ from mechsheet.description.schema import (
     Words,
     YesNo,
 )
+from mechsheet.description.schema import DESCRIPTION
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 FILE = "mechsheet.schema.json"

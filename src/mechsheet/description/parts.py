@@ -14,9 +14,10 @@ from typing import Any
 from mechsheet.description import dimensions, joints, links, results
 from mechsheet.description.asked import synthesis
 from mechsheet.description.driving import driver
+from mechsheet.description.grammar import Key, Named
 from mechsheet.description.head import part, scope_of
 from mechsheet.description.report import BAD, Report
-from mechsheet.description.schema import DESCRIPTION, LINK, Key, Named
+from mechsheet.description.schema import DESCRIPTION, LINK
 from mechsheet.description.shape import fit
 from mechsheet.description.source import Source
 from mechsheet.model import Dimension, Driver, Joint, Link, Sketch

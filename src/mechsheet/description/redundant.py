@@ -19,7 +19,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import listed
 from mechsheet.description.scope import Scope
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Number
+from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Cartesian, Distances, Joint, Link, Place, Polar, Quantity, Redundant
 
 
@@ -72,18 +72,19 @@ def _slot(link: Link, links: Sequence[Link], joints: Sequence[Joint], ends: Ends
     owner = next(name for name in scope.points[second] if name != link.name)
     symbol = ends.pair_symbol("s", link.name, owner)
     scope.add_variable(symbol, LENGTH, "length of a redundant link", path)
-    angle = _direction(link.points[first], link.points[second])
+    angle = _direction(link.points[first], link.points[second], scope)
     return Joint(symbol, "pin-slot", owner, link.name, second, first, angle, 0.0, symbol)
 
 
-def _direction(start: Place, end: Place) -> Quantity:
+def _direction(start: Place, end: Place, scope: Scope) -> Quantity:
     """Of the way from one place to the other, in the link's frame."""
     if isinstance(end, Polar) and isinstance(start, Cartesian) and start.x == start.y == 0.0:
         return end.angle
     x, y = (al.sub(there, here) for there, here in zip(_parts(end), _parts(start), strict=True))
-    if isinstance(x, Number) and isinstance(y, Number):
-        return float(portable.arctan2(y.value, x.value))
-    if al.is_zero(y) and start == Cartesian(0.0, 0.0):
+    across, up = al.value_of(x), al.value_of(y)
+    if across is not None and up is not None:
+        return float(portable.arctan2(up, across))
+    if isinstance(x, Symbol) and al.is_zero(y) and scope.numbers.get(x.name, 0.0) > 0:
         return 0.0  # along the x axis, by a length
     return al.atan2(x, y)
 
@@ -99,4 +100,4 @@ def _parts(place: Place) -> tuple[Node, Node]:
 
 
 def _node(quantity: Quantity) -> Node:
-    return Number(quantity) if isinstance(quantity, float) else quantity
+    return al.number(quantity) if isinstance(quantity, float) else quantity

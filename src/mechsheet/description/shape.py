@@ -10,13 +10,7 @@ import math
 import unicodedata
 from typing import Any
 
-from mechsheet.description.index import Path
-from mechsheet.description.kinds import plain_unit
-from mechsheet.description.numbers import typed_number, with_points
-from mechsheet.description.quoting import quoted
-from mechsheet.description.report import BAD, Report, found, listed, suggestion
-from mechsheet.description.schema import (
-    REASONS,
+from mechsheet.description.grammar import (
     Either,
     Integer,
     Items,
@@ -30,6 +24,12 @@ from mechsheet.description.schema import (
     Words,
     YesNo,
 )
+from mechsheet.description.index import Path
+from mechsheet.description.kinds import plain_unit
+from mechsheet.description.numbers import typed_number, with_points
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD, Report, found, listed, suggestion
+from mechsheet.description.schema import REASONS
 from mechsheet.diagnostics import near_miss
 
 LARGEST, SMALLEST = 1e100, 1e-100

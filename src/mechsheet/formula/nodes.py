@@ -393,6 +393,11 @@ def symbols(node: Node) -> tuple[str, ...]:
     return tuple(dict.fromkeys(part.name for part in walk(node) if isinstance(part, Symbol)))
 
 
+def calls(node: Node) -> tuple[str, ...]:
+    """Names of the functions that are called, each once, in reading order."""
+    return tuple(dict.fromkeys(part.name for part in walk(node) if isinstance(part, Call)))
+
+
 def shifted(node: Node, rows: int, cols: int = 0, wrap: bool = False) -> Node:
     """The formula as fill-down (or fill-right) writes it `rows` further down and `cols` further right.
 

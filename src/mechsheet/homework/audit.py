@@ -256,15 +256,12 @@ def _mends(
     small = Sheet(part.found, sheet.asked)
     found, _, _ = many(small, part.truth, findings(small, part.truth), effort)
     mends: list[Mend] = []
-    last = start
     for mend in found:
         whole = part.back(mend, sheet.found.work)
         if whole is not None:
             mends.append(whole)
             sheet = mended_sheet(sheet, whole.strip, whole.formula)
-            after = findings(sheet, truth)
-            last = {symbol: after.get(symbol, one) for symbol, one in last.items()}
-    return mends, sheet, last
+    return mends, sheet, findings(sheet, truth) if mends else start
 
 
 def _moving(found: Understanding, wanted: AskedFor) -> dict[str, float]:

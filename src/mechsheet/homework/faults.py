@@ -19,7 +19,7 @@ from mechsheet.homework.pairs import pairs
 from mechsheet.homework.series import Graph, Series, aligned
 from mechsheet.homework.summaries import holding, span_of
 from mechsheet.homework.trial import Effort, Trial, UntriableError
-from mechsheet.homework.truth import Array, Quantity, Truth, vocabulary
+from mechsheet.homework.truth import Array, Quantity, Truth, kind_of, vocabulary
 from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
 from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, retype
@@ -107,14 +107,15 @@ class Search:
             return None
         best: Mend | None = None
         wanted = {symbol for symbol, _ in self.goals if self.results[symbol].verdict == "wrong"}
-        suspects = self.suspects()
+        changes: dict[int, list[Candidate]] = {}
         for heavy in (False, True):
-            for number in suspects:
+            for number in self.suspects:
                 if self.effort.spent:
                     break
-                # a formula that is known is right as it stands
-                later = 1.0 if number in self.known and self.derived.get(number) is not False else 0.0
-                tried = [one for one in self._candidates(number) if (one.weight > LIGHT) is heavy]
+                if number not in changes:
+                    changes[number] = self._candidates(number)
+                later = 0.0 if self._is_doubtful(number) else 1.0  # a formula that is known is right as it stands
+                tried = [one for one in changes[number] if (one.weight > LIGHT) is heavy]
                 if best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE:
                     tried = [one for one in tried if one.weight + later < best.weight]
                 mend = self._of_strip(number, tried) if tried else None
@@ -128,8 +129,7 @@ class Search:
         number: that is soon hit."""
         if not any(symbol in self.truth.columns for symbol, _ in self.goals):
             return None
-        doubtful = [n for n in self.suspects() if n not in self.known or self.derived.get(n) is False]
-        for number in doubtful[:MOST_OF_PAIRS]:
+        for number in list(filter(self._is_doubtful, self.suspects))[:MOST_OF_PAIRS]:
             if self.effort.spent:
                 break
             mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)))
@@ -137,6 +137,11 @@ class Search:
                 return mend
         return None
 
+    def _is_doubtful(self, number: int) -> bool:
+        """Whether a formula is not known to be right."""
+        return number not in self.known or self.derived.get(number) is False
+
+    @cached_property
     def suspects(self) -> list[int]:
         """Formulas that wrong series depend on: those that are nothing of the mechanism though all they read is, first."""
         work = self.graph.work
@@ -154,16 +159,8 @@ class Search:
         def rank(number: int) -> tuple[int, int, int]:
             fine = number in known
             fed = all(other in known for other in self.graph.reads[number] - {number})
-            first = (
-                0
-                if number in odd or self.derived.get(number) is False
-                else 1
-                if not fine and fed
-                else 2
-                if not fine
-                else 3
-            )
-            return first, order[number], number
+            wrong = number in odd or self.derived.get(number) is False
+            return 0 if wrong else 3 if fine else 1 if fed else 2, order[number], number
 
         return sorted(above, key=rank)
 
@@ -213,10 +210,7 @@ class Search:
             called = [dim for dim in dims if any(says(text, dim.symbol) for text in words)]
             if len(called) == 1:
                 value = np.array([self.truth.dimensions[called[0].symbol]])
-                kind = called[0].unit.kind
-                quantity = Quantity(
-                    "", "angle" if kind == "angle" else "length" if kind == "length" else "number", value
-                )
+                quantity = Quantity("", kind_of(called[0].unit.kind), value)
                 apart = [gaps(np.array([work.number(place)]), quantity, Reading(unit)) for unit in units_of(quantity)]
                 found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(quantity))
         return found
@@ -270,8 +264,7 @@ class Search:
     def _are(self, symbol: str, columns: Array) -> NDArray[np.bool_]:
         """Which columns, shape (columns, rows), are what is asked, in whatever unit."""
         if symbol not in self.truth.columns:
-            summary = next(one for one in self.found.mechanism.summaries if one.symbol == symbol)
-            return holding(columns[:, 0], span_of(self.truth, summary), self.truth.size, self.found.tolerance)
+            return holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
         quantity = self.truth.quantity(symbol)
         allowed = self.found.allowed(quantity)
         good = np.zeros(len(columns), bool)
@@ -349,8 +342,7 @@ class Search:
         """One number is soon hit: a mend in a column counts for a summary when there is the column that it is taken of."""
         if symbol in self.truth.columns or not self._beside(strip):
             return True
-        of = next(one.of for one in self.found.mechanism.summaries if one.symbol == symbol)
-        return agreeing(mended, self.truth, of) is not None
+        return agreeing(mended, self.truth, self.truth.summary(symbol).of) is not None
 
 
 def _inside(strip: Strip, series: Series) -> bool:
@@ -377,7 +369,7 @@ def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
 def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> Suspect | None:
     """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is."""
     search = Search(sheet, truth, results, Effort())
-    numbers = search.suspects()
+    numbers = search.suspects
     if not numbers:
         return None
     strip = sheet.found.work.strips[numbers[0]]
@@ -394,8 +386,7 @@ def _nearest(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: s
         quantity = truth.quantity(symbol)
         column, wanted = sheet.column(series), quantity.values
     else:
-        summary = next(one for one in sheet.found.mechanism.summaries if one.symbol == symbol)
-        quantity = span_of(truth, summary).quantity
+        quantity = span_of(truth, symbol).quantity
         column, wanted = sheet.column(series), quantity.values[-1:]
     unit = min(units_of(quantity), key=lambda each: float(np.nanmedian(np.abs(column * each - wanted))))
     rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))

@@ -64,14 +64,15 @@ def unread_inputs(
     taken = {one.place for one in known} | set(driver.places())
     found = {one.symbol for one in known}
     dims = [dim for dim in mechanism.dimensions if not (dim.place or dim.derived or dim.symbol in found)]
-    power = next((one.factor for one in known if _is_length(mechanism, one.symbol)), 1.0)
+    power = next((one.factor for one in known if is_length(mechanism, one.symbol)), 1.0)
     typed = [place for place in _typed_numbers(graph) if place not in taken][:MOST_UNREAD] if dims else []
     texts = [_texts(graph, place) for place in typed]
     told = [n for n, (names, words) in enumerate(texts) if any(_told(dim, names, words) for dim in dims)]
     return tuple(_chosen(graph, dims, values, [typed[n] for n in told], [texts[n] for n in told], power, True))
 
 
-def _is_length(mechanism: Mechanism, symbol: str) -> bool:
+def is_length(mechanism: Mechanism, symbol: str) -> bool:
+    """Whether a dimension is a length."""
     return any(dim.symbol == symbol and dim.unit.kind == "length" for dim in mechanism.dimensions)
 
 

@@ -14,7 +14,7 @@ from mechsheet.formats import FORMATS, read
 from mechsheet.homework.audit import Audit, audited
 from mechsheet.homework.exercise import Student, safe, with_dimensions
 from mechsheet.homework.marking_rules import AskedFor, asked_of
-from mechsheet.homework.own_dimensions import OTHER
+from mechsheet.homework.own_dimensions import is_other
 from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
@@ -187,8 +187,7 @@ def _others(audit: Audit, student: Student) -> list[str]:
     return [
         symbol
         for symbol, given in audit.given.items()
-        if symbol in student.dimensions
-        and abs(given.value - student.dimensions[symbol]) > OTHER * max(abs(student.dimensions[symbol]), 1e-12)
+        if symbol in student.dimensions and is_other(given.value, student.dimensions[symbol])
     ]
 
 

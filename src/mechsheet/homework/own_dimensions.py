@@ -16,6 +16,11 @@ OTHER = 1e-3
 """A number that differs by more than this part of a dimension is another one, not the same one rounded."""
 
 
+def is_other(value: float, own: float) -> bool:
+    """Whether a number is another one than a student's own."""
+    return abs(value - own) > OTHER * max(abs(own), 1e-12)
+
+
 def other_dimensions(found: Understanding) -> list[Input]:
     """The cells whose values are not the mechanism's own."""
     own = reference.dimension_values(found.mechanism)
@@ -23,8 +28,7 @@ def other_dimensions(found: Understanding) -> list[Input]:
     return [
         one
         for one in found.inputs
-        if one.symbol not in derived
-        and abs(found.truth.dimensions[one.symbol] - own[one.symbol]) > OTHER * max(abs(own[one.symbol]), 1e-12)
+        if one.symbol not in derived and is_other(found.truth.dimensions[one.symbol], own[one.symbol])
     ]
 
 
@@ -42,8 +46,7 @@ def changed_by(judged: Judged, others: Sequence[Input]) -> list[str]:
             quantity = own.quantity(symbol)
             apart = gaps(truth.columns[symbol], quantity, Reading()).max(initial=0.0) > found.allowed(quantity)
         else:
-            summary = next(one for one in found.mechanism.summaries if one.symbol == symbol)
-            one, other = span_of(truth, summary), span_of(own, summary)
+            one, other = span_of(truth, symbol), span_of(own, symbol)
             apart = abs(one.high - other.high) + abs(one.low - other.low) > found.tolerance * max(
                 abs(other.high), 1e-12
             )

@@ -27,7 +27,7 @@ from mechsheet.homework.inputs import Input, inputs_of, single_cells
 from mechsheet.homework.marking_rules import TOLERANCE
 from mechsheet.homework.series import Graph, Run, Series, aligned, columns_of, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, all_assemblies, vocabulary
-from mechsheet.homework.understanding import Understanding, driver_column, ways
+from mechsheet.homework.understanding import Understanding, ways
 from mechsheet.homework.upright import Place, Work
 from mechsheet.homework.verdicts import retype
 from mechsheet.kinematics.equations import Equations
@@ -62,7 +62,7 @@ class Table:
         self.graph, self.run = graph, run
         self.series = [series for series in aligned(graph, run) if series.main is not None]
         self.cells: list[Place] = single_cells(graph, run)
-        self.driver = driver_column(graph.work, run)
+        self.driver = run.column(graph.work)
 
     @cached_property
     def columns(self) -> Array:

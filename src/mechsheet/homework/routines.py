@@ -7,6 +7,7 @@ the same routines, put into the workbook as names for LAMBDA. A macro that is on
 
 from __future__ import annotations
 
+import itertools
 import math
 import unicodedata
 from collections.abc import Collection, Iterator
@@ -24,7 +25,7 @@ from mechsheet.exporting.routines import Source
 from mechsheet.formula.book import Block, Book, BookSheet, DefinedName
 from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.formula.names import folded
-from mechsheet.formula.nodes import Call, Node, Number, walk
+from mechsheet.formula.nodes import Call, Node, Number, calls
 
 PUMP = "adjustable-pump"
 """The mechanism that the text has a routine of its own for."""
@@ -50,7 +51,7 @@ def with_routines(book: Book) -> Book:
 def _called(sheet: BookSheet) -> Iterator[str]:
     """The functions that a sheet's formulas call and no spreadsheet program has."""
     for block in sheet.blocks:
-        yield from (part.name for part in walk(block.formula) if isinstance(part, Call) and part.name not in FUNCTIONS)
+        yield from (name for name in calls(block.formula) if name not in FUNCTIONS)
 
 
 def _language(name: str) -> Language | None:
@@ -87,8 +88,7 @@ def _named(book: Book, known: dict[str, Language], defined: Collection[str]) -> 
             called, formula = waiting.pop()
             if folded(called) not in defined and folded(called) not in added:
                 added[folded(called)] = DefinedName(called, formula)
-                inner = {part.name for part in walk(formula) if isinstance(part, Call)}
-                waiting += [routines[_plain(one)] for one in sorted(inner) if _plain(one) in routines]
+                waiting += [routines[_plain(one)] for one in sorted(calls(formula)) if _plain(one) in routines]
     found = copy(book)
     found.names = [*book.names, *added.values()]
     return found
@@ -100,7 +100,7 @@ def _of_another_meaning(book: Book, known: Collection[str]) -> set[str]:
     others: set[str] = set()
     for sheet in book.sheets:
         for block in sheet.blocks:
-            called = {part.name for part in walk(block.formula) if isinstance(part, Call)} & set(known)
+            called = set(known).intersection(calls(block.formula))
             if called and not all(
                 _alike(values.get(sheet.title, *place), sheet.cached.get(*place)) for place in _cells(block)
             ):
@@ -108,9 +108,9 @@ def _of_another_meaning(book: Book, known: Collection[str]) -> set[str]:
     return others
 
 
-def _cells(block: Block) -> list[tuple[int, int]]:
+def _cells(block: Block) -> Iterator[tuple[int, int]]:
     cells = ((block.row + down, block.col + right) for right in range(block.cols) for down in range(block.rows))
-    return [cell for cell, _ in zip(cells, range(MOST_COMPARED), strict=False)]
+    return itertools.islice(cells, MOST_COMPARED)
 
 
 def _alike(computed: object, stored: object) -> bool:

@@ -54,12 +54,11 @@ def taken(column: Array, take: str, kind: Kind) -> float:
     return float(known[0] if take == "first" else known[-1])
 
 
-def span_of(truth: Truth, summary: Summary) -> Span:
+def span_of(truth: Truth, symbol: str) -> Span:
     """What a summary may be."""
-    known = truth.spans.get(summary.symbol)
-    if not isinstance(known, Span):
-        known = truth.spans[summary.symbol] = _span(truth, summary)
-    return known
+    if symbol not in truth.spans:
+        truth.spans[symbol] = _span(truth, truth.summary(symbol))
+    return truth.spans[symbol]
 
 
 def _span(truth: Truth, summary: Summary) -> Span:

@@ -67,7 +67,7 @@ def thinned(found: Understanding, truth: Truth) -> Thinned | None:
         return None
     origins = {(series.sheet, series.line): series.origin for series in found.series}
     origins[driver.sheet, driver.line] = driver.start
-    if len(origins) != len(found.series) + 1 or not all(_own_rows(found, strip, origins) for strip in work.strips):
+    if len(origins) != len(found.series) + 1 or not all(_own_rows(found, n, origins) for n in range(len(work.strips))):
         return None
     rows = _rows(found, truth, origins)
     book = replace(work.book, sheets=[_sheet(found, sheet, rows, origins) for sheet in work.book.sheets])
@@ -86,13 +86,13 @@ def thinned(found: Understanding, truth: Truth) -> Thinned | None:
     return Thinned(understood, part, rows, origins)
 
 
-def _own_rows(found: Understanding, strip: Strip, origins: Mapping[tuple[str, int], int]) -> bool:
+def _own_rows(found: Understanding, number: int, origins: Mapping[tuple[str, int], int]) -> bool:
     """Whether a formula of the table reads no other row of it; the driver's may: its values are known."""
-    driver = found.driver
+    driver, strip = found.driver, found.work.strips[number]
     origin = origins.get((strip.sheet, strip.line))
     if origin is None or (strip.sheet, strip.line) == (driver.sheet, driver.line):
         return origin is not None or strip.length < MOST_ROWS
-    for start, end in found.graph.corners(found.work.strips.index(strip)):
+    for start, end in found.graph.corners(number):
         other = origins.get((start.sheet or strip.sheet, start.col))
         if other is not None and not start.row_abs and (start is not end or start.row - other != strip.start - origin):
             return False

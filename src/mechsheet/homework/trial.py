@@ -34,6 +34,7 @@ from mechsheet.formula.nodes import (
     TableRef,
     Text,
     Unary,
+    calls,
     children,
     rebuilt,
     walk,
@@ -135,13 +136,9 @@ _PLAIN = (Number, Text, Boolean, CellRef, RangeRef, Unary, Binary, Call)
 
 def _simple(formula: Node) -> bool:
     """Whether a formula is made of what means the same anywhere."""
-    calls = _calls(formula)
+    called = set(calls(formula))
     plain = all(isinstance(part, _PLAIN) for part in walk(formula))
-    return plain and calls <= FUNCTIONS.keys() and not calls & (_PLACED | _TURNED)
-
-
-def _calls(formula: Node) -> set[str]:
-    return {part.name for part in walk(formula) if isinstance(part, Call)}
+    return plain and called <= FUNCTIONS.keys() and not called & (_PLACED | _TURNED)
 
 
 class _Remembering(Evaluator):

@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,10 @@ from mechsheet import reference
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses
-from mechsheet.model import Mechanism
+from mechsheet.model import Mechanism, Summary
+
+if TYPE_CHECKING:
+    from mechsheet.homework.summaries import Span
 
 Array: TypeAlias = NDArray[np.float64]
 Kind: TypeAlias = Literal["angle", "length", "number"]
@@ -72,11 +75,15 @@ class Truth:
     kinds: Mapping[str, Kind]
     size: float
     poses: Mapping[str, tuple[float, float, float]] | None
-    spans: dict[str, object] = field(default_factory=dict, compare=False)
+    spans: dict[str, Span] = field(default_factory=dict, compare=False)
 
     def quantity(self, symbol: str) -> Quantity:
         """One of the columns."""
         return Quantity(symbol, self.kinds[symbol], self.columns[symbol])
+
+    def summary(self, symbol: str) -> Summary:
+        """One of the mechanism's summaries."""
+        return next(one for one in self.mechanism.summaries if one.symbol == symbol)
 
 
 def truth_of(
@@ -111,6 +118,11 @@ def truth_of(
     )
 
 
+def kind_of(unit: str) -> Kind:
+    """What a quantity is by the kind of its unit."""
+    return "angle" if unit == "angle" else "length" if unit == "length" else "number"
+
+
 def _kinds(mechanism: Mechanism, columns: Mapping[str, Array]) -> dict[str, Kind]:
     angles = {link.angle_symbol for link in mechanism.links}
     if not mechanism.driver.joint:
@@ -122,8 +134,7 @@ def _kinds(mechanism: Mechanism, columns: Mapping[str, Array]) -> dict[str, Kind
 
     def kind(symbol: str) -> Kind:
         if symbol in units:
-            known = units[symbol]
-            return "angle" if known == "angle" else "length" if known == "length" else "number"
+            return kind_of(units[symbol])
         return "angle" if symbol in angles else "length" if symbol in lengths else "number"
 
     return {symbol: kind(symbol) for symbol in columns}

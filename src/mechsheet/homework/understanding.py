@@ -129,7 +129,7 @@ def _hypothesis(
     tolerance: float,
 ) -> Understanding | None:
     values = dimensions_in(graph.work, inputs)
-    truth = truth_of(mechanism, values, driver_column(graph.work, run) * factor + offset)
+    truth = truth_of(mechanism, values, run.column(graph.work) * factor + offset)
     if truth is None:
         return None
     return Understanding(graph, run, factor, offset, inputs, truth, series, tolerance)
@@ -140,14 +140,9 @@ def dimensions_in(work: Work, inputs: Sequence[Input]) -> dict[str, float]:
     return {found.symbol: found.factor * work.number(found.place) for found in inputs}
 
 
-def driver_column(work: Work, run: Run) -> Array:
-    """What stands in the driver's cells."""
-    return run.column(work)
-
-
 def ways(work: Work, run: Run, mechanism: Mechanism, unusual: bool) -> Iterator[tuple[float, float]]:
     """(factor, offset) in which the driver may be written, the usual ones first."""
-    column = driver_column(work, run)
+    column = run.column(work)
     if mechanism.driver.joint:
         yield from ((power, 0.0) for power in POWERS)
         return

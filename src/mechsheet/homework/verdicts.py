@@ -13,6 +13,7 @@ from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
 from mechsheet.homework.agreement import Reading, gaps, reading_of
 from mechsheet.homework.headings import around, contains, labels, names_over, says
+from mechsheet.homework.inputs import is_length
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
@@ -146,7 +147,7 @@ def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
     """The formula of a single cell that is a summary, one that is called so first; else one that is called so."""
     found = sheet.found
     work = found.work
-    span = span_of(truth, summary)
+    span = span_of(truth, summary.symbol)
     called = labels(found.mechanism, summary.symbol)
     best: tuple[tuple[bool, bool], Finding] | None = None
     for strip in work.strips:
@@ -218,16 +219,12 @@ def retype(found: Understanding, symbols: Sequence[str], turn: int, steps: Seque
         changes = {}
         for number, symbol in enumerate(symbols):
             value = base.dimensions[symbol]
-            span = abs(value) if value else (base.size if _is_length(found, symbol) else 1.0)
+            span = abs(value) if value else (base.size if is_length(found.mechanism, symbol) else 1.0)
             changes[symbol] = value + span * part * RETYPED[(number + turn) % 2]
         result = _typed(found, changes)
         if result is not None and result.truth.exists[base.exists].all():
             return result
     return None
-
-
-def _is_length(found: Understanding, symbol: str) -> bool:
-    return any(dim.symbol == symbol and dim.unit.kind == "length" for dim in found.mechanism.dimensions)
 
 
 def _typed(found: Understanding, changes: Mapping[str, float]) -> Retyped | None:
@@ -259,8 +256,7 @@ def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
 
 def _summary_follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     assert finding.series is not None and finding.reading is not None
-    summary = next(one for one in found.mechanism.summaries if one.symbol == finding.symbol)
-    before, now = span_of(found.truth, summary), span_of(after.truth, summary)
+    before, now = span_of(found.truth, finding.symbol), span_of(after.truth, finding.symbol)
     number = found.work.number(finding.series.places()[0], after.values)
     allowed = SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high)
     return bool(now.holds(np.array(number), finding.reading, allowed))

@@ -65,8 +65,12 @@ def given_between(
     if driver.law is not None:
         return given_at(mechanism, dimensions, places)
     rows = given[driver.symbol]
-    step = (rows[-1] - rows[0]) / max(1, len(rows) - 1)
-    return {driver.symbol: np.asarray(rows[0] + (places - 1.0) * step)}
+    return {driver.symbol: np.asarray(rows[0] + (places - 1.0) * step_of(rows))}
+
+
+def step_of(rows: Array) -> float:
+    """How far a driver that steps goes from row to row, of its values in the rows."""
+    return float(rows[-1] - rows[0]) / max(1, len(rows) - 1)
 
 
 def rates_at(mechanism: Mechanism, dimensions: Mapping[str, float], given: Mapping[str, Array]) -> dict[str, Array]:

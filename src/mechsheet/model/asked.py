@@ -68,7 +68,7 @@ TaskPlace: TypeAlias = tuple[str | int, ...]
 class Synthesis:
     """A task from which dimensions are found; its inputs and all steps of its solution are dimensions of the mechanism.
 
-    kind      one of `mechsheet.synthesis.KINDS`
+    kind      one of `mechsheet.synthesis.kinds.KINDS`
     task      where the description says it -> symbol of the input dimension
     steps     symbols of the derived dimensions that solve the task, in order
     results   name of a result -> symbol of its exact value
@@ -103,6 +103,11 @@ class Synthesis:
     def inputs(self) -> tuple[str, ...]:
         """Symbols of the task's input dimensions, in its order."""
         return tuple(self.task.values())
+
+    @property
+    def used(self) -> dict[str, str]:
+        """Name of a result -> symbol of the mechanism's dimension, or of the assembly mode cell, that is it."""
+        return {name: symbol for symbol, name in (*self.taken.items(), *self.mode.items())}
 
     @property
     def ends(self) -> tuple[str, ...]:

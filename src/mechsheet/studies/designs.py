@@ -16,11 +16,12 @@ from numpy.typing import NDArray
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.nodes import symbols
-from mechsheet.kinematics.driving import given_between, given_values
+from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import RATES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
 from mechsheet.model import Condition, Mechanism, Study
+from mechsheet.sheet.checks.turning import derivatives, differentiated
 from mechsheet.studies.lowering import Lowered, Lowering
 from mechsheet.studies.motion import Motion
 from mechsheet.studies.program import Running
@@ -134,24 +135,19 @@ class Designs:
         )
         self.closing = Called(lowering.columns([], rows=False, closing=True))
         self.at_places = {of: Called(lowering.columns([of], rows=False)) for of in wanted}
+        rates = {equation.symbol for equation in self.equations.columns if equation.role in RATES}
         self.derivatives = {
-            of: Called(lowering.columns([f"{of}.d", f"{of}.dd"], rows=False))
+            of: Called(lowering.columns(derivatives(of), rows=False))
             for of in wanted
-            if self._has_derivatives(of)
+            if differentiated(mechanism, rates, of)
         }
         self.limits = bool(lowering.margins) and not mechanism.driver.values and self.rows > 1
         self.rows_only = bool(mechanism.driver.values) or self.rows < 4 or mechanism.layout == "page"
 
-    def _has_derivatives(self, symbol: str) -> bool:
-        """Whether the workbook has both, in rows that are equally far from each other in the driver's value."""
-        columns = {equation.symbol for equation in self.equations.columns if equation.role in RATES}
-        return self.mechanism.driver.law is None and columns.issuperset((f"{symbol}.d", f"{symbol}.dd"))
-
     @property
     def step(self) -> float:
         """How far the driver goes from row to row."""
-        values = self.given[self.mechanism.driver.symbol]
-        return float(values[-1] - values[0]) / max(1, self.rows - 1)
+        return step_of(self.given[self.mechanism.driver.symbol])
 
     def _angle_of(self, link: str) -> str:
         mechanism = self.mechanism

@@ -7,7 +7,7 @@ designs are ruled out before anybody looks between the rows.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import Condition
+from mechsheet.sheet.checks.turning import derivatives
 from mechsheet.studies.extremes import (
     Anchors,
     Slopes,
@@ -136,17 +137,11 @@ class Motion:
             if symbol in designs.given:
                 continue
             program = designs.at_places[symbol]
-            of_designs = program.run.designs(inside)
             names = [ANCHOR.format(symbol=angle) for angle in program.anchors]
             columns = [designs.in_rows.anchors.index(angle) for angle in program.anchors]
             near = {name: own_anchors.turns[:, at][:, None] for name, at in zip(names, columns, strict=True)}
             given = {**inside, **near}
-
-            def probe(places: Array, symbol: str = symbol, of: Mapping[str, Array] = of_designs,
-                      given: Mapping[str, Array] = given) -> Array:  # fmt: skip
-                out = designs.at_places[symbol].run.both(of, given={**given, **designs.driven(places)})
-                return np.broadcast_to(out[symbol], places.shape)
-
+            probe = _column_of(symbol, _at_places(designs, program, given))
             slopes = self._slopes(symbol, given)
             found[symbol, way] = refined(way, own_anchors, stretches, (low, high), moves, probe, slopes)
         return found
@@ -156,26 +151,33 @@ class Motion:
         designs = self.designs
         if symbol not in designs.derivatives:
             return None
-        run = designs.derivatives[symbol].run
-        of_designs = run.designs(given)
+        at_places = _at_places(designs, designs.derivatives[symbol], given)
 
         def slopes(places: Array) -> tuple[Array, Array]:
-            column = places[:, None]
-            out = run.both(of_designs, given={**given, **designs.driven(column)})
-            once, twice = (np.broadcast_to(out[f"{symbol}{end}"], column.shape)[:, 0] for end in (".d", ".dd"))
+            out = at_places(places[:, None])
+            once, twice = (out[name][:, 0] for name in derivatives(symbol))
             return once * designs.step, twice * designs.step**2
 
         return slopes
 
     def _edges(self, first: Array, last: Array, inside: Mapping[str, Array]) -> tuple[Array, Array]:
-        run = self.designs.closing.run
-        of_designs = run.designs(inside)
+        closing = _at_places(self.designs, self.designs.closing, inside)
+        return edges_of(first, last, self.designs.rows, lambda places: np.asarray(closing(places)[INSIDE], bool))
 
-        def meets(places: Array) -> Mask:
-            out = run.both(of_designs, given={**inside, **self.designs.driven(places)})
-            return np.broadcast_to(np.asarray(out[INSIDE], bool), places.shape)
 
-        return edges_of(first, last, self.designs.rows, meets)
+def _at_places(designs: Designs, program: Called, given: Mapping[str, Array]) -> Callable[[Array], dict[str, Array]]:
+    """A program at places of each design's own, counted in rows from 1: of places (designs, k) its columns in that shape."""
+    of_designs = program.run.designs(given)
+
+    def at_places(places: Array) -> dict[str, Array]:
+        out = program.run.both(of_designs, given={**given, **designs.driven(places)})
+        return {key: np.broadcast_to(column, places.shape) for key, column in out.items()}
+
+    return at_places
+
+
+def _column_of(key: str, at_places: Callable[[Array], dict[str, Array]]) -> Callable[[Array], Array]:
+    return lambda places: at_places(places)[key]
 
 
 def _blocks(
@@ -259,15 +261,11 @@ class _Rows:
             return fine
         tolerance = self._whole(self._out[designs.equations.tolerance])[fine, 0]
         own = {name: column[fine] for name, column in self._given.items()}
-        run = designs.closing.run
-        of_designs = run.designs(own)
+        closing = _at_places(designs, designs.closing, own)
         closed = np.ones(np.count_nonzero(fine), bool)
         for key in self.program.margins:
-
-            def margin(places: Array, key: str = key) -> Array:
-                return np.broadcast_to(run.both(of_designs, given={**own, **designs.driven(places)})[key], places.shape)
-
-            closed &= least_between(self._whole(self._out[key])[fine], margin) >= -tolerance
+            margins = self._whole(self._out[key])[fine]
+            closed &= least_between(margins, _column_of(key, closing)) >= -tolerance
         fine[fine] = closed
         return fine
 

@@ -18,6 +18,9 @@ from mechsheet.synthesis.writing import DETERMINED, Writer
 
 PIVOTS = ("A", "B")
 
+ENDS = ("", "_2", "_3")
+"""Of the names of a pin's coordinates at the three poses."""
+
 
 def _write(w: Writer) -> None:
     """Inputs, steps and results."""
@@ -157,7 +160,7 @@ def _turns(w: Writer, s: str) -> None:
 def _assembly(w: Writer) -> None:
     """On which side of the diagonal A-B0 the pin B lies at each pose."""
     plain = w.units.number
-    for n, end in ((1, ""), (2, "_2"), (3, "_3")):
+    for n, end in enumerate(ENDS, 1):
         ax, ay, bx, by = f"x_A{end}", f"y_A{end}", f"x_B{end}", f"y_B{end}"
         side = f"sign((x_B0 - {ax})*({by} - {ay}) - (y_B0 - {ay})*({bx} - {ax}))"
         w.step(f"side_p{n}", side, plain, "side_pose", number=n)
@@ -167,9 +170,6 @@ def _assembly(w: Writer) -> None:
 
 
 # --- what the sheet says and draws ---------------------------------------------------------------------------------
-
-ENDS = ("", "_2", "_3")
-"""Of the names of a pin's coordinates at the three poses."""
 
 
 def _asked(_: Synthesis) -> list[Requirement]:

@@ -65,6 +65,16 @@ def test_it_follows_and_its_length_is_checked_in_every_row(text):
     assert sheet.verdict == sheet.words("largest_gap")
 
 
+@pytest.mark.parametrize(
+    ("place", "angle"),
+    [('["a4", 0]', 30), ("[150, 0]", 30), ("[-150, 0]", -150), ('["-a4", 0]', -150), ("[0, -150]", 120)],
+)
+def test_its_angle_is_that_of_its_own_frame(place, angle):
+    """However its second joint lies in it: the crank stands at 30 degrees, and the link beside it."""
+    sheet = Laid(LAMP.replace(LAMP.splitlines()[15], f"points = {{ C0 = [0, 0], C = {place} }}"))
+    assert sheet.column("theta14")[0] == pytest.approx(angle, abs=1e-9)
+
+
 def test_it_is_drawn_as_a_link_and_not_as_a_slot():
     sheet = Laid(LAMP)
     (symbol,) = (each.symbol for each in sheet.mechanism.redundant)

@@ -1,14 +1,10 @@
 """Lengths rounded before they are used: what that costs, and that a full turn lost by it alone is a doubt, not a refusal."""
 
 import pytest
+from laid import Laid
 
-from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import loads
-from mechsheet.formula.references import cell_address
-from mechsheet.library.session import Session
 from mechsheet.sheet.synthesis.does import DOUBT, NO, YES
-from mechsheet.sheet.synthesis.rows import LINE_ROW, ROUNDED, SYMBOL, USED
+from mechsheet.sheet.synthesis.rows import ROUNDED, USED
 from mechsheet.sheet.synthesis.tables import exact_column
 from synthesis_tasks import description
 
@@ -23,36 +19,25 @@ GUIDANCE = {
 }  # fmt: skip
 
 
-class Sheet:
+class Sheet(Laid):
     """The sheet of synthesis of a task."""
 
     def __init__(self, asked, language="en"):
-        compiled = Compiled(loads(description(asked), language=language))
-        self.spots, self.plan = compiled.plan.at.spots, compiled.plan
-        self.session = Session(book_of(compiled.layout))
-        self.title, self.rows = compiled.plan.at.titles["synthesis"], compiled.plan.synthesis.of
-
-    def type(self, **values):
-        cells = {self.spots[symbol]: value for symbol, value in values.items()}
-        self.session.update({cell_address(at.sheet, at.row, at.col): value for at, value in cells.items()})
-        return self
+        super().__init__(description(asked), language)
+        self.rows = self.plan.synthesis.of
 
     def at(self, row, col):
-        return self.session.get(cell_address(self.title, row, col))
+        return self.values.get(self.plan.at.titles["synthesis"], row, col)
 
-    def verdict(self, key):
-        """The mark and the words."""
+    def said(self, key):
+        """The mark of a verdict, and its words."""
         row = self.rows["does", key]
         return self.at(row, ROUNDED), self.at(row, USED)
-
-    @property
-    def line(self):
-        return self.at(LINE_ROW, SYMBOL)
 
     def errors(self):
         """Of the lengths as they are used, and of the exact ones."""
         rows = [row for (block, _), row in self.rows.items() if block == "asked"]
-        exact = exact_column(self.plan.mechanism.synthesis)
+        exact = exact_column(self.mechanism.synthesis)
         return [self.at(row, USED) for row in rows], [self.at(row, exact) for row in rows]
 
 
@@ -68,29 +53,29 @@ class Sheet:
 )
 def test_a_full_turn_that_rounding_loses_is_amber_with_the_exact_margin(asked, margin):
     sheet = Sheet(asked)
-    mark, said = sheet.verdict("turns")
+    mark, said = sheet.said("turns")
     assert mark == DOUBT
     assert said.startswith("no full turn once rounded; exact it has to spare ")
     assert margin in said
-    assert NO not in {sheet.verdict(key)[0] for block, key in sheet.rows if block == "does"}
-    assert sheet.type(round_to=0.01).verdict("turns") == (YES, "the crank turns fully")
+    assert NO not in {sheet.said(key)[0] for block, key in sheet.rows if block == "does"}
+    assert sheet.change(round_to=0.01).said("turns") == (YES, "the crank turns fully")
 
 
 def test_that_what_is_asked_is_not_reached_then_is_amber_likewise():
     sheet = Sheet(CRANK_ROCKER)
-    assert sheet.verdict("meets") == (DOUBT, "rounded, it does not reach what is asked; exact it does")
-    assert sheet.line == "rounded, it does not reach what is asked; exact it does"
+    assert sheet.said("meets") == (DOUBT, "rounded, it does not reach what is asked; exact it does")
+    assert sheet.spot("#synthesis") == "rounded, it does not reach what is asked; exact it does"
     turkish = Sheet(CRANK_ROCKER, "tr")
-    assert turkish.line == "yuvarlanınca istenene ulaşamıyor; tam boylarla ulaşıyor"
+    assert turkish.spot("#synthesis") == "yuvarlanınca istenene ulaşamıyor; tam boylarla ulaşıyor"
 
 
 @pytest.mark.parametrize("asked", [FUNCTION, GUIDANCE], ids=["function", "guidance"])
 def test_the_full_turn_of_an_input_through_points_is_told_beside_its_type(asked):
     sheet = Sheet(asked)
-    mark, said = sheet.verdict("grashof")
+    mark, said = sheet.said("grashof")
     assert mark == DOUBT
     assert said.endswith("; exact: the input turns fully")
-    mark, said = sheet.type(round_to=0.001).verdict("grashof")
+    mark, said = sheet.change(round_to=0.001).said("grashof")
     assert mark == YES
     assert "exact" not in said
 
@@ -104,5 +89,5 @@ def test_the_error_of_the_exact_lengths_stands_beside_that_of_the_rounded_ones()
 def test_nothing_of_it_where_nothing_is_rounded():
     asked = {key: value for key, value in CRANK_ROCKER.items() if key != "round"}
     sheet = Sheet(asked)
-    assert sheet.verdict("turns") == (YES, "the crank turns fully")
-    assert sheet.at(sheet.rows["asked", "0"] - 1, exact_column(sheet.plan.mechanism.synthesis)) is None
+    assert sheet.said("turns") == (YES, "the crank turns fully")
+    assert sheet.at(sheet.rows["asked", "0"] - 1, exact_column(sheet.mechanism.synthesis)) is None

@@ -13,7 +13,7 @@ from chosen import examples, part
 from degenerate_cases import cases
 from judging import judged
 from mechsheet.description import loads
-from mechsheet.description.schema import MOST_ROWS
+from mechsheet.description.grammar import MOST_ROWS
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.formula.nodes import MAX_ROWS
 from mechsheet.kinematics.solve import solve

@@ -10,11 +10,12 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any
 
+from mechsheet.description.asked.schema import SYNTHESIS
 from mechsheet.description.asked.synthesis import unit_in
+from mechsheet.description.grammar import Items, Shape, Table, Text, YesNo
 from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.rewrite import with_value, without_key
-from mechsheet.description.schema import SYNTHESIS, Items, Shape, Table, Text, YesNo
 from mechsheet.description.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
@@ -36,10 +37,11 @@ def _numbers(value: Any, place: Path) -> Iterator[Path]:
 
 
 def _places(source: Source) -> dict[str, Path]:
-    """`theta`, `theta.2`, `stroke` -> where it stands below [synthesis]; items count from 1."""
+    """`theta`, `theta.2`, `stroke` -> where it stands below [synthesis], or would stand; items count from 1."""
     task = source.data.get("synthesis")
-    found = _numbers(task, ()) if isinstance(task, dict) else iter(())
-    return {".".join(str(part + 1) if isinstance(part, int) else part for part in place): place for place in found}
+    said = _numbers(task, ()) if isinstance(task, dict) else ()
+    places = (*said, *_shapes(source))
+    return {".".join(str(part + 1) if isinstance(part, int) else part for part in place): place for place in places}
 
 
 def _tables(source: Source) -> dict[Path, Table]:
@@ -51,10 +53,10 @@ def _tables(source: Source) -> dict[Path, Table]:
     return {(): outer} | {(key,): each.shape for key, each in outer.keys.items() if isinstance(each.shape, Table)}
 
 
-def _shapes(source: Source) -> dict[str, tuple[Path, Shape]]:
-    """`lam`, `round`, `A.moving` -> where such a number, list of numbers or choice stands, or would stand; and its shape."""
+def _shapes(source: Source) -> dict[Path, Shape]:
+    """Where a number, list of numbers or choice can stand: `lam`, `round`, `A.moving` -> its shape."""
     return {
-        ".".join((*map(str, around), key)): ((*around, key), entry.shape)
+        (*around, key): entry.shape
         for around, table in _tables(source).items()
         for key, entry in table.keys.items()
         if not isinstance(entry.shape, Table | Text)
@@ -63,20 +65,19 @@ def _shapes(source: Source) -> dict[str, tuple[Path, Shape]]:
 
 def task_names(source: Source) -> list[str]:
     """What of the task can be changed: what it says, then what it could say."""
-    return list(dict.fromkeys((*_places(source), *_shapes(source))))
+    return list(_places(source))
 
 
 def task_place(source: Source, name: str) -> Path | None:
     """Where the task has what is called so, or could have it; None where its kind has nothing of that name."""
-    found = _places(source).get(name)
-    return found if found is not None or name not in _shapes(source) else _shapes(source)[name][0]
+    return _places(source).get(name)
 
 
 def with_task_value(source: Source, place: Path, value: str, option: str) -> tuple[Source, list[Fault]]:
     """The source with another number, list of numbers or choice in its task, instead of a way that excludes it; and what
     is wrong with it."""
     path: Path = ("synthesis", *place)
-    _, shape = _shapes(source).get(".".join(map(str, place)), (place, None))
+    shape = _shapes(source).get(place)
     if isinstance(shape, YesNo):
         changed, faults = _with_choice(source, path, value, option)
     else:

@@ -11,9 +11,11 @@ steps. Source: Brent, Algorithms for Minimization without Derivatives, 1973, cha
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Literal
 
 from mechsheet.formula.nodes import CellRef, Node, Symbol
+from mechsheet.model import Mechanism
 from mechsheet.sheet.checks.probes import AT, SIDE, Block, Probes
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula
@@ -22,9 +24,13 @@ PROBES = 2
 
 
 def known(plan: Plan, symbol: str) -> bool:
+    """Whether the workbook looks between its rows, and by the derivatives."""
+    return not plan.rows_only and differentiated(plan.mechanism, {column.symbol for column in plan.rates}, symbol)
+
+
+def differentiated(mechanism: Mechanism, rates: Collection[str], symbol: str) -> bool:
     """Whether both derivatives are columns, in rows that are equally far from each other in the driver's value."""
-    columns = {column.symbol for column in plan.rates}
-    return not plan.rows_only and plan.mechanism.driver.law is None and columns.issuperset(_derivatives(symbol))
+    return mechanism.driver.law is None and all(name in rates for name in derivatives(symbol))
 
 
 def write(
@@ -42,7 +48,7 @@ def write(
     rows   first and last row of the stretch;  ends: the places where it begins and ends, between rows
     """
     plan, row = probes.plan, block.row
-    once, twice = _derivatives(symbol)
+    once, twice = derivatives(symbol)
     probes.lay(block, [symbol, once, twice])
     here = probes.cell(row, AT)
     step = formula("RADIANS(_step)" if plan.mechanism.driver.unit.in_degrees else "_step")
@@ -83,7 +89,8 @@ def write(
     probes.work(row + 2, AT, "place", place=_newton(first, here, rates[0], rates[1], wraps, ends))
 
 
-def _derivatives(symbol: str) -> tuple[str, str]:
+def derivatives(symbol: str) -> tuple[str, str]:
+    """The names of a quantity's first and second derivative by the driver."""
     return f"{symbol}.d", f"{symbol}.dd"
 
 

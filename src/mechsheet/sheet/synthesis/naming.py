@@ -13,8 +13,7 @@ class Naming:
     """Results mean the mechanism's dimensions where it takes them, else, or where asked for, their exact values."""
 
     def __init__(self, task: Synthesis, exact: bool = False) -> None:
-        used = {name: symbol for symbol, name in (*task.taken.items(), *task.mode.items())}
-        self.symbols: Mapping[str, str] = {**task.names, **task.results, **({} if exact else used)}
+        self.symbols: Mapping[str, str] = {**task.names, **task.results, **({} if exact else task.used)}
 
     def tree(self, text: str | Node) -> Node:
         """The tree of an expression in the description's notation."""

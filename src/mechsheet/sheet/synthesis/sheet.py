@@ -94,7 +94,7 @@ def _task(page: Page) -> None:
 def _results(page: Page) -> None:
     """Exact, rounded, as the mechanism uses it; amber where somebody has typed over the mechanism's dimension."""
     page.heading("result", value=page.text("exact"), rounded=page.text("rounded"), used=page.text("used"))
-    used = {name: symbol for symbol, name in (*page.given.taken.items(), *page.given.mode.items())}
+    used = page.given.used
     for name, symbol in page.given.results.items():
         row, dim = page.rows.of["result", name], page.dimensions[symbol]
         style = page.dimension_style(dim, styles.RESULT)
