@@ -301,8 +301,7 @@ class Resolver:
             if defined is not None:
                 function = self.function_name(defined, with_locals(defined.formula), block, sheet, place)
                 return Apply(function, part.args)
-            return self.unknown_function(place, part.name)
-        if lacks_scipy(part.name):
+        if row is None or lacks_scipy(part.name):
             return self.unknown_function(place, part.name)
         if row.least <= len(part.args) <= row.most:
             return _same_size(part)

@@ -49,20 +49,20 @@ class Together:
         self.blocked = blocked
         self.producers = members
         self.sheets = {title: index for index, title in enumerate(layout.titles)}
-        self._in_column = self._members_by_column()
-        self._on_sheet = {sheet for sheet, _ in self._in_column}
+        self._on_sheet: dict[int, list[int]] = {}
+        self._in_column: dict[tuple[int, int], list[int]] = {}
+        self._look_up_places()
         self.reads = {number: self._inner(number) for number in members}
         self._circles = 0
         self._closely: set[Cell] = set()
 
-    def _members_by_column(self) -> dict[tuple[int, int], list[int]]:
-        """(sheet, column) -> the blocks of the set that stand there: a cell's reads are looked up thousands of times."""
-        found: dict[tuple[int, int], list[int]] = {}
+    def _look_up_places(self) -> None:
+        """The blocks of the set by sheet, and by (sheet, column): a cell's reads are looked up thousands of times."""
         for member in self.producers:
-            block = self.layout.blocks[member]
+            block, sheet = self.layout.blocks[member], self.layout.block_sheets[member]
+            self._on_sheet.setdefault(sheet, []).append(member)
             for col in range(block.col, block.col + block.cols):
-                found.setdefault((self.layout.block_sheets[member], col), []).append(member)
-        return found
+                self._in_column.setdefault((sheet, col), []).append(member)
 
     def _inner(self, number: int) -> list[tuple[CellRef, CellRef]]:
         """The references of a block that can mean cells of the set, as corners."""
@@ -86,16 +86,16 @@ class Together:
 
     def _cells_in(self, area: Area, but: Collection[int] = ()) -> Iterator[Cell]:
         """The cells of the set that lie in an area, block by block, without those of some blocks."""
-        wide = area.cols > len(self.producers)
-        near = self.producers if wide else self._standing_in(area)
-        for member in near:
-            if member not in but and self.layout.block_sheets[member] == area.sheet:
+        for member in self._near(area):
+            if member not in but:
                 yield from self._cells(member, area)
 
-    def _standing_in(self, area: Area) -> Sequence[int]:
-        """The blocks of the set that stand in an area's columns."""
+    def _near(self, area: Area) -> Sequence[int]:
+        """The blocks of the set in an area's columns; of a wide area all of its sheet."""
         if area.cols == 1:
             return self._in_column.get((area.sheet, area.col), ())
+        if area.cols > len(self.producers):
+            return self._on_sheet.get(area.sheet, ())
         columns = range(area.col, area.col + area.cols)
         return sorted({member for col in columns for member in self._in_column.get((area.sheet, col), ())})
 

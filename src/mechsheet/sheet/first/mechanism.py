@@ -139,11 +139,11 @@ def _legend(writer: Writer) -> None:
 
 def _dimensions(writer: Writer) -> None:
     plan = writer.plan
-    writer.heading("dimensions", plan.text("head.tolerance"))
     rows = plan.blocks["dimensions"].rows
-    for dim in plan.mechanism.dimensions:
-        if dim.symbol not in rows:
-            continue
+    listed = [dim for dim in plan.mechanism.dimensions if dim.symbol in rows]
+    tolerated = any(dim.tolerance is not None or tolerance_symbol(dim.symbol) in plan.at.spots for dim in listed)
+    writer.heading("dimensions", plan.text("head.tolerance") if tolerated else None)
+    for dim in listed:
         row = rows[dim.symbol]
         if not isinstance(dim.value, float):
             _from_synthesis(writer, dim, row)
