@@ -15,6 +15,7 @@ from collections.abc import Collection
 from typing import Literal
 
 from mechsheet.formula.nodes import CellRef, Node, Symbol
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
 from mechsheet.model import Mechanism
 from mechsheet.sheet.checks.probes import AT, SIDE, Block, Probes
 from mechsheet.sheet.plan import Plan
@@ -91,7 +92,8 @@ def write(
 
 def derivatives(symbol: str) -> tuple[str, str]:
     """The names of a quantity's first and second derivative by the driver."""
-    return f"{symbol}.d", f"{symbol}.dd"
+    once, twice = COEFFICIENTS
+    return symbol + once, symbol + twice
 
 
 def _newton(at: Node, here: Node, once: Node, twice: Node, wraps: Node, ends: tuple[Node, Node]) -> Node:
