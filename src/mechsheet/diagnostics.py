@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechsheet.said import Said, said
+from mechsheet.said import Said, say
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +92,7 @@ class MissingProgramError(MechsheetError):
 def near_miss(word: str, allowed: Iterable[str]) -> Said:
     """`did you mean "crank"?`, or "" when nothing in `allowed` resembles `word`."""
     found = difflib.get_close_matches(word, list(allowed), n=1, cutoff=0.6)
-    return said('did you mean "{name}"?', name=found[0]) if found else said("")
+    return say('did you mean "{name}"?', name=found[0]) if found else say("")
 
 
 def readable_name(path: str | Path) -> str:

@@ -1,6 +1,6 @@
 """Messages that know what they are made of, so that they can be said in another language, too.
 
-A message is written in English where it is raised, `said("no link is called {name}", name=name)`. It is a text like any
+A message is written in English where it is raised, `say("no link is called {name}", name=name)`. It is a text like any
 other, and keeps its pattern and its parts; `words/messages/` has the Turkish of every pattern.
 """
 
@@ -25,7 +25,7 @@ class Said(str):
     parts: Mapping[str, Any]
 
 
-def said(pattern: str, /, **parts: Any) -> Said:
+def say(pattern: str, /, **parts: Any) -> Said:
     """The text of a pattern, `{name}` standing for a part as in `str.format`; without parts the pattern as it stands."""
     text = Said(_filled(pattern, {name: part.en if isinstance(part, InBoth) else part for name, part in parts.items()}))
     text.pattern, text.parts = pattern, parts

@@ -20,7 +20,7 @@ from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
 from mechsheet.model import PRESSURE, Dimension, Gear, Joint, Link, Rack, Relation
-from mechsheet.said import said
+from mechsheet.said import say
 from mechsheet.units import NUMBER, Unit, unit_of
 
 ROUGH = 1
@@ -74,19 +74,19 @@ class _Reader:
 
     def _ratio(self, entry: dict[str, Any], order: int, link: str | None) -> tuple[Node, Node]:
         """The ratio (of a rack the radius), and the pressure angle."""
-        key = said("radius") if entry["type"] == "rack" else said("ratio")
+        key = say("radius") if entry["type"] == "rack" else say("ratio")
         path: Path = ("joints", order, key)
         kind, unit = (LENGTH, self._length) if key == "radius" else (ANY, NUMBER)
         number = self.ends.numbers[link] if link is not None else order
         node = own_cell(self.scope, self.cells, self._name(key, number), entry[key], kind, unit, path, key)
         if entry[key] is not BAD and self.scope.number(node) == 0:
-            self.scope.report.at(path, said("the {key} is 0: nothing would turn with it", key=key))
+            self.scope.report.at(path, say("the {key} is 0: nothing would turn with it", key=key))
         degrees = self.scope.quantity(entry.get("pressure_angle", STANDARD), ANGLE, (*path[:2], "pressure_angle"))
         if "pressure_angle" in entry:
             size = abs(self.scope.number(degrees))
             if size >= math.pi / 2:
-                message = said("must be less than 90 degrees to either side")
-                self.scope.report.at((*path[:2], "pressure_angle"), message, said("usual are 20 and 14.5 degrees"))
+                message = say("must be less than 90 degrees to either side")
+                self.scope.report.at((*path[:2], "pressure_angle"), message, say("usual are 20 and 14.5 degrees"))
         return node, _as_node(degrees) if "pressure_angle" in entry else PRESSURE
 
     @property
@@ -103,12 +103,12 @@ class _Reader:
         """Whether two wheels can turn against each other; reports why not."""
         if link == on:
             self.scope.report.at(
-                (*path, "on"), said("{link} is one link: no gear can turn it against itself", link=quoted(link))
+                (*path, "on"), say("{link} is one link: no gear can turn it against itself", link=quoted(link))
             )
             return False
         for slide in self.slides:
             if slide.kind == "prismatic" and {slide.link, slide.on} == {link, on}:
-                message = said(
+                message = say(
                     "{link} and {on} slide on each other and keep their angle: no gear can turn them",
                     link=quoted(link),
                     on=quoted(on),
@@ -121,11 +121,11 @@ class _Reader:
         """Whether the arm has a pivot with either wheel; reports which one it lacks."""
         where: Path = (*path, "arm") if given else path
         if arm in wheels:
-            self.scope.report.at(where, said("the arm {arm} is one of the wheels", arm=quoted(arm)), self._arms(wheels))
+            self.scope.report.at(where, say("the arm {arm} is one of the wheels", arm=quoted(arm)), self._arms(wheels))
             return False
         lacking = [wheel for wheel in wheels if not self._pivot(arm, wheel)]
         if lacking:
-            message = said(
+            message = say(
                 "the arm {arm} does not carry the axis of {lacking}: they share no point",
                 arm=quoted(arm),
                 lacking=listed(lacking, "or"),
@@ -153,7 +153,7 @@ class _Reader:
         if slide is None and entry["joint"] is not BAD:
             hint = suggestion(entry["joint"], [slide.name for slide in self.slides], "sliding joints")
             self.scope.report.at(
-                (*path, "joint"), said("no sliding joint is called {entry}", entry=quoted(entry["joint"])), hint
+                (*path, "joint"), say("no sliding joint is called {entry}", entry=quoted(entry["joint"])), hint
             )
         known = self.ends.has_link(entry["link"], (*path, "link"))
         radius, pressure = self._ratio(entry, order, entry["link"] if known else None)
@@ -162,7 +162,7 @@ class _Reader:
         link = str(entry["link"])
         sides = [side for side in (slide.on, slide.link) if side != link]
         if len(sides) < 2:
-            message = said(
+            message = say(
                 "{link} is a side of the sliding joint itself: the pinion must be a third link", link=quoted(link)
             )
             self.scope.report.at((*path, "link"), message)
@@ -184,12 +184,12 @@ class _Reader:
         where: Path = (*path, "arm") if given else (*path, "link")
         if arm not in sides:
             if self.ends.has_link(arm, where):
-                message = said("the arm {arm} is no side of the sliding joint", arm=quoted(arm))
-                self.scope.report.at(where, message, said("its sides: {sides}", sides=listed(sides, "or")))
+                message = say("the arm {arm} is no side of the sliding joint", arm=quoted(arm))
+                self.scope.report.at(where, message, say("its sides: {sides}", sides=listed(sides, "or")))
             return False
         if not self._pivot(arm, link):
             which = quoted(arm) if given else listed(sides, "or")
-            message = said(
+            message = say(
                 "the pinion {link} is not pivoted on {which}: they share no point", link=quoted(link), which=which
             )
             self.scope.report.at(where, message)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
-from mechsheet.said import Said, said
+from mechsheet.said import Said, say
 from mechsheet.units import Unit
 
 ANGLE, LENGTH, DEGREES, ANY = "angle", "length", "number of degrees", ""
@@ -37,16 +37,16 @@ def label_fault(
     """
     kind = kind_of(node, kinds, multiples=False)
     if kind == ANGLE:
-        message = said(
+        message = say(
             '{text} is an angle, in radians unless `unit` says "deg": the label "{unit}" would stand behind radians',
             text=text,
             unit=unit,
         )
-        return message, said('write unit = "deg" or unit = "rad", or convert it in the formula')
+        return message, say('write unit = "deg" or unit = "rad", or convert it in the formula')
     if kind == LENGTH and unit in _LENGTHS and unit != length_unit:
         return (
-            said('{text} is a length in {length}, not in "{unit}"', text=text, length=length_unit, unit=unit),
-            said('write unit = "{length}", or convert it in the formula', length=length_unit),
+            say('{text} is a length in {length}, not in "{unit}"', text=text, length=length_unit, unit=unit),
+            say('write unit = "{length}", or convert it in the formula', length=length_unit),
         )
     return None, ""
 

@@ -13,7 +13,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
 from mechsheet.model import GROUND, Cartesian, Distances, Joint, Link, Place, Polar
-from mechsheet.said import said
+from mechsheet.said import say
 
 _ROUNDING = 1e-9
 """Distances may miss each other by this part of their size and count as meeting (a point on the line between two)."""
@@ -35,14 +35,12 @@ def declare(data: dict[str, Any], scope: Scope) -> tuple[Link, ...]:
         number = table.get("number", last + 1)
         last = last + 1 if number is BAD else number
         if not links and last != GROUND:
-            scope.report.at((*path, "number"), said("the first link is the ground; its number is 1"))
+            scope.report.at((*path, "number"), say("the first link is the ground; its number is 1"))
             last = GROUND
         elif last in numbers:
             where = (*path, "number") if "number" in table else path
-            message = said("the number {number} is taken by the link {link}", number=last, link=quoted(numbers[last]))
-            scope.report.at(
-                where, message, said("numbers count upwards from the link before, unless `number` is given")
-            )
+            message = say("the number {number} is taken by the link {link}", number=last, link=quoted(numbers[last]))
+            scope.report.at(where, message, say("numbers count upwards from the link before, unless `number` is given"))
         numbers.setdefault(last, name)
         links.append(Link(name, last, {}, words(table.get("label"))))
     for link in links[1:]:
@@ -53,11 +51,9 @@ def declare(data: dict[str, Any], scope: Scope) -> tuple[Link, ...]:
 
 
 def _name_is_good(name: str, path: Path, scope: Scope) -> None:
-    message = said(
-        "the name {name} must begin with a letter and go on with letters, digits, - and _", name=quoted(name)
-    )
+    message = say("the name {name} must begin with a letter and go on with letters, digits, - and _", name=quoted(name))
     if len(name) > LONGEST_NAME:
-        scope.report.at(path, said("{message} (at most {most})", message=message, most=LONGEST_NAME))
+        scope.report.at(path, say("{message} (at most {most})", message=message, most=LONGEST_NAME))
     elif not (name and name[0].isalpha() and all(sign.isalnum() or sign in "_-" for sign in name)):
         scope.report.at(path, message)
 
@@ -126,9 +122,9 @@ def _check_distances(places: Mapping[str, Place], points: dict[str, Any], path: 
         for other in (place.first, place.second):
             if other not in points:
                 hint = suggestion(
-                    other, [point for point in points if point != name], said("points of {link}", link=path[1])
+                    other, [point for point in points if point != name], say("points of {link}", link=path[1])
                 )
-                message = said("the link {link} has no point {point}", link=quoted(str(path[1])), point=quoted(other))
+                message = say("the link {link} has no point {point}", link=quoted(str(path[1])), point=quoted(other))
                 scope.report.at((*path, name, "distances", other), message, hint)
     order, circles = cycles(needs)
     for circle in circles:
@@ -154,15 +150,15 @@ def _coordinates(
         return REPORTED, REPORTED
     between = portable.hypot(b[0] - a[0], b[1] - a[1])
     slack = _ROUNDING * max(between, abs(ra), abs(rb))
-    problem = said("")
+    problem = say("")
     if min(ra, rb) < 0:
-        problem = said("a distance is negative: {ra:.6g} and {rb:.6g}", ra=ra, rb=rb)
+        problem = say("a distance is negative: {ra:.6g} and {rb:.6g}", ra=ra, rb=rb)
     elif between <= slack:
-        problem = said(
+        problem = say(
             "{points} lie at the same place, so no side can be told", points=listed((place.first, place.second))
         )
     elif ra + rb < between - slack or abs(ra - rb) > between + slack:
-        problem = said(
+        problem = say(
             "no point lies {ra:.6g} from {first} and {rb:.6g} from {second}: these two are {between:.6g} apart",
             ra=ra,
             first=quoted(place.first),
@@ -194,11 +190,11 @@ def check_connected(links: tuple[Link, ...], joints: Iterable[Joint], scope: Sco
             frontier.extend(neighbours[name])
     for link in links:
         if link.name not in reached:
-            message = said("no chain of joints leads from the link {name} to the ground", name=quoted(link.name))
+            message = say("no chain of joints leads from the link {name} to the ground", name=quoted(link.name))
             others = sorted(neighbours[link.name] - {link.name})
             hint = (
-                said("it is joined to {others} only", others=listed(others))
+                say("it is joined to {others} only", others=listed(others))
                 if others
-                else said("it shares no point with another link")
+                else say("it shares no point with another link")
             )
             scope.report.at(("links", link.name), message, hint)

@@ -14,7 +14,7 @@ from mechsheet.description.results import coordinates, is_coordinate
 from mechsheet.description.scope import Scope, words
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.model import Driver, Output
-from mechsheet.said import said
+from mechsheet.said import say
 from mechsheet.units import Unit, unit_of
 
 
@@ -90,19 +90,19 @@ def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
     if name in scope.outputs or name in scope.motion_outputs:
         scope.report.at(
             path,
-            said(
+            say(
                 "{where}{name} is an output; only variables and dimensions are allowed", where=where, name=quoted(name)
             ),
         )
         return False
     rates = scope.rates if scope.moves else ()
     hint = suggestion(name, [*scope.variables, *coordinates(scope), *scope.units, *rates, *scope.forces], "allowed")
-    scope.report.at(path, said("{where}{name} is not a variable or dimension", where=where, name=quoted(name)), hint)
+    scope.report.at(path, say("{where}{name} is not a variable or dimension", where=where, name=quoted(name)), hint)
     return False
 
 
 def _where(name: str, text: str) -> str:
-    return "" if name == text.strip() else said("in {text}: ", text=quoted(text))
+    return "" if name == text.strip() else say("in {text}: ", text=quoted(text))
 
 
 # --- of the whole motion ----------------------------------------------------------------------------------------------
@@ -132,31 +132,31 @@ def _refuse(name: str, named: list[str], text: str, path: Path, scope: Scope) ->
     where = _where(name, text)
     known = [*scope.summaries, *scope.units]
     if name == path[1]:
-        message, hint = said("{name} depends on itself", name=quoted(name)), said("")
+        message, hint = say("{name} depends on itself", name=quoted(name)), say("")
     elif name in scope.motion_outputs:
-        message = said("{name} is an output of summaries, too", name=quoted(name))
-        hint = said("write its formula in its place")
+        message = say("{name} is an output of summaries, too", name=quoted(name))
+        hint = say("write its formula in its place")
     elif (
         name in scope.variables or name in scope.outputs or is_rate(name, scope) or name in scope.forces or "." in name
     ):
-        message = said(
+        message = say(
             "{name} differs from row to row, but {others} are numbers of the whole motion",
             name=quoted(name),
             others=listed(named),
         )
         if len(named) == 1:
-            message = said(
+            message = say(
                 "{name} differs from row to row, but {other} is one number of the whole motion",
                 name=quoted(name),
                 other=listed(named),
             )
-        hint = said("a summary of {name} may stand there", name=name)
+        hint = say("a summary of {name} may stand there", name=name)
     elif scope.complete:
-        message = said("{name} is not a summary or dimension", name=quoted(name))
+        message = say("{name} is not a summary or dimension", name=quoted(name))
         hint = suggestion(name, known, "allowed")
     else:
         return
-    scope.report.at(path, said("{where}{message}", where=where, message=message) if where else message, hint)
+    scope.report.at(path, say("{where}{message}", where=where, message=message) if where else message, hint)
 
 
 def _show_units(units: dict[str, Unit], driver: Driver | None, scope: Scope) -> None:

@@ -25,7 +25,7 @@ from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.source import Source, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Solution, Words
-from mechsheet.said import said
+from mechsheet.said import say
 
 LANGUAGES = ("en", "tr")
 LAYOUTS = ("sheets", "page")
@@ -62,7 +62,7 @@ def loads(
     mistyped = {fault.line for fault in faults}
     if language is not None and language not in LANGUAGES:
         faults.append(
-            Fault(said("unknown language {language}", language=quoted(language)), hint=said('languages: "en", "tr"'))
+            Fault(say("unknown language {language}", language=quoted(language)), hint=say('languages: "en", "tr"'))
         )
     if not faults:
         source, faults_of_values = with_values(source, overrides or ())
@@ -92,7 +92,7 @@ def with_layout(mechanism: Mechanism, layout: str | None, file: str = "<text>") 
         return mechanism
     if layout not in LAYOUTS:
         raise DescriptionError(
-            Fault(said("unknown layout {layout}", layout=quoted(layout)), hint=said('layouts: "sheets", "page"'))
+            Fault(say("unknown layout {layout}", layout=quoted(layout)), hint=say('layouts: "sheets", "page"'))
         )
     source, _ = parse_as_meant(mechanism.text, file)
     found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text, file)
@@ -126,7 +126,7 @@ def _check_format(source: Source) -> None:
         raise DescriptionError(
             source.fault(
                 ("format",),
-                said(
+                say(
                     "format {lower} is not known: this program reads format {format}",
                     lower=str(version).lower(),
                     format=FORMAT,
@@ -240,12 +240,12 @@ def _name(head: dict[str, Any], report: Report) -> str:
     path = ("mechanism", "name")
     fits = all(sign in "-_" or unicodedata.category(sign)[0] == "L" or sign.isdecimal() for sign in name)
     if not fits or name.startswith("-"):
-        message = said(
+        message = say(
             "{name} must begin with a letter, a digit or _ and go on with letters, digits, - and _", name=quoted(name)
         )
-        report.at(path, message, said("it becomes the stem of file names"))
+        report.at(path, message, say("it becomes the stem of file names"))
     elif name.lower() in _DEVICES:
         report.at(
-            path, said("{name} cannot be the stem of a file: Windows keeps that name for a device", name=quoted(name))
+            path, say("{name} cannot be the stem of a file: Windows keeps that name for a device", name=quoted(name))
         )
     return name

@@ -12,7 +12,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault, near_miss
 from mechsheet.formula.names import folded
-from mechsheet.said import Said, said
+from mechsheet.said import Said, say
 
 
 class Bad(Enum):
@@ -47,12 +47,12 @@ class Report:
 def suggestion(word: str, allowed: Iterable[str], what: str) -> Said:
     """`did you mean "crank"? links: ground, crank, coupler, rocker`."""
     names = list(allowed)
-    near = next((said('did you mean "{name}"?', name=name) for name in names if folded(name) == folded(word)), said(""))
+    near = next((say('did you mean "{name}"?', name=name) for name in names if folded(name) == folded(word)), say(""))
     near = near or near_miss(word, names)
     shown = ", ".join(names[:20]) + (", …" if len(names) > 20 else "")
-    of = what if isinstance(what, Said) else said(what)
-    list_of = said("{what}: {names}", what=of, names=shown) if names else said("{what}: none", what=of)
-    return said("{near} {all}", near=near, all=list_of) if near else list_of
+    of = what if isinstance(what, Said) else say(what)
+    list_of = say("{what}: {names}", what=of, names=shown) if names else say("{what}: none", what=of)
+    return say("{near} {all}", near=near, all=list_of) if near else list_of
 
 
 def listed(names: Iterable[str], last: Literal["and", "or"] = "and") -> str:
@@ -61,14 +61,14 @@ def listed(names: Iterable[str], last: Literal["and", "or"] = "and") -> str:
     if len(quoted) < 2:
         return "".join(quoted)
     pattern = "{first} and {last}" if last == "and" else "{first} or {last}"
-    return said(pattern, first=", ".join(quoted[:-1]), last=quoted[-1])
+    return say(pattern, first=", ".join(quoted[:-1]), last=quoted[-1])
 
 
 def alternatives(texts: Sequence[str], long: bool = False) -> str:
     """`a or b or c`; long ones that hold an `and` themselves are set apart by commas, too."""
     whole = texts[0]
     for text in texts[1:]:
-        whole = said("{first}, or {last}" if long else "{first} or {last}", first=whole, last=text)
+        whole = say("{first}, or {last}" if long else "{first} or {last}", first=whole, last=text)
     return whole
 
 
@@ -77,9 +77,9 @@ def found(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, int | float):
-        return f"{value:.12g}" if isinstance(value, float) or abs(value) < 1e15 else said("a huge number")
+        return f"{value:.12g}" if isinstance(value, float) or abs(value) < 1e15 else say("a huge number")
     if isinstance(value, str):
-        return said("the text {text}", text=quoted(value))
+        return say("the text {text}", text=quoted(value))
     if isinstance(value, list):
-        return said("a list of {count}", count=len(value)) if value else said("an empty list")
-    return said("a table") if isinstance(value, dict) else said("a date or time")
+        return say("a list of {count}", count=len(value)) if value else say("an empty list")
+    return say("a table") if isinstance(value, dict) else say("a date or time")

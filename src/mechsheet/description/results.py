@@ -16,7 +16,7 @@ from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.model import ChartRequest, Driver, Quantity, Sketch, Summary, TableRequest
-from mechsheet.said import said
+from mechsheet.said import say
 
 
 def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
@@ -34,16 +34,16 @@ def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
         elif isinstance(value, list):
             if name not in scope.points:
                 hint = suggestion(name, scope.points, "points")
-                scope.report.at(path, said("no link has a point {name}", name=quoted(name)), hint)
+                scope.report.at(path, say("no link has a point {name}", name=quoted(name)), hint)
             points[name] = pair(value, path, scope)
         elif value is not BAD and name in scope.variables:
             values[name] = scope.quantity(value, scope.kinds[name], path)
         elif value is not BAD and name in scope.points:
-            scope.report.at(path, said("the point {name} is sketched as [x, y]", name=quoted(name)))
+            scope.report.at(path, say("the point {name} is sketched as [x, y]", name=quoted(name)))
         elif value is not BAD and scope.complete:
-            message = said("no point, link angle or displacement is called {name}", name=quoted(name))
+            message = say("no point, link angle or displacement is called {name}", name=quoted(name))
             if name in scope.units or name in scope.outputs:
-                message = said("{name} is no point, link angle or displacement", name=quoted(name))
+                message = say("{name} is no point, link angle or displacement", name=quoted(name))
             names = [*scope.points, *scope.variables]
             scope.report.at(path, message, suggestion(name, names, "allowed"))
     return Sketch(points, values, at)
@@ -67,16 +67,16 @@ def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
     if point not in scope.points:
         hint = suggestion(point, scope.points, "points")
         if point in scope.centers:
-            hint = said(
+            hint = say(
                 "the mass centre is the point {centers}: write {centers}.{axis}",
                 centers=scope.centers[point],
                 axis=axis,
             )
-        scope.report.at(path, said("{where}no point is called {point}", where=where, point=quoted(point)), hint)
+        scope.report.at(path, say("{where}no point is called {point}", where=where, point=quoted(point)), hint)
     elif axis not in ("x", "y"):
-        rates = said("; {point}.v, {point}.a for its velocity and acceleration", point=point) if scope.moves else ""
-        hint = said("write {point}.x or {point}.y{rates}", point=point, rates=rates)
-        scope.report.at(path, said("{where}a point has no {axis}", where=where, axis=quoted(axis)), hint)
+        rates = say("; {point}.v, {point}.a for its velocity and acceleration", point=point) if scope.moves else ""
+        hint = say("write {point}.x or {point}.y{rates}", point=point, rates=rates)
+        scope.report.at(path, say("{where}a point has no {axis}", where=where, axis=quoted(axis)), hint)
     return point in scope.points and axis in ("x", "y")
 
 
@@ -93,17 +93,17 @@ def check_column(name: Any, path: Path, scope: Scope) -> None:
         return
     rates = scope.rates if scope.moves else ()
     hint = suggestion(name, [*scope.variables, *scope.outputs, *coordinates(scope), *rates, *scope.forces], "allowed")
-    message = said("no variable or output is called {name}", name=quoted(name))
+    message = say("no variable or output is called {name}", name=quoted(name))
     if name in scope.charted:
-        message = said("{name} follows from all rows together: only charts can show it", name=quoted(name))
-        hint = said("")
+        message = say("{name} follows from all rows together: only charts can show it", name=quoted(name))
+        hint = say("")
     if name in scope.motion_outputs:
-        message = said(
+        message = say(
             "{name} is an output of summaries, one number of the whole motion: it has no value in a row",
             name=quoted(name),
         )
     if name in scope.units:
-        message = said(
+        message = say(
             "{name} is a dimension, the same in every row; a variable or an output is needed", name=quoted(name)
         )
     scope.report.at(path, message, hint)
@@ -141,7 +141,7 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
             for number, name in enumerate(names):
                 if name is not BAD and name not in scope.points:
                     hint = suggestion(name, scope.points, "points")
-                    scope.report.at((*path, key, number), said("no point is called {name}", name=quoted(name)), hint)
+                    scope.report.at((*path, key, number), say("no point is called {name}", name=quoted(name)), hint)
         for key, names in (("y", y), ("paths", paths), ("hodographs", hodographs)):
             _check_twice(names, (*path, key), scope)
         _check_moves(paths, (*path, "paths"), scope)
@@ -154,19 +154,19 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
 def _check_twice(names: list[Any], path: Path, scope: Scope) -> None:
     for number, name in enumerate(names):
         if name is not BAD and name in names[:number]:
-            scope.report.at((*path, number), said("{name} is listed twice", name=quoted(name)))
+            scope.report.at((*path, number), say("{name} is listed twice", name=quoted(name)))
 
 
 def _check_velocities(names: list[Any], path: Path, scope: Scope) -> None:
     """A hodograph needs points that move, and the driver's speed."""
     for number, name in enumerate(names):
         if name in scope.fixed:
-            message = said("{name} is a point of the ground: it has no velocity", name=quoted(name))
+            message = say("{name} is a point of the ground: it has no velocity", name=quoted(name))
             moving = [point for point in scope.points if point not in scope.fixed]
             scope.report.at((*path, number), message, suggestion("", moving, "moving points"))
     if not scope.moves:
         scope.report.at(
-            path, said("a hodograph shows velocities: it needs the driver's speed"), said("write `speed` in [driver]")
+            path, say("a hodograph shows velocities: it needs the driver's speed"), say("write `speed` in [driver]")
         )
 
 
@@ -174,9 +174,9 @@ def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:
     """A chart of paths needs a point that moves; fixed points beside it are marks in the picture."""
     if names and all(name in scope.fixed for name in names):
         moving = [point for point in scope.points if point not in scope.fixed]
-        message = said("{points} is a point of the ground: what does not move has no path", points=listed(names))
+        message = say("{points} is a point of the ground: what does not move has no path", points=listed(names))
         if len(names) > 1:
-            message = said("{points} are points of the ground: what does not move has no path", points=listed(names))
+            message = say("{points} are points of the ground: what does not move has no path", points=listed(names))
         scope.report.at(path, message, suggestion("", moving, "moving points"))
 
 
@@ -196,19 +196,19 @@ def tables(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[TableR
             result.append(TableRequest(row, column, values, value, title, row_values))
             continue
         if driver is not None and rows not in (BAD, driver.symbol):
-            message = said(
+            message = say(
                 "expected the driver's symbol {symbol}, found {found}", symbol=quoted(driver.symbol), found=quoted(rows)
             )
             hint = ""
             if rows in scope.inputs:
-                hint = said("over two dimensions a table shows a summary: rows = {{ {rows} = […] }}", rows=rows)
+                hint = say("over two dimensions a table shows a summary: rows = {{ {rows} = […] }}", rows=rows)
             scope.report.at((*path, "rows"), message, hint)
         if value is not BAD and value in scope.summaries:
-            message = said(
+            message = say(
                 "{value} is a summary, one number of the whole sweep: over the driver it has one value only",
                 value=quoted(value),
             )
-            scope.report.at((*path, "value"), message, said("give a second input: rows = { a2 = [40, 45, 50] }"))
+            scope.report.at((*path, "value"), message, say("give a second input: rows = { a2 = [40, 45, 50] }"))
         else:
             check_column(value, (*path, "value"), scope)
             _check_position(value, (*path, "value"), scope)
@@ -221,14 +221,14 @@ def _check_summary(name: Any, path: Path, driver: Driver | None, scope: Scope) -
     if name is BAD:
         return
     if name not in scope.summaries:
-        message = said("no summary is called {name}", name=quoted(name))
+        message = say("no summary is called {name}", name=quoted(name))
         if name in scope.motion_outputs:
-            message = said(
+            message = say(
                 "{name} is an output of summaries: in a table over two dimensions each cell is one summary",
                 name=quoted(name),
             )
         if name in scope.variables or name in scope.outputs or "." in name:
-            message = said(
+            message = say(
                 "{name} differs from row to row: over two dimensions the cells hold a summary", name=quoted(name)
             )
         of_it = [summary for summary, of in scope.summaries.items() if of == name]
@@ -236,12 +236,12 @@ def _check_summary(name: Any, path: Path, driver: Driver | None, scope: Scope) -
         return
     of = scope.summaries[name]
     if driver is not None and of == driver.symbol:
-        message = said(
+        message = say(
             "{name} is of the driver, whose values are the same in every cell of the table", name=quoted(name)
         )
         scope.report.at(path, message)
     else:
-        _check_position(of, path, scope, said("a line of the first sheet shows it"))
+        _check_position(of, path, scope, say("a line of the first sheet shows it"))
 
 
 def _check_pairs(
@@ -255,22 +255,20 @@ def _check_pairs(
 ) -> None:
     """Two different inputs, and no more cells than a sheet is good for."""
     if row and row == column:
-        scope.report.at(
-            (*path, "columns", column), said("{row} goes down already: give another input", row=quoted(row))
-        )
+        scope.report.at((*path, "columns", column), say("{row} goes down already: give another input", row=quoted(row)))
     pairs = len(row_values) * len(values)
     rows = _rows_of(driver, scope) if driver is not None else 0
     if pairs > MOST_PAIRS:
-        message = said(
+        message = say(
             "the table has {rows} x {columns} = {pairs:,} cells; at most {most} have a summary",
             rows=len(row_values),
             columns=len(values),
             pairs=pairs,
             most=MOST_PAIRS,
         )
-        scope.report.at((*path, "rows"), message, said("give fewer values"))
+        scope.report.at((*path, "rows"), message, say("give fewer values"))
     elif pairs * rows > MOST_CELLS:
-        message = said(
+        message = say(
             "{rows} x {columns} cells over {values:,} values of the driver are {cells:,} helper cells; "
             "at most {most:,} are made",
             rows=len(row_values),
@@ -279,7 +277,7 @@ def _check_pairs(
             cells=pairs * rows,
             most=MOST_CELLS,
         )
-        scope.report.at((*path, "rows"), message, said("give fewer values, or a larger step"))
+        scope.report.at((*path, "rows"), message, say("give fewer values, or a larger step"))
 
 
 def _rows_of(driver: Driver, scope: Scope) -> int:
@@ -295,15 +293,15 @@ def _check_position(name: Any, path: Path, scope: Scope, hint: str = "a summary 
     """A two-way table holds positions, one formula a cell: a rate would need its whole group there."""
     if name is BAD or not (is_rate(name, scope) or name in scope.forces or name in scope.of_rates):
         return
-    what = said("reads") if name in scope.of_rates else said("is")
+    what = say("reads") if name in scope.of_rates else say("is")
     which = (
-        said("a {what}", what=said(scope.forces[name]))
+        say("a {what}", what=say(scope.forces[name]))
         if name in scope.forces
-        else said("a velocity, an acceleration or a force")
+        else say("a velocity, an acceleration or a force")
     )
     if not scope.forces:
-        which = said("a velocity or an acceleration")
-    message = said(
+        which = say("a velocity or an acceleration")
+    message = say(
         "{name} {what} {which}: two-way tables have positions only", name=quoted(name), what=what, which=which
     )
     scope.report.at(path, message, hint)
@@ -315,14 +313,14 @@ def _values_of_input(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Qu
         return "", ()
     name, values = next(iter(data.items()))
     if name not in scope.units:
-        message = said("no dimension is called {name}", name=quoted(name))
+        message = say("no dimension is called {name}", name=quoted(name))
         scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
     elif name not in scope.inputs:
         part = str(path[-1]).removesuffix("s")
-        message = said(
+        message = say(
             "the dimension {name} is derived; only an input can differ from {part} to {part}",
             name=quoted(name),
-            part=said(part),
+            part=say(part),
         )
         scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
     elif values is not BAD:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from mechsheet.description.index import BARE_KEY, Path, key_text
 from mechsheet.description.numbers import BLANKS, MINUS, Typed, typed_number
 from mechsheet.description.quoting import quoted
-from mechsheet.said import said
+from mechsheet.said import say
 
 # Quotation marks of word processors.
 _OPEN, _CLOSE = "“”„‟«»", "“”‟«»"
@@ -133,8 +133,8 @@ class _Walk:
         self.keep(word)
 
     def on_odd(self, word: str, begin: int) -> None:
-        message = said("a blank that is no ordinary one stands here: U+{code:04X}", code=ord(word[0]))
-        self.mend(begin, " ", message, said("it comes from a web page or a word processor; type a space in its place"))
+        message = say("a blank that is no ordinary one stands here: U+{code:04X}", code=ord(word[0]))
+        self.mend(begin, " ", message, say("it comes from a web page or a word processor; type a space in its place"))
 
     def on_line(self, word: str, begin: int) -> None:
         self.keep(word)
@@ -143,8 +143,8 @@ class _Walk:
             return
         if self.levels:
             first = next(level for level in self.levels if level.sign == "{")
-            message = said("this table in braces does not end on its line")
-            hint = said("{ … } stands on one line, commas between its keys")
+            message = say("this table in braces does not end on its line")
+            hint = say("{ … } stands on one line, commas between its keys")
             self.mistakes.append(Mistake(first.offset, first.path, message, hint))
         self.levels.clear()
         self.keys, self.expects = self.table, "key"
@@ -171,9 +171,7 @@ class _Walk:
             self.keep(word)
             return
         if word == ":":
-            self.mend(
-                begin, " =", said("a key and its value are joined by =, not by :"), said('write "=" in its place')
-            )
+            self.mend(begin, " =", say("a key and its value are joined by =, not by :"), say('write "=" in its place'))
         else:
             self.keep(word)
         self.expects = "value"
@@ -183,8 +181,8 @@ class _Walk:
             self.mend(
                 begin,
                 ",",
-                said("what stands in brackets is separated by commas, not by ;"),
-                said('write "," in its place'),
+                say("what stands in brackets is separated by commas, not by ;"),
+                say('write "," in its place'),
             )
         else:
             self.keep(word)
@@ -209,12 +207,12 @@ class _Walk:
         if self.expects == "key":
             self.keys, behind = (*self.keys, content), "equals"
         signs = " ".join(dict.fromkeys(sign for sign in (word[0], word[-1]) if sign not in "\"'"))
-        message = said("quotation marks of a word processor ({signs}) around {content}", signs=signs, content=content)
+        message = say("quotation marks of a word processor ({signs}) around {content}", signs=signs, content=content)
         self.mend(
             begin,
             new,
             message,
-            said('write {new}, with the " of the keyboard', new=new) if new[0] == '"' else said("write {new}", new=new),
+            say('write {new}, with the " of the keyboard', new=new) if new[0] == '"' else say("write {new}", new=new),
         )
         self.expects = behind
 
@@ -225,7 +223,7 @@ class _Walk:
             return
         new = f'"{found.group().rstrip()}"'
         self.at = begin + 1 + len(found.group().rstrip())
-        self.mend(begin, new, said("the text that begins here is not closed"), said("write {new}", new=new))
+        self.mend(begin, new, say("the text that begins here is not closed"), say("write {new}", new=new))
         self.expects = "rest"
 
     def on_run(self, word: str, begin: int) -> None:
@@ -254,15 +252,15 @@ class _Walk:
             self.mend(
                 begin,
                 new,
-                said("in {heading} a name needs quotes: {why}", heading=found.group().strip(), why=_beyond(names)),
-                said("write {new}", new=new),
+                say("in {heading} a name needs quotes: {why}", heading=found.group().strip(), why=_beyond(names)),
+                say("write {new}", new=new),
             )
         elif not closed:
             self.mend(
                 begin,
                 new,
-                said("the heading {heading} is not closed", heading=found.group().strip()),
-                said("write {new}", new=new),
+                say("the heading {heading} is not closed", heading=found.group().strip()),
+                say("write {new}", new=new),
             )
         else:
             self.keep(found.group())
@@ -292,8 +290,8 @@ class _Walk:
             self.mend(
                 begin,
                 new,
-                said("this key needs quotes: {why}", why=_beyond(names)),
-                said("write {new} = …", new=new),
+                say("this key needs quotes: {why}", why=_beyond(names)),
+                say("write {new} = …", new=new),
             )
         else:
             self.keep(word)
@@ -310,8 +308,8 @@ class _Walk:
         """What is open is closed where the last line ended, before its comment."""
         first = self.levels[0]
         end = "]" if first.sign == "[" else "}"
-        message = said("what begins here with {sign} is not closed", sign=first.sign)
-        self.mistakes.append(Mistake(first.offset, first.path, message, said('write "{end}" at its end', end=end)))
+        message = say("what begins here with {sign} is not closed", sign=first.sign)
+        self.mistakes.append(Mistake(first.offset, first.path, message, say('write "{end}" at its end', end=end)))
         place = len(self.parts)
         while place and self.parts[place - 1] != "\n":
             place -= 1
@@ -328,35 +326,35 @@ class _Walk:
             self.value(self.text[begin : self.at], begin)
             end = self.text.find("\n", begin)
             self.at = end if end >= 0 else len(self.text)
-            self.mend(slashes.start(), "", said("a comment begins with #, not with //"), said('write "#" in its place'))
+            self.mend(slashes.start(), "", say("a comment begins with #, not with //"), say('write "#" in its place'))
             return
         if _is_value(word):
             self.keep(word)
             return
         number = typed_number(word)
         if number is not None:
-            message = said(
+            message = say(
                 "found {text}: {why}",
                 text=quoted(word),
-                why=number.why or said("not the way in which TOML writes numbers"),
+                why=number.why or say("not the way in which TOML writes numbers"),
             )
             self.mend(begin, number.text, message, self.number_hint(number))
             return
         if word[0] == "(" and "," in word and word[-1] == ")":
             new = f"[{word[1:-1]}]"
             self.mend(
-                begin, new, said("a list stands in square brackets, not in round ones"), said("write {new}", new=new)
+                begin, new, say("a list stands in square brackets, not in round ones"), say("write {new}", new=new)
             )
             return
         new = '"' + word.strip().replace("\\", "\\\\") + '"'
-        hint = said("write {new}", new=new)
+        hint = say("write {new}", new=new)
         if self.keys[:1] == ("dimensions",) and len(self.keys) == 2:
-            hint = said("write {{ formula = {new} }}", new=new)
-        self.mend(begin, new, said("texts and expressions stand in quotes, found {text}", text=quoted(word)), hint)
+            hint = say("write {{ formula = {new} }}", new=new)
+        self.mend(begin, new, say("texts and expressions stand in quotes, found {text}", text=quoted(word)), hint)
 
     def number_hint(self, number: Typed) -> str:
         if number.is_angle and self.keys[:1] == ("dimensions",) and len(self.keys) == 2:
-            return said('write {{ value = {number}, unit = "deg" }}', number=number.text)
+            return say('write {{ value = {number}, unit = "deg" }}', number=number.text)
         return number.hint
 
 
@@ -381,8 +379,8 @@ def _beyond(names: list[str]) -> str:
     """Why names do not stand without quotes."""
     odd = [name for name in names if not BARE_KEY.fullmatch(name)]
     signs = "".join(dict.fromkeys(sign for name in odd for sign in name if not BARE_KEY.fullmatch(sign)))
-    shown = said("a blank") if not signs.strip() else quoted(signs)
-    return said("without them only a-z, A-Z, 0-9, _ and - are allowed, found {shown}", shown=shown)
+    shown = say("a blank") if not signs.strip() else quoted(signs)
+    return say("without them only a-z, A-Z, 0-9, _ and - are allowed, found {shown}", shown=shown)
 
 
 def _is_value(word: str) -> bool:

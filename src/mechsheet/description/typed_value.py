@@ -22,7 +22,7 @@ from mechsheet.description.shape import fit
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk
-from mechsheet.said import said
+from mechsheet.said import say
 from mechsheet.units import Unit
 
 DIGITS = 15
@@ -74,9 +74,9 @@ def typed_value(text: str, unit: Unit, whose: str, scope: Scope) -> str | None:
         hint = (
             number.hint
             if number and understood
-            else said("a plain number in {whose} own unit, or an expression", whose=whose)
+            else say("a plain number in {whose} own unit, or an expression", whose=whose)
         )
-        scope.report.at((), said("expected a number, found {strip}", strip=quoted(text.strip())), hint)
+        scope.report.at((), say("expected a number, found {strip}", strip=quoted(text.strip())), hint)
         return None
     tree = scope.parse(text, ())
     value = None if tree is None else _value(tree, text, unit, scope)
@@ -100,10 +100,10 @@ def _value(tree: Node, text: str, unit: Unit, scope: Scope) -> float | None:
     if missing := [name for name in symbols(tree) if name not in scope.numbers]:
         scope.report.at(
             (),
-            said(
+            say(
                 "has no value: {missing} {part} none",
                 missing=listed(missing),
-                part=said("has") if len(missing) == 1 else said("have"),
+                part=say("has") if len(missing) == 1 else say("have"),
             ),
         )
         return None

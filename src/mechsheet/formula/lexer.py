@@ -6,7 +6,7 @@ import re
 from typing import NamedTuple
 
 from ..diagnostics import Fault, FormulaError
-from ..said import said
+from ..said import say
 from .tables import BRACKETS
 
 
@@ -81,7 +81,7 @@ PATTERNS = {"description": _DESCRIPTION, "excel": _EXCEL, "openformula": _OPENFO
 def fail(text: str, column: int, message: str, hint: str = "") -> FormulaError:
     """The error that refuses `text` and says where."""
     return FormulaError(
-        Fault(said("{message} at column {column}", message=message, column=column), source=text, hint=hint)
+        Fault(say("{message} at column {column}", message=message, column=column), source=text, hint=hint)
     )
 
 
@@ -101,20 +101,20 @@ def tokenise(text: str, dialect: str) -> list[Token]:
 def _refusal(text: str, position: int, dialect: str) -> FormulaError:
     character = text[position]
     if character == '"' and dialect != "description":
-        return fail(text, position + 1, said("a text without its closing quotation mark"))
+        return fail(text, position + 1, say("a text without its closing quotation mark"))
     return fail(
-        text, position + 1, said('unexpected character "{character}"', character=character), _HINTS.get(character, "")
+        text, position + 1, say('unexpected character "{character}"', character=character), _HINTS.get(character, "")
     )
 
 
 _HINTS = {
-    "°": said('angles are in radians here; write "radians(30)" for 30 degrees'),
-    "×": said('multiply with "*"'),
-    "·": said('multiply with "*"'),
-    "÷": said('divide with "/"'),
-    "−": said('write the minus sign "-"'),
-    "–": said('write the minus sign "-"'),
-    "√": said('write "sqrt(...)"'),
-    "[": said("use round parentheses"),
-    "{": said("use round parentheses"),
+    "°": say('angles are in radians here; write "radians(30)" for 30 degrees'),
+    "×": say('multiply with "*"'),
+    "·": say('multiply with "*"'),
+    "÷": say('divide with "/"'),
+    "−": say('write the minus sign "-"'),
+    "–": say('write the minus sign "-"'),
+    "√": say('write "sqrt(...)"'),
+    "[": say("use round parentheses"),
+    "{": say("use round parentheses"),
 }

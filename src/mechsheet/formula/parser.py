@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import Fault, FormulaError, near_miss
-from ..said import said
+from ..said import say
 from .dialects import DESCRIPTION, DIALECTS, Dialect
 from .functions import MANY
 from .lexer import Token
@@ -61,11 +61,11 @@ class _DescriptionParser(Parser):
     def unexpected(self, expected: str, hint: str = "") -> FormulaError:
         token, before = self.next, self.tokens[self.place - 1] if self.place else None
         if token.text == "*" and before is not None and before.text == "*":
-            hint = said('write "^" for a power')
+            hint = say('write "^" for a power')
         elif token.kind == "separator" and self.depth == 0:
-            hint = said('the decimal sign is "."; "," stands between arguments only')
+            hint = say('the decimal sign is "."; "," stands between arguments only')
         elif token.kind in ("name", "number", "open") and expected.startswith("an operator"):
-            hint = said('a product is written with "*"')
+            hint = say('a product is written with "*"')
         return super().unexpected(expected, hint)
 
     def operand(self) -> Node:
@@ -79,14 +79,14 @@ class _DescriptionParser(Parser):
             self.close()
             return inside
         if token.kind != "name":
-            raise self.unexpected(said('a number, a name, a function or "("'))
+            raise self.unexpected(say('a number, a name, a function or "("'))
         self.take()
         if self.next.kind == "open":
             return self.function(token)
         if token.text == "pi":
             return Call("PI")
         if token.text in _ALLOWED:
-            raise self.unexpected(said('"(" after the function {text}', text=token.text))
+            raise self.unexpected(say('"(" after the function {text}', text=token.text))
         return Symbol(token.text)
 
     def function(self, name: Token) -> Node:
@@ -115,16 +115,16 @@ class _DescriptionParser(Parser):
 
     def unknown(self, name: Token) -> None:
         if name.text == "pi":
-            hint = said('pi is a number: write it without parentheses, "2*pi"')
+            hint = say('pi is a number: write it without parentheses, "2*pi"')
         else:
-            hint = near_miss(name.text.lower(), _ALLOWED) or said("functions: {allowed}", allowed=" ".join(_ALLOWED))
-        message = said("unknown function {text} at column {column}", text=name.text, column=name.column)
+            hint = near_miss(name.text.lower(), _ALLOWED) or say("functions: {allowed}", allowed=" ".join(_ALLOWED))
+        message = say("unknown function {text} at column {column}", text=name.text, column=name.column)
         self.faults.append(Fault(message, source=self.text, hint=hint))
 
     def arity(self, name: Token, count: int, least: int, most: int) -> None:
-        takes = said("one argument") if most == 1 else said("{least} arguments", least=least)
-        takes = said("at least 1 argument") if most == MANY else takes
-        message = said(
+        takes = say("1 argument") if most == 1 else say("{least} arguments", least=least)
+        takes = say("at least 1 argument") if most == MANY else takes
+        message = say(
             "{text} takes {takes}, found {count}, at column {column}",
             text=name.text,
             takes=takes,

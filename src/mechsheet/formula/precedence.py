@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from typing import ClassVar
 
 from ..diagnostics import FormulaError
-from ..said import said
+from ..said import say
 from .dialects import MAX_NESTING, Dialect
 from .lexer import Token, fail, tokenise
 from .nodes import Binary, Node, Unary
@@ -40,18 +40,18 @@ class Parser(ABC):
         """The tree of the whole text."""
         self.skip_space()
         if self.next.kind == "end":
-            raise fail(self.text, 1, said("expected a formula, found nothing"))
+            raise fail(self.text, 1, say("expected a formula, found nothing"))
         node = self.expression(0)
         if self.next.kind != "end":
-            raise self.unexpected(said("an operator or the end"))
+            raise self.unexpected(say("an operator or the end"))
         return node
 
     def unexpected(self, expected: str, hint: str = "") -> FormulaError:
         """The error that says what stands here and what should."""
         token = self.next
-        found = said('"{text}"', text=token.text) if token.kind != "end" else said("the end")
+        found = say('"{text}"', text=token.text) if token.kind != "end" else say("the end")
         return fail(
-            self.text, token.column, said("expected {expected}, found {found}", expected=expected, found=found), hint
+            self.text, token.column, say("expected {expected}, found {found}", expected=expected, found=found), hint
         )
 
     def expression(self, minimum: int) -> Node:
@@ -69,7 +69,7 @@ class Parser(ABC):
                     raise fail(
                         self.text,
                         self.next.column,
-                        said("nested deeper than {max_nesting} levels", max_nesting=MAX_NESTING),
+                        say("nested deeper than {max_nesting} levels", max_nesting=MAX_NESTING),
                     )
                 continue
             power = self.dialect.infix[op]
@@ -127,14 +127,14 @@ class Parser(ABC):
         self.depth += 1
         if self.depth > MAX_NESTING:
             raise fail(
-                self.text, self.next.column, said("nested deeper than {max_nesting} levels", max_nesting=MAX_NESTING)
+                self.text, self.next.column, say("nested deeper than {max_nesting} levels", max_nesting=MAX_NESTING)
             )
 
     def close(self) -> None:
         """Pass a closing parenthesis: one level less."""
         self.skip_space()
         if self.next.kind != "close":
-            raise self.unexpected(said('an operator or ")"'))
+            raise self.unexpected(say('an operator or ")"'))
         self.take()
         self.depth -= 1
 
@@ -143,5 +143,5 @@ def number_value(text: str, token: Token) -> float:
     """The value of a number as written."""
     value = float(token.text)
     if value == float("inf"):
-        raise fail(text, token.column, said("{text} is too large a number", text=token.text))
+        raise fail(text, token.column, say("{text} is too large a number", text=token.text))
     return value

@@ -18,7 +18,7 @@ from mechsheet.kinematics.mobility import listed_names, stiff_faults
 from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
 from mechsheet.kinematics.ties import Tied, next_tied
 from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack
-from mechsheet.said import said
+from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,11 +223,11 @@ def _assemblies(graph: Graph, pairs: list[Bodies], solved: set[str]) -> list[Bod
     grouped = [body for pair in pairs for body in pair]
     twice = [body for body in grouped if grouped.count(body) > 1]
     if twice:
-        message = said(
+        message = say(
             '"{twice}" is driven against two links that move with it: such a chain is not supported yet', twice=twice[0]
         )
         raise MechanismError(
-            Fault(message, key="drivers", hint=said("let one of the driven joints be on a link that is known"))
+            Fault(message, key="drivers", hint=say("let one of the driven joints be on a link that is known"))
         )
     found = [*pairs, *((body,) for body in graph.bodies if body not in solved and body not in grouped)]
     return sorted(found, key=lambda bodies: -1 if len(bodies) > 2 else graph.bodies.index(bodies[0]))
@@ -242,13 +242,13 @@ def _tied_too_deep(graph: Graph, steps: list[Step], known: set[str] | None = Non
     if not left:
         return []
     names = listed_names(graph.tied(left[0]))
-    kind = said("rack") if isinstance(left[0], Rack) else said(left[0].kind)
-    message = said(
+    kind = say("rack") if isinstance(left[0], Rack) else say(left[0].kind)
+    message = say(
         "the {kind} between {names} ties links of a group that must be solved all at once: not supported yet",
         kind=kind,
         names=names,
     )
-    hint = said("a gear is solved where all but one of the angles that it ties are known")
+    hint = say("a gear is solved where all but one of the angles that it ties are known")
     return [Fault(message, key=f"joints.{left[0].order}", hint=hint)]
 
 
@@ -274,16 +274,16 @@ def _no_pivot(driver: Driver | FurtherDriver, graph: Graph) -> Fault:
         if body != driver.link and body not in graph.blocks and set(graph.points[body]) & set(graph.points[driver.link])
     ]
     return Fault(
-        said(
+        say(
             'link "{link}" and link "{relative_to}" share no point: a link can only be turned about a revolute joint',
             link=driver.link,
             relative_to=driver.relative_to,
         ),
         key="driver.link" if isinstance(driver, Driver) else f"drivers.{driver.order}.link",
-        hint=said(
+        hint=say(
             '"{link}" is joined to {others}: name one of them as relative_to',
             link=driver.link,
-            others=", ".join(neighbours) or said("no link"),
+            others=", ".join(neighbours) or say("no link"),
         ),
     )
 
@@ -346,7 +346,7 @@ def _dyad(
     if letters not in kinds:
         raise MechanismError(
             Fault(
-                said(
+                say(
                     "links {first} and {second} are held by sliders alone ({outer_first}, {inner}, "
                     "{outer_second}): their angles are fixed and their position is not",
                     first=_names(first),
@@ -356,7 +356,7 @@ def _dyad(
                     outer_second=_joint(outer_second),
                 ),
                 key="joints",
-                hint=said("one of the three joints must be a revolute joint"),
+                hint=say("one of the three joints must be a revolute joint"),
             )
         )
     return Dyad(kinds[letters], first, second, (outer_first, outer_second), inner)
@@ -373,11 +373,11 @@ def _names(bodies: tuple[str, ...]) -> str:
 def _too_large(assemblies: Sequence[tuple[str, ...]]) -> Fault:
     names = ", ".join(_names(bodies) for bodies in assemblies)
     return Fault(
-        said(
+        say(
             "links {names} form a group that must be solved all at once, and takes more than {most_unknowns} unknowns",
             names=names,
             most_unknowns=MOST_UNKNOWNS,
         ),
         key="links",
-        hint=said("driving another link often helps"),
+        hint=say("driving another link often helps"),
     )

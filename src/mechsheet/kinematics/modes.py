@@ -14,7 +14,7 @@ from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.model import Mechanism, Words
-from mechsheet.said import said
+from mechsheet.said import say
 
 BETWEEN = 0.1
 """A sketch whose distances to the two assemblies differ by less than this part of their separation lies between them."""
@@ -33,9 +33,9 @@ class NeverClosesError(MechanismError):
     def __init__(self, links: Words) -> None:
         self.links = links
         fault = Fault(
-            said("the links cannot be joined at any value of the driver: {links}", links=links),
+            say("the links cannot be joined at any value of the driver: {links}", links=links),
             key="dimensions",
-            hint=said("check the lengths of these links and the distance of their outer joints"),
+            hint=say("check the lengths of these links and the distance of their outer joints"),
         )
         super().__init__(fault)
 
@@ -139,9 +139,9 @@ def _between(entries: list[Entry], positions: dict[int, list[float]], solved: So
         return ", ".join(f"{name} = {math.degrees(x) if scale == 0 else x:.4g}" for (name, _, scale), x in pairs)
 
     return Fault(
-        said("the sketch lies between the two assemblies of {group}", group=solved.label),
+        say("the sketch lies between the two assemblies of {group}", group=solved.label),
         key="assembly",
-        hint=said(
+        hint=say(
             "+1 is at {shown}; -1 is at {shown2}: sketch a point nearer to the one that is meant",
             shown=shown(1),
             shown2=shown(-1),

@@ -40,7 +40,7 @@ from mechsheet.kinematics.rrr import solve_rrr
 from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.within import member, sketched_mode, solve_within
 from mechsheet.model import Cartesian, Dimension, Distances, FurtherDriver, Mechanism, Polar, Quantity, Words
-from mechsheet.said import said
+from mechsheet.said import say
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import phrase, same
 
@@ -212,7 +212,7 @@ def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
         found = redundancy_faults(mechanism, missing) if missing > 0 else []
         if not found:
             raise
-        hint = said("it moves all the same: some of its links or joints say what others say already")
+        hint = say("it moves all the same: some of its links or joints say what others say already")
         raise MechanismError([replace(error.faults[0], hint=hint), *found]) from error
 
 
@@ -225,8 +225,8 @@ def _check_solved(mechanism: Mechanism) -> None:
     if all(math.isfinite(values[symbol]) for symbol in task.taken):
         return
     why = next((words for symbol, words in task.reasons if not math.isfinite(values[symbol])), None)
-    message = said("the task has no solution") if why is None else said("{why}", why=why)
-    raise MechanismError(Fault(message, key="synthesis", hint=said("give it another one")))
+    message = say("the task has no solution") if why is None else say("{why}", why=why)
+    raise MechanismError(Fault(message, key="synthesis", hint=say("give it another one")))
 
 
 def _mode_of_task(mechanism: Mechanism, solved: Solved) -> Node | None:
@@ -258,8 +258,8 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     try:
         return _solve(there, {}).groups
     except NeverClosesError as error:
-        message = said("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
-        hint = said("check `at`, which is in the driver's unit, and the lengths of these links")
+        message = say("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
+        hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
         raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
 
 
@@ -474,7 +474,7 @@ def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:
             continue
         if unknown:
             faults.append(
-                Fault(said('"{unknown}" is not known here', unknown=unknown[0]), key=f"outputs.{output.symbol}.formula")
+                Fault(say('"{unknown}" is not known here', unknown=unknown[0]), key=f"outputs.{output.symbol}.formula")
             )
             continue
         label = output.label or same(output.symbol)

@@ -13,7 +13,7 @@ from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.model import EXTREME, POINT_RATES, Condition, Objective, Range, Study
-from mechsheet.said import said
+from mechsheet.said import say
 
 MOST_OBJECTIVES = 3
 MOST_DESIGNS = 10**12
@@ -39,14 +39,14 @@ def read(
     vary = _varied(data.get("vary", {}), sample, scope)
     if sample == "sobol" and not count:
         scope.report.at(
-            ("study",), said("a Sobol sample needs its number of designs"), said("for example count = 100_000")
+            ("study",), say("a Sobol sample needs its number of designs"), say("for example count = 100_000")
         )
     if sample == "grid" and "vary" in data and scope.report.sound("study"):
         _check_size(vary, scope)
     for key in ("count", "seed"):
         if sample == "grid" and key in data:
             scope.report.at(
-                ("study", key), said("belongs to a Sobol sample; a grid is all combinations"), said('sample = "sobol"')
+                ("study", key), say("belongs to a Sobol sample; a grid is all combinations"), say('sample = "sobol"')
             )
     texts = enumerate([] if data.get("keep", BAD) is BAD else data["keep"])
     keep = [_condition(text, ("study", "keep", at), bodies, summaries, scope) for at, text in texts if text is not BAD]
@@ -72,11 +72,11 @@ def _varied(data: Any, sample: str, scope: Scope) -> tuple[Range, ...]:
         if symbol not in scope.units:
             scope.report.at(
                 path,
-                said("no dimension is called {symbol}", symbol=quoted(symbol)),
+                say("no dimension is called {symbol}", symbol=quoted(symbol)),
                 suggestion(symbol, scope.inputs, "inputs"),
             )
         elif symbol not in scope.inputs:
-            message = said("the dimension {symbol} is derived; only an input can vary", symbol=quoted(symbol))
+            message = say("the dimension {symbol} is derived; only an input can vary", symbol=quoted(symbol))
             scope.report.at(path, message, suggestion(symbol, scope.inputs, "inputs"))
         elif given is not BAD and (one := _range(symbol, given, sample, path, scope)) is not None:
             found.append(one)
@@ -89,7 +89,7 @@ def _range(symbol: str, given: Any, sample: str, path: Path, scope: Scope) -> Ra
         if values is BAD or BAD in values:
             return None
         if sample == "sobol":
-            scope.report.at(path, said("a Sobol sample varies between two ends, not over a list"), said("[from, to]"))
+            scope.report.at(path, say("a Sobol sample varies between two ends, not over a list"), say("[from, to]"))
             return None
         return Range(symbol, values=tuple(map(float, values)))
     ends = [given.get(key) for key in ("from", "to", "by")] if isinstance(given, Mapping) else [*given, None][:3]
@@ -98,20 +98,20 @@ def _range(symbol: str, given: Any, sample: str, path: Path, scope: Scope) -> Ra
         return None  # which has been reported
     if sample == "sobol":
         if step is not None:
-            scope.report.at(path, said("a Sobol sample has no step: any number between the ends"), said("[from, to]"))
+            scope.report.at(path, say("a Sobol sample has no step: any number between the ends"), say("[from, to]"))
         elif not low < high:
             scope.report.at(
                 path,
-                said("from {low:g} to {high:g} is no range", low=low, high=high),
-                said("[from, to] with from < to"),
+                say("from {low:g} to {high:g} is no range", low=low, high=high),
+                say("[from, to] with from < to"),
             )
         else:
             return Range(symbol, float(low), float(high))
     elif step is None:
-        hint = said('[from, to, step]; without a step: sample = "sobol" and count')
-        scope.report.at(path, said("a grid needs a step"), hint)
+        hint = say('[from, to, step]; without a step: sample = "sobol" and count')
+        scope.report.at(path, say("a grid needs a step"), hint)
     elif not (step > 0 and low <= high):
-        scope.report.at(path, said("expected [from, to, step] with from <= to and a step above 0"))
+        scope.report.at(path, say("expected [from, to, step] with from <= to and a step above 0"))
     else:
         return Range(symbol, float(low), float(high), float(step))
     return None
@@ -123,9 +123,9 @@ def _check_size(vary: tuple[Range, ...], scope: Scope) -> None:
     if total <= MOST_DESIGNS:
         return
     days = total / RATE / 86_400
-    took = said("{days:,.0f} days", days=days) if days < 10_000 else said("{part:,.3g} years", part=days / 365.25)
+    took = say("{days:,.0f} days", days=days) if days < 10_000 else say("{part:,.3g} years", part=days / 365.25)
     parts = " · ".join(f"{one.count:,}" for one in vary)
-    message = said(
+    message = say(
         "{parts} = {total:,.4g} designs, at {rate:,} a second {took}: the most are {most_designs:,}",
         parts=parts,
         total=total,
@@ -133,7 +133,7 @@ def _check_size(vary: tuple[Range, ...], scope: Scope) -> None:
         took=took,
         most_designs=MOST_DESIGNS,
     )
-    hint = said('sample = "sobol" with count = 1_000_000 first; then a grid around what it finds')
+    hint = say('sample = "sobol" with count = 1_000_000 first; then a grid around what it finds')
     scope.report.at(("study", "vary"), message, hint)
 
 
@@ -150,21 +150,21 @@ def _condition(
         name = (word[2] or "").strip()
         if word[1] == "closes":
             if word[2] is not None:
-                scope.report.at(path, said("closes has no argument: it asks for all rows"), said('"closes"'))
+                scope.report.at(path, say("closes has no argument: it asks for all rows"), say('"closes"'))
             return Condition(plain, "closes", other=bool(other))
         if word[1] == "crank":
             if name not in bodies:
                 links = suggestion(name, bodies, "links")
                 scope.report.at(
-                    path, said("in {plain}: no link is called {name}", plain=quoted(plain), name=quoted(name)), links
+                    path, say("in {plain}: no link is called {name}", plain=quoted(plain), name=quoted(name)), links
                 )
             return Condition(plain, "crank", name, bool(other))
         if not name:
-            scope.report.at(path, said("grashof asks of a loop"), said('"grashof(A0ABB0)": the loop by its pins'))
+            scope.report.at(path, say("grashof asks of a loop"), say('"grashof(A0ABB0)": the loop by its pins'))
         return Condition(plain, "grashof", name, bool(other))
     parts = _COMPARED.split(rest)
     if len(parts) not in (3, 5) or not all(part.strip() for part in parts):
-        scope.report.at(path, said("{plain} is no condition", plain=quoted(plain)), _EXAMPLES)
+        scope.report.at(path, say("{plain} is no condition", plain=quoted(plain)), _EXAMPLES)
         return None
     sides = [_value(side.strip(), path, summaries, scope) for side in parts[::2]]
     if any(side is None for side in sides):
@@ -183,15 +183,15 @@ def _objectives(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Sc
                 found.append(Objective(" ".join(text.split()), node, key == "maximize"))
     if len(found) > MOST_OBJECTIVES:
         key = "maximize" if data.get("maximize") else "minimize"
-        message = said(
+        message = say(
             "{count} objectives: a front of more than {most_objectives} tells nobody anything",
             count=len(found),
             most_objectives=MOST_OBJECTIVES,
         )
-        scope.report.at(("study", key), message, said("make conditions of the others"))
+        scope.report.at(("study", key), message, say("make conditions of the others"))
     twice = [each.text for at, each in enumerate(found) if each.text in [other.text for other in found[:at]]]
     for text in twice:
-        scope.report.at(("study",), said("{text} is an objective twice", text=quoted(text)))
+        scope.report.at(("study",), say("{text} is an objective twice", text=quoted(text)))
     return tuple(found)
 
 
@@ -219,18 +219,18 @@ def _value(text: str, path: Path, summaries: Mapping[str, Any], scope: Scope) ->
         fine = False
         if name in rowwise:
             message, hint = (
-                said("{name} has a value in every row", name=quoted(name)),
-                said("min({name}) or max({name}), or a summary of it", name=name),
+                say("{name} has a value in every row", name=quoted(name)),
+                say("min({name}) or max({name}), or a summary of it", name=name),
             )
         else:
             message, hint = (
-                said("{name} is no summary and no dimension", name=quoted(name)),
+                say("{name} is no summary and no dimension", name=quoted(name)),
                 suggestion(name, known, "allowed"),
             )
         if scope.complete or name in rowwise:
             scope.report.at(
                 path,
-                message if name == text.strip() else said("in {text}: {message}", text=quoted(text), message=message),
+                message if name == text.strip() else say("in {text}: {message}", text=quoted(text), message=message),
                 hint,
             )
     return tree if fine else None

@@ -21,7 +21,7 @@ from mechsheet.model import (
     center_symbol,
     pair_symbol,
 )
-from mechsheet.said import Said, said
+from mechsheet.said import Said, say
 
 WEIGHTS = ("mass", "center", "inertia")
 """Keys of a link that has a mass."""
@@ -58,10 +58,10 @@ def declare(
         scope.forces[name] = what
         scope.kinds[name] = ANY
         if "." not in name:
-            scope.symbols.claim(name, what, path, said("rename it: the description has masses or loads"))
+            scope.symbols.claim(name, what, path, say("rename it: the description has masses or loads"))
             _no_point(
                 name,
-                said("the point has the name of a joint force: {name}.x would be a part of either", name=name),
+                say("the point has the name of a joint force: {name}.x would be a part of either", name=name),
                 scope,
             )
     if driver is not None and "power" not in (
@@ -80,7 +80,7 @@ def _declare_masses(bodies: dict[str, Any], links: Collection[Link], scope: Scop
         scope.forces |= dict.fromkeys(SHAKING, SHAKES)
         scope.kinds |= dict.fromkeys(SHAKING, ANY)
         _no_point(
-            "shaking", said("the point has the name of the shaking force: shaking.x would be a part of either"), scope
+            "shaking", say("the point has the name of the shaking force: shaking.x would be a part of either"), scope
         )
     for link in weighed:
         center = bodies[link.name].get("center")
@@ -95,18 +95,18 @@ def _declare_masses(bodies: dict[str, Any], links: Collection[Link], scope: Scop
         for part in ("x", "y", *POINT_RATES):
             scope.forces[f"{name}.{part}"] = CENTER if part in ("x", "y") else CENTER_MOVES
             scope.kinds[f"{name}.{part}"] = LENGTH if part in ("x", "y") else ANY
-        other = said(
+        other = say(
             "the point has the name of the mass centre of {link}: {name}.x would be a part of either",
             link=quoted(link.name),
             name=name,
         )
-        hint = said('rename it, or write center = "{name}" where it is the mass centre', name=name)
+        hint = say('rename it, or write center = "{name}" where it is the mass centre', name=name)
         _no_point(name, other, scope, hint)
 
 
 def _no_point(name: str, message: Said, scope: Scope, hint: str = "") -> None:
     for link in scope.points.get(name, ())[:1]:
-        scope.report.at(("links", link, "points", name), message, hint or said("rename it"))
+        scope.report.at(("links", link, "points", name), message, hint or say("rename it"))
 
 
 def _of_joints(

@@ -20,7 +20,7 @@ from mechsheet.kinematics.newton.starts import assemblies_in
 from mechsheet.kinematics.newton.system import refined
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Mechanism, Words
-from mechsheet.said import said
+from mechsheet.said import say
 from mechsheet.units import Unit
 
 NEARLY = 0.05
@@ -175,9 +175,9 @@ def _refuse_dead(system: System, ledger: Ledger, row: int, found: list[Array], s
         ):
             raise DeadStartError(
                 Fault(
-                    said("two assemblies of {group} meet in the first position", group=solution.label),
+                    say("two assemblies of {group} meet in the first position", group=solution.label),
                     key="driver",
-                    hint=said("begin the sweep at another value of the driver, or walk it the other way"),
+                    hint=say("begin the sweep at another value of the driver, or walk it the other way"),
                 )
             )
 
@@ -212,13 +212,13 @@ def _nearest(entries: list[tuple[str, float, float]], places: list[list[float]],
         )
         raise BetweenModesError(
             Fault(
-                said(
+                say(
                     "the sketch lies between two of the {count} assemblies of {group}",
                     count=len(places),
                     group=solution.label,
                 ),
                 key="assembly",
-                hint=said("{shown}: sketch a point nearer to the one that is meant", shown=shown),
+                hint=say("{shown}: sketch a point nearer to the one that is meant", shown=shown),
             )
         )
     return best

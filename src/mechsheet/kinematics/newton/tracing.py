@@ -9,7 +9,7 @@ import numpy as np
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Words
-from mechsheet.said import said
+from mechsheet.said import say
 
 STEP = math.radians(1.0)
 FEWEST, MOST = 24, 390
@@ -26,12 +26,12 @@ def cannot_follow(links: Words) -> MechanismError:
     """The mechanism comes apart on the way."""
     return MechanismError(
         Fault(
-            said(
+            say(
                 "from the position that the sketch shows {links} cannot be followed to the first one: they "
                 "come apart between",
                 links=links,
             ),
             key="assembly.at",
-            hint=said("sketch a position of the same stretch, or begin the sweep in it"),
+            hint=say("sketch a position of the same stretch, or begin the sweep in it"),
         )
     )
