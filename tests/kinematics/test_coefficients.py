@@ -203,6 +203,11 @@ def test_oldham_coupling_hands_the_speed_on():
     _, _, theta, values = solved(moving(text))
     assert values["omega14"] == pytest.approx(np.full_like(theta, SPEED), rel=1e-14)
     assert "alpha14" not in values  # it would be the driver's: only what is asked for by name is written twice
+    radius = 15 / 2  # of the circle on which the disc's middle runs twice a turn
+    assert values["M.v"] == pytest.approx(np.full_like(theta, radius * 2 * SPEED), rel=1e-12)
+    assert values["M.a"] == pytest.approx(
+        np.full_like(theta, radius * np.hypot((2 * SPEED) ** 2, 2 * ACCELERATION)), rel=1e-12
+    )
 
 
 def test_a_rate_of_another_name_is_written_when_it_is_read():

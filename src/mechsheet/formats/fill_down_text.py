@@ -88,7 +88,12 @@ def _rows(reference: CellRef | RangeRef) -> Iterator[int]:
 
 
 def _template(
-    formula: Node, references: list[CellRef | RangeRef], fields: dict[int, str], dialect: str, escape: Escape, marked: int
+    formula: Node,
+    references: list[CellRef | RangeRef],
+    fields: dict[int, str],
+    dialect: str,
+    escape: Escape,
+    marked: int,
 ) -> str | None:
     """The text with a field for each row number; None where it holds the mark itself, beside the `marked` references."""
     marks: dict[Node, Node] = {ref: NameRef(f"{_MARK}{i}{_MARK}") for i, ref in enumerate(references)}
