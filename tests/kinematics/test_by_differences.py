@@ -21,7 +21,7 @@ from random_mechanisms import Grower
 
 TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
 WEIGHTS = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
-STEPS = 4e-2 / 2.0 ** np.arange(9)
+STEPS = 4e-2 / 2.0 ** np.arange(11)
 CALM = 0.1
 """Rows are judged where every group is driven at more than this sine: differences must not reach over a dead centre."""
 ROWS = 30

@@ -223,8 +223,7 @@ def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
 
 
 class Copies:
-    """What the cells of a sheet hold, for the copies that charts keep; looked up by columns, as a sheet has hundreds of cells
-    and its charts hundreds of series."""
+    """What the cells of a sheet hold, for the copies that charts keep; looked up by columns, of which charts read many."""
 
     def __init__(self, sheet: Sheet) -> None:
         self._cells: dict[int, dict[int, Content]] = {}
