@@ -262,7 +262,7 @@ def test_only_what_has_no_column_yet_gets_one():
 
 WEIGHTS = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
 STEPS = 4e-2 / 2.0 ** np.arange(11)
-CALM = 0.1
+CALM = 0.2
 """Rows are judged where every group is driven at more than this sine: differences must not reach over a dead centre."""
 ROWS = 30
 LIMIT = 1e-9
