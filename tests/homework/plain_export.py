@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from mechsheet.formula.book import Block, Book, BookSheet
 from mechsheet.formula.nodes import (
@@ -14,11 +14,12 @@ from mechsheet.formula.nodes import (
     Number,
     Symbol,
     TriangleAngle,
+    symbols,
     transform,
 )
+from mechsheet.kinematics.equations import Equation
 from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Mechanism
-
 
 Angle = Callable[[Node, Callable[[Node], CellRef]], Node]
 """How the angle with a given cosine is written; the second argument puts a formula into a column of its own and gives its cell."""
@@ -58,7 +59,7 @@ def plain_book(mechanism: Mechanism, headings: bool = True, degrees: bool = True
     turns = not mechanism.driver.joint and degrees
     for number, value in enumerate(driver):
         sheet.constant(top + number, 0, float(value * 180 / 3.141592653589793 if turns else value))
-    columns = [e for e in equations.columns if e.role in ("driver", "intermediate", "variable", "point", "output")]
+    columns = _wanted(equations.columns)
     symbol = mechanism.driver.symbol
     cells[symbol] = CellRef(top, 0, False, True)
     if headings:
@@ -85,6 +86,16 @@ def plain_book(mechanism: Mechanism, headings: bool = True, degrees: bool = True
             formula = written(equation.expression, cells, modes, lambda cosine: angle(cosine, column))
             cells[equation.symbol] = column(formula, equation.symbol)
     return Book([sheet])
+
+
+def _wanted(columns: Sequence[Equation]) -> list[Equation]:
+    """The quantities that people compute, and what these read."""
+    roles = ("driver", "intermediate", "variable", "point", "output")
+    needed: set[str] = set()
+    for equation in reversed(columns):
+        if equation.role in roles or equation.symbol in needed:
+            needed |= {equation.symbol, *symbols(equation.expression)}
+    return [equation for equation in columns if equation.symbol in needed]
 
 
 def written(node: Node, cells: dict[str, Node], modes: dict[str, Node], angle: Callable[[Node], Node]) -> Node:

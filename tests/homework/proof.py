@@ -17,7 +17,7 @@ import mechsheet
 from homework.methods import METHODS, NotConvergedError
 from homework.styles import STYLES
 from mechsheet.description.templates import template_names
-from mechsheet.diagnostics import MechanismError, MechsheetError
+from mechsheet.diagnostics import DescriptionError, MechanismError, MechsheetError
 from mechsheet.formula.book import Book
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
@@ -44,7 +44,15 @@ def judged(book: Book, mechanism: Mechanism) -> Audit:
 
 
 def other_inputs(mechanism: Mechanism, draw: random.Random) -> Mechanism:
-    """The mechanism with each dimension changed by up to one per cent."""
+    """The mechanism with each dimension changed by up to one per cent; drawn again where a link cannot be built so."""
+    while True:
+        try:
+            return _changed(mechanism, draw)
+        except DescriptionError:
+            continue
+
+
+def _changed(mechanism: Mechanism, draw: random.Random) -> Mechanism:
     values = {}
     for dim in mechanism.dimensions:
         if not (dim.derived or dim.place) and isinstance(dim.value, float):

@@ -106,17 +106,18 @@ def _put(formula: Node, paths: Sequence[_Path], new: Node) -> Iterator[Node]:
     """The formula with `new` in all these places; and where they are several, in each of them alone."""
     whole = formula
     for path in paths:
-        whole = _replaced(whole, path, new)
+        whole = put_at(whole, path, new)
     yield whole
     if 1 < len(paths) <= 4:
-        yield from (_replaced(formula, path, new) for path in paths)
+        yield from (put_at(formula, path, new) for path in paths)
 
 
-def _replaced(node: Node, path: _Path, new: Node) -> Node:
+def put_at(node: Node, path: _Path, new: Node) -> Node:
+    """A tree with another node at a path; what does not stand on the path is the same object."""
     if not path:
         return new
     below = list(children(node))
-    below[path[0]] = _replaced(below[path[0]], path[1:], new)
+    below[path[0]] = put_at(below[path[0]], path[1:], new)
     return rebuilt(node, tuple(below))
 
 
@@ -130,7 +131,7 @@ def _exchanged(formula: Node, paths: Mapping[Node, Sequence[_Path]]) -> Iterator
             for old, new in ((one, other), (other, one)):
                 for path in paths[old]:
                     if path[: len(inside)] == inside:
-                        whole = _replaced(whole, path, new)
+                        whole = put_at(whole, path, new)
             yield whole
 
 
@@ -324,7 +325,7 @@ def _of_number(value: float, around: Surroundings) -> Iterator[_Variant]:
     for node, number in zip(around.single, around.numbers, strict=True):
         if number and abs(abs(value) - abs(number)) <= 1e-6 * abs(number):
             yield (node if value * number > 0 else Unary("-", node)), "typed number", 0.7
-    yield Number(-value), "typed number", 1.5
+    yield Number(-value), *(("sign", 1.0) if value < 0 else ("typed number", 1.5))
     for other in dict.fromkeys((*_NUMBERS, value - 1, float(round(value)), 1 / value if value else 0.0)):
         yield Number(other), "typed number", 1.6
     yield from ((node, "typed number", 1.9) for node in around.single)

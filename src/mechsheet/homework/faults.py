@@ -30,13 +30,14 @@ OF_VERIFYING = 10_000
 VERIFIED = 12
 """Mends of one formula that are tried under retyped dimensions."""
 SURE = 1.3
-"""Where a mend of less weight puts all right, only smaller changes are looked for."""
+"""Where a mend of less weight puts all right that is wrong, only smaller changes are looked for, though more is missing."""
 LIGHT = 1.7
 """Candidates up to this weight are tried in all formulas before heavier ones in any. In a large linkage the formula at fault
 may be one of the last (its wrong values can still be those of another link), and the heavy candidates, terms and factors
 from anywhere in the sheet, are most of all: those of earlier formulas would use up what may be spent."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
+ALL = slice(None)
 MOST_OF_PAIRS = 3
 """Formulas in which two changes are tried."""
 
@@ -92,7 +93,7 @@ class Search:
         self.found = replace(sheet.found, truth=truth)
         self.graph: Graph = sheet.found.graph
         self.goals = goals_of(sheet, results)
-        self.trial = Trial(self.graph, effort)
+        self.trial = Trial(self.graph, effort, sheet.found.series, truth.exists)
 
     @cached_property
     def retyped(self) -> list[Retyped]:
@@ -107,6 +108,7 @@ class Search:
             return None
         best: Mend | None = None
         wanted = {symbol for symbol, _ in self.goals if self.results[symbol].verdict == "wrong"}
+        everything = {symbol for symbol, _ in self.goals}
         changes: dict[int, list[Candidate]] = {}
         for heavy in (False, True):
             for number in self.suspects:
@@ -116,7 +118,11 @@ class Search:
                     changes[number] = self._candidates(number)
                 later = 0.0 if self._is_doubtful(number) else 1.0  # a formula that is known is right as it stands
                 tried = [one for one in changes[number] if (one.weight > LIGHT) is heavy]
-                if best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE:
+                if (
+                    best is not None
+                    and best.live
+                    and (everything <= set(best.rights) or (wanted <= set(best.rights) and best.weight < SURE))
+                ):
                     tried = [one for one in tried if one.weight + later < best.weight]
                 mend = self._of_strip(number, tried) if tried else None
                 if mend is not None:
@@ -189,12 +195,13 @@ class Search:
                 if not reading.plain and says(self.found.heading(computed[place]), word.name):
                     turned.add(by_main[main])  # but not where the column is called as the length itself
         found -= turned
+        mains = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
+        wrong = {by_main[strip] for strip in mains if strip is not None}
         right = [one.series for one in self.results.values() if one.verdict in ("right", "not live")]
         for series in right:
-            if series is not None and series.rows > 1:
-                found |= self.graph.above(set(series.strips(work)))
-        wrong = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
-        return found - {by_main[strip] for strip in wrong if strip is not None}
+            if series is not None and series.rows > 1:  # a difference of two wrong angles may be right
+                found |= self.graph.above(set(series.strips(work)), wrong)
+        return found - wrong
 
     @cached_property
     def derived(self) -> dict[int, bool]:
@@ -242,7 +249,7 @@ class Search:
         strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
-            columns = self.trial.columns(number, [one.formula for one in tried], goals)
+            columns = self.trial.columns(number, [one.formula for one in tried], goals, self._may_be)
         except UntriableError:
             return None
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
@@ -261,12 +268,21 @@ class Search:
             spare = spare or mend
         return spare
 
-    def _are(self, symbol: str, columns: Array) -> NDArray[np.bool_]:
+    def _may_be(self, series: Series, columns: Array, rows: slice) -> NDArray[np.bool_]:
+        """Which columns, shape (columns, rows), are something that is wanted there, seen in some rows."""
+        good = np.zeros(len(columns), bool)
+        for symbol, goal in self.goals:
+            if goal.key == series.key:
+                good |= self._are(symbol, columns, rows)
+        return good
+
+    def _are(self, symbol: str, columns: Array, rows: slice = ALL) -> NDArray[np.bool_]:
         """Which columns, shape (columns, rows), are what is asked, in whatever unit."""
         if symbol not in self.truth.columns:
             return holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
         quantity = self.truth.quantity(symbol)
         allowed = self.found.allowed(quantity)
+        quantity = replace(quantity, values=quantity.values[rows])
         good = np.zeros(len(columns), bool)
         for unit in units_of(quantity):
             good |= agrees(columns, quantity, Reading(unit), allowed)

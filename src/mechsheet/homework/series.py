@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -138,9 +138,9 @@ class Graph:
         """The strips themselves and all that depend on them."""
         return _closure(numbers, self.readers)
 
-    def above(self, numbers: set[int]) -> set[int]:
-        """The strips themselves and all that they depend on."""
-        return _closure(numbers, self.reads)
+    def above(self, numbers: set[int], without: Set[int] = frozenset()) -> set[int]:
+        """The strips themselves and all that they depend on, but for what they read through those left out."""
+        return _closure(numbers, self.reads, without)
 
     def readers_of(self, sheet: str, line: int, start: int, end: int) -> set[int]:
         """Strips that read some of these cells directly."""
@@ -175,12 +175,12 @@ class Graph:
         return depth
 
 
-def _closure(numbers: set[int], edges: Sequence[set[int]]) -> set[int]:
+def _closure(numbers: set[int], edges: Sequence[set[int]], without: Set[int] = frozenset()) -> set[int]:
     found: set[int] = set()
     waiting = list(numbers)
     while waiting:
         number = waiting.pop()
-        if number not in found:
+        if number not in found and number not in without:
             found.add(number)
             waiting += edges[number]
     return found
