@@ -22,7 +22,7 @@ from mechsheet.kinematics.solve import dimension_values, driver_values, solve
 from mechsheet.model import Mechanism
 
 Angle = Callable[[Node, Callable[[Node], CellRef]], Node]
-"""How the angle with a given cosine is written; the second argument puts a formula into a column of its own and gives its cell."""
+"""How the angle with a given cosine is written; the second argument gives a formula a column, and that column's cell."""
 
 
 def by_arc_cosine(cosine: Node, _: Callable[[Node], CellRef]) -> Node:

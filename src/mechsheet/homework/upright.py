@@ -389,7 +389,7 @@ def _strips(
 
 
 def _apart(strip: Strip) -> Iterator[Strip]:
-    """A strip; as single cells where a few of them happen to have one formula: two constants one below the other, by names."""
+    """A strip; as single cells where a few happen to have one formula: two constants one below the other, by names."""
     alike = all(part.row_abs for part in walk(strip.formula) if isinstance(part, CellRef))
     if 1 < strip.length <= MOST_APART and alike:
         yield from (replace(strip, start=pos, length=1) for pos in range(strip.start, strip.end))
