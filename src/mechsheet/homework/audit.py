@@ -296,10 +296,14 @@ def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str,
 
 
 def _as_right(other: Finding, own: Finding) -> bool:
-    """Whether a quantity is right for another assembly, and not less plainly so than for the description's own."""
+    """Whether a quantity is right for another assembly, and not less plainly so than for the description's own: what is
+    plainly right for that in its column is not of another one because some other column holds what it would be there."""
     if other.verdict != "right" or other.reading is None:
         return False
-    return other.reading.plain or own.verdict != "right" or own.reading is None or not own.reading.plain
+    if own.verdict != "right" or own.reading is None or not own.reading.plain:
+        return True
+    assert other.series is not None and own.series is not None
+    return other.reading.plain and other.series.key == own.series.key
 
 
 def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence[Mend]) -> AskedResult:

@@ -205,21 +205,34 @@ class Search:
 
     @cached_property
     def derived(self) -> dict[int, bool]:
-        """Single computed cells that are called as a derived dimension: whether they have its value."""
-        dims = [dim for dim in self.found.mechanism.dimensions if dim.derived]
+        """Single computed cells that are called as a derived dimension or a fixed point's place: whether they have its value."""
+        called_so = self._standing()
         work = self.graph.work
         found = {}
-        for number, strip in enumerate(work.strips) if dims else ():
+        for number, strip in enumerate(work.strips) if called_so else ():
             place = (strip.sheet, strip.start, strip.line)
             if strip.length > 1 or self._beside(strip):
                 continue
             words = [*around(work, place)[:1], *names_over(work, [place])]
-            called = [dim for dim in dims if any(says(text, dim.symbol) for text in words)]
+            called = [one for one in called_so if any(says(text, one.name) for text in words)]
             if len(called) == 1:
-                value = np.array([self.truth.dimensions[called[0].symbol]])
-                quantity = Quantity("", kind_of(called[0].unit.kind), value)
-                apart = [gaps(np.array([work.number(place)]), quantity, Reading(unit)) for unit in units_of(quantity)]
-                found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(quantity))
+                (one,) = called
+                apart = [gaps(np.array([work.number(place)]), one, Reading(unit)) for unit in units_of(one)]
+                found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(one))
+        return found
+
+    def _standing(self) -> list[Quantity]:
+        """Derived dimensions, and what of the mechanism does not move."""
+        dims = [dim for dim in self.found.mechanism.dimensions if dim.derived]
+        found = [
+            Quantity(dim.symbol, kind_of(dim.unit.kind), np.array([self.truth.dimensions[dim.symbol]])) for dim in dims
+        ]
+        names = {one.name for one in found}
+        row = int(np.flatnonzero(self.truth.exists)[0])
+        for symbol in self.truth.columns:
+            quantity = self.truth.quantity(symbol)
+            if symbol not in names and not quantity.moves(self.truth.size):
+                found.append(replace(quantity, values=quantity.values[row : row + 1]))
         return found
 
     def _beside(self, strip: Strip) -> bool:
