@@ -205,7 +205,7 @@ class Search:
 
     @cached_property
     def derived(self) -> dict[int, bool]:
-        """Single computed cells that are called as a derived dimension or a fixed point's place: whether they have its value."""
+        """Single computed cells called as a derived dimension or a fixed point's place: whether they have its value."""
         called_so = self._standing()
         work = self.graph.work
         found = {}

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
 
 import numpy as np
 
 from mechsheet import reference
 from mechsheet.homework.agreement import Reading, gaps, units_of
-from mechsheet.homework.faults import Mend, Suspect
+from mechsheet.homework.faults import Suspect
 from mechsheet.homework.inputs import SAME
-from mechsheet.homework.truth import Truth
+from mechsheet.homework.judging import Judged
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.verdicts import Finding
 from mechsheet.model import Mechanism
@@ -20,31 +19,6 @@ from mechsheet.words.homework import said
 
 MOST_OF_ENGINE = 5
 """Remarks of the formula engine that are passed on."""
-
-
-@dataclass(frozen=True, slots=True)
-class Judged:
-    """Everything that was found in a workbook.
-
-    truth   of the assembly that the sheet shows
-    first   of each asked quantity what is found in the sheet as it is;  last  the same with the mends in place
-    """
-
-    found: Understanding
-    truth: Truth
-    asked: Mapping[str, float]
-    first: Mapping[str, Finding]
-    last: Mapping[str, Finding]
-    mends: Sequence[Mend]
-    suspect: Suspect | None
-    unusual: bool = False
-
-    @property
-    def promising(self) -> bool:
-        """Whether anything asked is found, as it is or with mends."""
-        return bool(self.mends) or any(
-            one.verdict in ("right", "not live", "other assembly") for one in self.first.values()
-        )
 
 
 def remarks_of(judged: Judged, language: str) -> Iterator[str]:
