@@ -44,12 +44,14 @@ def judged(book: Book, mechanism: Mechanism) -> Audit:
 
 
 def other_inputs(mechanism: Mechanism, draw: random.Random) -> Mechanism:
-    """The mechanism with each dimension changed by up to one per cent; drawn again where a link cannot be built so."""
+    """The mechanism with each dimension changed by up to one per cent; drawn again where it cannot be built so."""
     while True:
         try:
-            return _changed(mechanism, draw)
-        except DescriptionError:
+            found = _changed(mechanism, draw)
+            solve(found)
+        except (DescriptionError, MechanismError):
             continue
+        return found
 
 
 def _changed(mechanism: Mechanism, draw: random.Random) -> Mechanism:

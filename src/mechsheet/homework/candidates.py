@@ -69,7 +69,7 @@ def candidates(formula: Node, around: Surroundings) -> list[Candidate]:
     parts = list(paths)
     angles = _angles(formula)
     arguments = {arg for part in parts for arg in _sums(part)}
-    terms = set(_terms(formula)) | {term for arg in arguments for term in _terms(arg)}
+    summed = set(terms(formula)) | {term for arg in arguments for term in terms(arg)}
     found: dict[Node, Candidate] = {}
 
     def add(whole: Node, kind: str, weight: float) -> None:
@@ -78,7 +78,7 @@ def candidates(formula: Node, around: Surroundings) -> list[Candidate]:
             found[whole] = Candidate(whole, kind, weight)
 
     for part in parts:
-        for new, kind, weight in _variants(part, formula, angles, terms, arguments, around):
+        for new, kind, weight in _variants(part, formula, angles, summed, arguments, around):
             if new != part:
                 for whole in _put(formula, paths[part], new):
                     add(whole, kind, weight)
@@ -135,14 +135,14 @@ def _exchanged(formula: Node, paths: Mapping[Node, Sequence[_Path]]) -> Iterator
             yield whole
 
 
-def _terms(node: Node) -> Iterator[Node]:
+def terms(node: Node) -> Iterator[Node]:
     """The terms of a sum; a product is one."""
     match node:
         case Binary("+" | "-", left, right):
-            yield from _terms(left)
-            yield from _terms(right)
+            yield from terms(left)
+            yield from terms(right)
         case Unary("-" | "+", operand):
-            yield from _terms(operand)
+            yield from terms(operand)
         case _:
             yield node
 
@@ -164,10 +164,10 @@ def _sums(part: Node) -> Iterator[Node]:
 
 def _angles(formula: Node) -> set[Node]:
     """Parts that are angles: the whole, arguments of sines and cosines, their terms, what arcs give."""
-    found = {formula, *_terms(formula)}
+    found = {formula, *terms(formula)}
     for part in walk(formula):
         if isinstance(part, Call) and part.name in _TRIGONOMETRIC and part.args:
-            found |= {part.args[0], *_terms(part.args[0])}
+            found |= {part.args[0], *terms(part.args[0])}
         if isinstance(part, Call) and part.name in _INVERSE:
             found.add(part)
     return found
@@ -177,7 +177,7 @@ _Variant = tuple[Node, str, float]
 
 
 def _variants(
-    part: Node, formula: Node, angles: set[Node], terms: set[Node], arguments: set[Node], around: Surroundings
+    part: Node, formula: Node, angles: set[Node], summed: set[Node], arguments: set[Node], around: Surroundings
 ) -> Iterator[_Variant]:
     """(what may have been meant by a part, what kind of slip it is, its weight)."""
     if isinstance(part, RangeRef):
@@ -209,7 +209,7 @@ def _variants(
         yield from _of_any(part)
     if part in angles and not isinstance(part, Number):
         yield from _of_angle(part)
-    if part in terms or isinstance(part, CellRef | NameRef):
+    if part in summed or isinstance(part, CellRef | NameRef):
         yield from _with_factor(part, around)
     if part == formula or part in arguments:
         yield from _with_term(part, around)
@@ -382,7 +382,7 @@ def _with_factor(part: Node, around: Surroundings) -> Iterator[_Variant]:
 
 
 def _with_term(part: Node, around: Surroundings) -> Iterator[_Variant]:
-    squares = any(isinstance(term, Binary) and term.op == "^" for term in _terms(part))
+    squares = any(isinstance(term, Binary) and term.op == "^" for term in terms(part))
     for node in (*around.single, *around.row):
         term = Binary("^", node, Number(2.0)) if squares else node
         yield Binary("+", part, term), "term missing", 2.0

@@ -30,6 +30,10 @@ from mechsheet.model import Mechanism, Need, Vary
 DRAWS = 1000
 """Times that dimensions are drawn anew for one student."""
 KEY = "key.json"
+LONGEST = 60
+"""Letters of an id in a file's name."""
+_DEVICE = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9¹²³]", re.IGNORECASE)
+"""What Windows takes for a device, whatever the ending."""
 _UNSAFE = re.compile(r"[^\w-]+")
 
 
@@ -94,8 +98,11 @@ def key_of(mechanism: Mechanism, students: Sequence[Student], seed: int) -> dict
 
 
 def safe(identifier: str) -> str:
-    """A name for a file, on any system, made of an id."""
-    return _UNSAFE.sub("_", identifier.strip()).strip("_") or "_"
+    """A name for a file, on any system, made of an id: a long one ends with a few letters of its sum."""
+    name = _UNSAFE.sub("_", identifier.strip()).strip("_") or "_"
+    if len(name) > LONGEST:
+        name = f"{name[:LONGEST]}_{hashlib.sha256(identifier.encode()).hexdigest()[:8]}"
+    return f"{name}_" if _DEVICE.fullmatch(name) else name
 
 
 def class_of(path: Path) -> list[tuple[str, str]]:

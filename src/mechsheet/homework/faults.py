@@ -404,12 +404,12 @@ def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> S
     strip = sheet.found.work.strips[numbers[0]]
     for symbol, series in search.goals:
         if series.main == strip:
-            return _nearest(sheet, truth, strip, series, symbol)
+            return first_difference(sheet, truth, strip, series, symbol)
     place = (strip.sheet, strip.start, strip.line)
     return Suspect(strip, place, sheet.found.work.number(place), None, "")
 
 
-def _nearest(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str) -> Suspect:
+def first_difference(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str) -> Suspect:
     """The first cell of what is asked that is not what it should be, in the unit in which it comes nearest."""
     if symbol in truth.columns:
         quantity = truth.quantity(symbol)
@@ -417,7 +417,10 @@ def _nearest(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: s
     else:
         quantity = span_of(truth, symbol).quantity
         column, wanted = sheet.column(series), quantity.values[-1:]
-    unit = min(units_of(quantity), key=lambda each: float(np.nanmedian(np.abs(column * each - wanted))))
+    known = np.isfinite(column) & np.isfinite(wanted)
+    unit = 1.0
+    if known.any():
+        unit = min(units_of(quantity), key=lambda each: float(np.median(np.abs(column * each - wanted)[known])))
     rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
     row = int(rows[0]) if len(rows) else 0
     return Suspect(strip, series.places()[row], float(column[row]), float(wanted[row] / unit), symbol)

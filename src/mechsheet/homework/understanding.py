@@ -13,7 +13,7 @@ from mechsheet import reference
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
 from mechsheet.homework.headings import heading, names_over
-from mechsheet.homework.inputs import Input, inputs_of, unread_inputs
+from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
 from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.upright import Place, Work
@@ -54,6 +54,11 @@ class Understanding:
     def zeros(self) -> list[float]:
         """Angles among the dimensions."""
         return [self.truth.dimensions[dim.symbol] for dim in self.mechanism.dimensions if dim.unit.kind == "angle"]
+
+    @property
+    def length_unit(self) -> float:
+        """The factor from the sheet's lengths to the mechanism's: that of its dimensions."""
+        return next((abs(one.factor) for one in self.inputs if is_length(self.mechanism, one.symbol)), 1.0)
 
     def allowed(self, quantity: Quantity) -> float:
         """How far a column may be from a quantity."""
