@@ -17,7 +17,7 @@ from typing import Any
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, OutputError, readable_name
+from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name
 from mechsheet.formats import write
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.formula.scalar import evaluate
@@ -67,11 +67,16 @@ def exercise(mechanism: Mechanism, class_list: str | Path, output: str | Path, s
     Dimensions are drawn as [exercise] of the description says, from the seed and the id alone. Raises MechsheetError with
     all that is wrong with the list, or when nothing drawn fulfils `need`; nothing is written then.
     """
-    people = class_of(Path(class_list))
-    students, remarks = drawn(mechanism, people, seed)
+    people, faults = _read(Path(class_list))
     folder = Path(output)
     if folder.exists() and not folder.is_dir():
-        raise OutputError(Fault("is a file: a folder is written", readable_name(folder), key="-o"))
+        faults.append(Fault("is a file: a folder is written", readable_name(folder), key="-o"))
+    try:
+        students, remarks = drawn(mechanism, people or [("", "")], seed)  # that `need` is never met is told in any case
+    except DescriptionError as error:
+        faults = [*error.faults, *faults]
+    if faults:
+        raise MechsheetError(faults)
     changed = [(student, with_dimensions(mechanism, student.dimensions)) for student in students]
     for part in (folder, folder / "student", folder / "solution"):
         if not part.is_dir():
@@ -103,6 +108,19 @@ def safe(identifier: str) -> str:
     if len(name) > LONGEST:
         name = f"{name[:LONGEST]}_{hashlib.sha256(identifier.encode()).hexdigest()[:8]}"
     return f"{name}_" if _DEVICE.fullmatch(name) else name
+
+
+def _read(path: Path) -> tuple[list[tuple[str, str]], list[Fault]]:
+    """The class, or what is wrong with its file."""
+    try:
+        return class_of(path), []
+    except MechsheetError as error:
+        return [], list(error.faults)
+
+
+def faults_of_class(path: Path) -> list[Fault]:
+    """What is wrong with a list of a class."""
+    return _read(path)[1]
 
 
 def class_of(path: Path) -> list[tuple[str, str]]:
