@@ -219,6 +219,23 @@ def test_description_list_and_folder_are_told_at_once(tmp_path):
     assert (tmp_path / "out").read_text(encoding="utf-8") == "a file"
 
 
+def test_a_long_id_in_a_cell_and_a_file_that_cannot_be_read_are_the_students(week, tmp_path):
+    """A number of eight digits is no 2.02112e+07; a lost file is a line of its student's, not nobody's."""
+    (tmp_path / "class.csv").write_text("id\n20211234\n20215678\n", encoding="utf-8")
+    run("exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "week")
+    handed = tmp_path / "handed"
+    handed.mkdir()
+    filled(tmp_path, 0, handed / "mine.xlsx")
+    book = openpyxl.load_workbook(handed / "mine.xlsx")
+    book.active["A1"] = 20211234
+    book.save(handed / "mine.xlsx")
+    (handed / "hw_20215678.xlsx").write_bytes(b"PK lost")
+    first, second = mechsheet.mark(handed, tmp_path / "week" / "key.json").students
+    assert (first.id, first.mark) == ("20211234", 4)
+    assert (second.id, second.mark, second.file) == ("20215678", 0, second.file)
+    assert "cannot be judged" in second.why
+
+
 @pytest.mark.parametrize(
     ("identifier", "file"),
     [("../../x", "x"), ("con", "con_"), ("Lpt1", "Lpt1_"), ("a/b\\c:d", "a_b_c_d"), ("Ayşe 1", "Ayşe_1"), ("..", "_")],
