@@ -37,7 +37,7 @@ def exercise(description: Path, class_list: Path, output: Path, seed: int, langu
         raise MechsheetError([*error.faults, *faults_of_class(class_list)]) from error
     with at_lines_of(mechanism, description), progress(class_list.name) as say:
         say("drawing dimensions")
-        found = write_all(mechanism, class_list, output, seed)
+        found = write_all(mechanism, class_list, output, seed, say)
     for remark in found.remarks:
         click.echo(f"note: {remark}", err=True)
     say_written(list(found.files))
