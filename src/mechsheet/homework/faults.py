@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import CellRef, Node, RangeRef
-from mechsheet.homework.agreement import Reading, agrees, gaps, likely, reading_of, units_of
+from mechsheet.homework.agreement import Reading, agrees, gaps, likely, reading_of, units_of, wrapped
 from mechsheet.homework.candidates import Candidate, Surroundings, candidates
 from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
@@ -417,13 +417,21 @@ def first_difference(sheet: Sheet, truth: Truth, strip: Strip, series: Series, s
     else:
         quantity = span_of(truth, symbol).quantity
         column, wanted = sheet.column(series), quantity.values[-1:]
+
+    def apart(unit: float) -> Array:
+        found: Array = column * unit - wanted
+        return wrapped(found) if quantity.kind == "angle" else found
+
     known = np.isfinite(column) & np.isfinite(wanted)
     unit = 1.0
     if known.any():
-        unit = min(units_of(quantity), key=lambda each: float(np.median(np.abs(column * each - wanted)[known])))
-    rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
+        unit = min(units_of(quantity), key=lambda each: float(np.median(np.abs(apart(each))[known])))
+    gap = apart(unit)
+    rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
     row = int(rows[0]) if len(rows) else 0
-    return Suspect(strip, series.places()[row], float(column[row]), float(wanted[row] / unit), symbol)
+    number = float(column[row])
+    right = number - float(gap[row]) / unit if known[row] else float(wanted[row]) / unit  # an angle in the same turn
+    return Suspect(strip, series.places()[row], number, right, symbol)
 
 
 def many(
