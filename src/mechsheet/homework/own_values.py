@@ -51,8 +51,6 @@ _OF_NUMBERS = frozenset(
         "SIGN",
         "RADIANS",
         "DEGREES",
-        "EXP",
-        "LN",
         "POWER",
     )
 )
