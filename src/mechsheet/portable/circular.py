@@ -86,10 +86,11 @@ def _circular(x: Any, ahead: float) -> Any:
 def _sines_and_cosines(x: Any) -> Parts:
     quarters, y, tail = _all_reduced(x)
     quadrant = _quadrant(quarters)
-    sine, cosine = _sine(y, tail), _cosine(y, tail)
+    sines, cosines = _sine(y, tail), _cosine(y, tail)
     second = quadrant == 1.0
     odd = second | (quadrant == 3.0)
-    sine, cosine = np.where(odd, cosine, sine), np.where(odd, sine, cosine)
+    sine: Any = np.where(odd, cosines, sines)
+    cosine: Any = np.where(odd, sines, cosines)
     sine = np.where(quadrant >= 2.0, -sine, sine)
     return _with_zeros(x, sine), np.where(second | (quadrant == 2.0), -cosine, cosine)
 
