@@ -18,6 +18,7 @@ from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint, Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.geometry import length_in_cells
+from mechsheet.sheet.degrees import degrees_together
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER, PATH_COLORS
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS, INK, QUIET
 from mechsheet.sheet.drawing.outlines import corners, direction_of, line_end, through_of
@@ -27,7 +28,6 @@ from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.positions import degrees_together
 from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
 from mechsheet.units import behind_number
 
