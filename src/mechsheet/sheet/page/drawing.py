@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, Unary, symbols, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text, Unary, symbols, transform
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint, Link
 from mechsheet.sheet import styles
@@ -483,7 +483,7 @@ class PageDrawing:
         """The driver's value in the upper left corner, and what does not close."""
         plan = self.plan
         driver = plan.mechanism.driver
-        value = Call("ROUND", (self._quantity(driver.symbol), Number(3.0)))
+        value = formula("ROUND(value,3)", value=self._quantity(driver.symbol))
         said = self._indexed("#status")
         words: Node = joined(f"{plain(driver.symbol)} = ", value, behind_number(driver.unit.text), "  ", said)
         nothing: Node = Text(plan.text("drawing.nothing"))
