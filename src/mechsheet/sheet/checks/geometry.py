@@ -86,7 +86,7 @@ def distance(link: Link, start: str, end: str, known: Known = NOTHING_KNOWN) -> 
     for point, other in ((start, end), (end, start)):
         given = link.points[point]
         if isinstance(given, Polar) and _known_place(link, other, known) == (al.ZERO, al.ZERO):
-            return Call("ABS", (length_node(given.r),))
+            return formula("ABS(length)", length=length_node(given.r))
     (u0, v0), (u1, v1) = (_known_place(link, point, known) for point in (start, end))
     return al.sqrt(al.add(al.square(al.sub(u1, u0)), al.square(al.sub(v1, v0))))
 
