@@ -247,7 +247,9 @@ class _Reading:
     def workbook(self) -> None:
         """How the workbook is written, how what has no closed form is solved, and tolerances, of which a page has none."""
         workbook, solution = self._part("workbook", {}), self._part("solution", {})
-        driven = self.further if self.driver is None else (self.driver, *self.further)
+        driven: tuple[Driver | FurtherDriver, ...] = (
+            self.further if self.driver is None else (self.driver, *self.further)
+        )
         self.parts |= {
             "language": choice(workbook, "language", "en"),
             "layout": self.layout,
