@@ -87,14 +87,18 @@ def _pieces(formula: Node, parts: list[_Part] | None, rows: range, dialect: str,
 
 def _parts(formula: Node, rows: range, dialect: str, escape: Escape) -> list[_Part] | None:
     """The text of `formula` with a number wherever a row stands; None where a reference leaves the sheet in some row and
-    becomes #REF!."""
-    references = list(dict.fromkeys(_moving(formula)))
+    becomes #REF!, or where the text holds the mark itself."""
+    moving = list(_moving(formula))
+    references = list(dict.fromkeys(moving))
     ends = [row + n for reference in references for row in _rows(reference) for n in (rows.start, rows.stop - 1)]
-    if any(not 0 <= row < MAX_ROWS for row in ends) or _MARK in print_formula(formula, dialect):
+    if any(not 0 <= row < MAX_ROWS for row in ends):
         return None
     marks: dict[Node, Node] = {ref: NameRef(f"{_MARK}{i}{_MARK}") for i, ref in enumerate(references)}
+    pieces = print_formula(_replaced(formula, marks), dialect).split(_MARK)
+    if len(pieces) != 1 + 2 * len(moving):
+        return None
     parts: list[_Part] = []
-    for i, piece in enumerate(print_formula(_replaced(formula, marks), dialect).split(_MARK)):
+    for i, piece in enumerate(pieces):
         # Every second piece is the number of a reference.
         parts += _reference_parts(references[int(piece)], dialect, escape) if i % 2 else [escape(piece)]
     return parts
@@ -134,7 +138,7 @@ def _replaced(node: Node, marks: dict[Node, Node]) -> Node:
 def _reference_parts(reference: CellRef | RangeRef, dialect: str, escape: Escape) -> list[_Part]:
     """The reference's text, with a number for each row that moves."""
     if isinstance(reference, CellRef):
-        text = print_formula(replace(reference, row=_LAST_ROW), dialect)
+        text = _printed(replace(reference, row=_LAST_ROW), dialect)
         return _split(text, {_LAST_ROW: reference.row}, escape)
     stand_ins: dict[int, int] = {}
     start, end = reference.start, reference.end
@@ -144,7 +148,13 @@ def _reference_parts(reference: CellRef | RangeRef, dialect: str, escape: Escape
     if not start.row_abs:
         stand_ins[_FIRST_ROW] = start.row
         start = replace(start, row=_FIRST_ROW)
-    return _split(print_formula(RangeRef(start, end), dialect), stand_ins, escape)
+    return _split(_printed(RangeRef(start, end), dialect), stand_ins, escape)
+
+
+@lru_cache(maxsize=4096)
+def _printed(reference: CellRef | RangeRef, dialect: str) -> str:
+    """The text of a reference; the columns of a table are read by many others."""
+    return print_formula(reference, dialect)
 
 
 def _split(text: str, stand_ins: dict[int, int], escape: Escape) -> list[_Part]:
