@@ -332,9 +332,9 @@ class ChainWriter:
 
 
 def holder(poses: Poses, chain: Chain, point: str, but: Assembly = ()) -> str:
-    """The body that a point of a group was found with: a known one, else the first carrier that has it."""
+    """The body that a point of a group was found with: one solved before, else the first carrier that has it."""
     bodies = [body for body in poses.graph.bodies_at(point) if body not in but]
-    known = [body for body in bodies if body not in chain.bodies]
+    known = [body for body in bodies if body in chain.known]
     return (known or [body for carrier in chain.carriers for body in carrier.assembly if body in bodies])[0]
 
 

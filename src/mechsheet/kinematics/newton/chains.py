@@ -60,12 +60,14 @@ class Chain:
 
     kind   its class: "III", "IV" (of a dyad "II")
     shut   pins between carriers that are left over: the point, and the two assemblies
+    known  the bodies that are solved before; others at its pins are solved later
     """
 
     kind: str
     carriers: tuple[Carrier, ...]
     binaries: tuple[Binary, ...]
     shut: tuple[tuple[str, Assembly, Assembly], ...]
+    known: frozenset[str]
 
     @property
     def assemblies(self) -> tuple[Assembly, ...]:
@@ -184,7 +186,7 @@ class _Work:
         left = [slide for slide in self.slides if Meeting(slide) not in used and self._between(slide, there)]
         if left or len(placed) != len(binaries) + 2 * len(shut):
             return None
-        return Chain(self._class(), tuple(placed), tuple(binaries), shut)
+        return Chain(self._class(), tuple(placed), tuple(binaries), shut, frozenset(self.solved))
 
     def _steps(self, carriers: list[Assembly], there: set[Assembly]) -> Iterator[Carrier]:
         """Carriers that can be reached now, over pins first."""
