@@ -13,7 +13,7 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
-from .common import Command, progress
+from .common import Command, doubts_told, in_file, progress
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
@@ -125,7 +125,8 @@ def of_each(
     for file in files:
         with progress(file.name) as say:
             try:
-                found.append(judge(file, say))
+                with doubts_told(in_file(file)):
+                    found.append(judge(file, say))
             except MechsheetError as error:
                 faults += error.faults
     return found

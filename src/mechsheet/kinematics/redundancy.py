@@ -23,7 +23,7 @@ from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.sketched import assemblies
-from mechsheet.kinematics.solve import dimension_values, solve_unpicked
+from mechsheet.kinematics.solve import dimension_values, solve, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Rack, Sketch
 
@@ -33,6 +33,14 @@ HOLDS = 1e-7
 MOST_TRIED = 200
 """So many ways of leaving something out are tried, then the count is all that is told."""
 
+ALIKE = 1e-6
+"""A link whose length is met within this part of the size, where the sketch shows it and around, is taken as redundant."""
+
+AROUND = np.arange(-3, 4)
+NEAR = math.radians(1.0), 0.01
+"""Where that is asked: so many small steps of the driver, of an angle or in parts of its sweep."""
+
+LEAST_AROUND = 5
 LEAST_ROWS = 3
 MOST_ROWS = 60
 
@@ -60,6 +68,58 @@ def redundancy_faults(mechanism: Mechanism, missing: int) -> list[Fault]:
             others = [_name(other) for other in left_out if other is not part]
             parts.setdefault(_name(part), _fault(mechanism, part, others))
     return list(parts.values())
+
+
+def redundant_links(mechanism: Mechanism) -> tuple[str, ...]:
+    """The links of which any one may be left out where the count lacks one freedom, the one described last first.
+
+    Without it the others stand as sketched and move, its length is met there and around, and whichever is left out, every
+    point goes the same way. None where no link does so, or where it depends on the link how the rest moves.
+    """
+    if 1 + len(mechanism.drivers) - mobility(graph_of(mechanism)) != 1:
+        return ()
+    found: list[tuple[str, dict[str, Array], float]] = []
+    for part, _ in _candidates(mechanism):
+        if isinstance(part, Link) and (values := _around(mechanism, part)) is not None:
+            found.append((part.name, *values))
+    if not found:
+        return ()
+    _, first, size = found[0]
+    for _, values, _ in found[1:]:
+        places = [name for name in values if name.endswith((".x", ".y")) and name in first]
+        apart = max(float(np.nanmax(np.abs(values[name] - first[name]))) for name in places)
+        if apart > ALIKE * size:
+            return ()
+    return tuple(name for name, _, _ in found)
+
+
+def _around(mechanism: Mechanism, link: Link) -> tuple[dict[str, Array], float] | None:
+    """The positions of the others around the one that is sketched, and their size; None where the link does not fit."""
+    rest = _without(mechanism, [link])
+    points = {point for other in rest.links for point in other.points}
+    sketch = replace(
+        mechanism.sketch,
+        points={point: place for point, place in mechanism.sketch.points.items() if point in points},
+        symbols={name: value for name, value in mechanism.sketch.symbols.items() if name != link.angle_symbol},
+    )
+    dimensions = dimension_values(mechanism)
+    driver = driver_values(mechanism, dimensions)
+    try:
+        equations = solve(replace(rest, sketch=sketch))
+        closed = equations.closed(sweep(rest, equations, driver))
+    except MechanismError:
+        return None
+    if not closed.any():
+        return None
+    here = driver[int(np.argmax(closed))] if mechanism.sketch.at is None else number(mechanism.sketch.at, dimensions)
+    step = NEAR[1] * float(np.ptp(driver)) if mechanism.driver.joint else NEAR[0]
+    values = sweep(rest, equations, here + step * AROUND)
+    size = _size(rest, values)
+    gap = _gap(mechanism, link, values) / size
+    there = np.isfinite(gap)
+    if there.sum() < LEAST_AROUND or not there[AROUND == 0].all() or np.any(gap[there] > ALIKE):
+        return None
+    return values, size
 
 
 def _candidates(mechanism: Mechanism) -> list[tuple[Part, int]]:

@@ -19,6 +19,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.description.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
+from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Mechanism
 
 MOST = 16
@@ -58,11 +59,11 @@ def loads(
     pairs = in_order(overrides or ())
     modes = _modes_in(pairs, text, file)
     if not modes:
-        return description.loads(text, file, pairs, language, rows=rows, step=step)
+        return with_redundant(description.loads(text, file, pairs, language, rows=rows, step=step), file)
     faults = [fault for name, value in modes if (fault := _value_fault(name, value, file)) is not None]
     rest = [pair for pair in pairs if pair not in modes]
     try:
-        mechanism = description.loads(text, file, rest, language, rows=rows, step=step)
+        mechanism = with_redundant(description.loads(text, file, rest, language, rows=rows, step=step), file)
         faults += _name_faults(modes, mechanism, file)
     except MechsheetError as error:
         with suppress(MechsheetError):  # wrong names are told beside what else is wrong
@@ -152,4 +153,4 @@ def _with_modes(mechanism: Mechanism, wanted: Mapping[str, int], file: str) -> M
         options = ", ".join(f"{mode}={value}" for mode, value in wanted.items())
         raise MechanismError(Fault(fault.message, file, key=option_of(options)) for fault in error.faults) from error
     found = description.loads(source.text, file)
-    return replace(found, sketch=replace(found.sketch, doubted=False))
+    return replace(found, sketch=replace(found.sketch, doubted=False), redundant=mechanism.redundant)
