@@ -142,8 +142,6 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
             step = step or _next_chain(graph, assemblies, steps, solved, force)
         steps.append(step)
         solved.update(bodies_of(step))
-    if left := _unused(graph, steps):  # they tie what the joints alone decide
-        raise MechanismError(stiff_faults(graph) or [_tied_too_deep(graph, left[0])])
     return Order(drives, tuple(steps))
 
 
