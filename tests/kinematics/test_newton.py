@@ -52,7 +52,8 @@ def test_sauer_finds_as_many_assemblies(leg, angles):
 
 
 @pytest.mark.parametrize(
-    ("end", "before", "behind"), [(3.711, 0, 2), (4.864, 2, 4), (6.967, 4, 6), (7.022, 6, 4), (7.849, 4, 2), (9.262, 2, 0)]
+    ("end", "before", "behind"),
+    [(3.711, 0, 2), (4.864, 2, 4), (6.967, 4, 6), (7.022, 6, 4), (7.849, 4, 2), (9.262, 2, 0)],
 )
 def test_the_number_of_assemblies_changes_with_the_leg(end, before, behind):
     """At these lengths of the leg, to three digits."""

@@ -20,7 +20,9 @@ NO_DYADS = ("cardan-gear", "double-butterfly", "planar-3rpr", "stephenson-ii-cla
 """Gears alone, or Newton's method anyway."""
 
 SIX_BARS = [
-    name for name in NAMES if len(load(FOLDER / f"{name}.toml").links) == 6 and name not in ("planar-3rpr", "pantograph")
+    name
+    for name in NAMES
+    if len(load(FOLDER / f"{name}.toml").links) == 6 and name not in ("planar-3rpr", "pantograph")
 ]
 """Six links; of the platform and the pantograph no other link is pivoted on the ground that could drive them."""
 

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from mechsheet import description
 from mechsheet.description.locate import located
@@ -21,6 +22,9 @@ from mechsheet.description.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
 from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Mechanism
+
+if TYPE_CHECKING:
+    from mechsheet.kinematics.equations import Group
 
 MOST = 16
 """Assemblies of one group."""
@@ -95,6 +99,12 @@ def _no_mode(name: str, value: str, file: str, hint: str = "") -> Fault:
     return Fault(f"an assembly mode is 1 or -1, not {quoted(value)}", file, key=option_of(f"{name}={value}"), hint=hint)
 
 
+def _no_number(group: Group, name: str, value: str, file: str) -> Fault:
+    hint = "; ".join(f"{number}: {words.en}" for number, words in enumerate(group.assemblies, 1))
+    message = f"{name} is the number of one of {len(group.assemblies)} assemblies, not {quoted(value)}"
+    return Fault(message, file, key=option_of(f"{name}={value}"), hint=hint)
+
+
 def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: str) -> list[Fault]:
     """Modes that no group has, and values that a group of two assemblies cannot have. Raises MechanismError for what is no
     mechanism."""
@@ -117,6 +127,14 @@ def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: s
         _no_mode(name, value, file)
         for name, value in pairs
         if name_of(name) in dyads and _value_fault(name, value, file) is None and abs(float(value)) != 1
+    ]
+    numbered = {group.mode: group for group in groups if group.system is not None}
+    misfits += [
+        _no_number(numbered[name_of(name)], name, value, file)
+        for name, value in pairs
+        if name_of(name) in numbered
+        and _value_fault(name, value, file) is None
+        and not 1 <= float(value) <= len(numbered[name_of(name)].assemblies)
     ]
     return (
         found

@@ -215,9 +215,7 @@ class ChainWriter:
             for unknown in self.unknowns
         ]
         power = 1 if isinstance(relation, Rack) else 0
-        names = several(
-            body_words(self.poses.mechanism, name) for name in (relation.link, *self._others(relation))
-        )
+        names = several(body_words(self.poses.mechanism, name) for name in (relation.link, *self._others(relation)))
         return Demand(al.sub(al.total(parts), relation.phase), tuple(slopes), power, phrase("newton_tie", links=names))
 
     def _others(self, relation: Relation) -> tuple[str, ...]:

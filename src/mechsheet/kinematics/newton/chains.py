@@ -212,9 +212,7 @@ class _Work:
         left = [slide for slide in self.slides if Meeting(slide) not in used and self._between(slide, there)]
         if left or len(placed) != len(binaries) + 2 * len(shut) + len(self.relations) or not self._slid(used):
             return None
-        return Chain(
-            self._class(), tuple(placed), tuple(binaries), shut, frozenset(self.solved), tuple(self.relations)
-        )
+        return Chain(self._class(), tuple(placed), tuple(binaries), shut, frozenset(self.solved), tuple(self.relations))
 
     def _slid(self, used: set[Meeting]) -> bool:
         """Whether the displacements that racks tie are unknowns, or of joints between what is known."""

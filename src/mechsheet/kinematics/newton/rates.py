@@ -159,7 +159,6 @@ class Closings:
         gap = PointRate(minus(here.first, there.first), minus(here.second, there.second))
         return Closing(gap, gap, al.ZERO, SIDES, None)
 
-
     def _tied(self, relation: Relation) -> Closing:
         """A gear, a belt or a rack; the gap of a gear as a length: over the largest one."""
         terms = terms_of(relation)
