@@ -180,4 +180,3 @@ def test_random_gears_inside_groups_against_the_reference(seed):
         assert "cannot be joined" in str(error) or "lies between" in str(error) or "too large" in str(error)
         pytest.skip("no such sun-and-planet")
     assert comparison.agrees and comparison.worst < 1e-9, comparison
-

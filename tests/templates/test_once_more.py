@@ -16,7 +16,14 @@ from mechsheet.model import Driver, Sketch, Solution
 
 FOLDER = Path(__file__).resolve().parents[2] / "templates"
 NAMES = sorted(path.stem for path in FOLDER.glob("*.toml"))
-NO_DYADS = ("cardan-gear", "double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephenson-iii-output", "sun-and-planet")
+NO_DYADS = (
+    "cardan-gear",
+    "double-butterfly",
+    "planar-3rpr",
+    "stephenson-ii-class-iv",
+    "stephenson-iii-output",
+    "sun-and-planet",
+)
 """Gears alone, or Newton's method anyway."""
 
 SIX_BARS = [

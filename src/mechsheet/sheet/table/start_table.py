@@ -2,8 +2,8 @@
 
 The start values belong to the dimensions of the description, which stand in the first row. From there the dimensions go in
 `LED` equal steps to those of the first sheet, a pass each; the passes that are left are made there. While the determinant
-keeps its sign, the unknowns their trend and the residual its size the assembly is the described one; a row where they do not says 1 in the last
-column.
+keeps its sign, the unknowns their trend and the residual its size the assembly is the described one; a row where they do
+not says 1 in the last column.
 """
 
 from __future__ import annotations
