@@ -26,6 +26,7 @@ from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Gear, Mechanism
+from mechsheet.said import say
 
 FAR, NOWHERE = 0.25, 0.5
 """A sketch that misses the position by such a part of the mechanism's size (or radians) was not drawn there, or anywhere."""
@@ -94,20 +95,23 @@ def _left_out(mechanism: Mechanism) -> list[Fault]:
     for each in mechanism.redundant:
         if each.also is None:
             continue
-        name, others = each.link.name, listed_names(each.also)
-        found.append(
-            Fault(
-                f'the link "{name}" is redundant: left out of the solution, its length checked in every row',
-                key=f"links.{name}",
-                hint=(f"{others} would do as well; " if each.also else "")
-                + "write `redundant = true` under the one that is meant, then nothing more is said of it",
-            )
+        message = say(
+            'the link "{name}" is redundant: left out of the solution, its length checked in every row',
+            name=each.link.name,
         )
+        hint = say("write `redundant = true` under it, then nothing more is said of it")
+        if each.also:
+            hint = say(
+                "{links} would do as well; write `redundant = true` under the one that is meant, then nothing more is said",
+                links=listed_names(each.also),
+            )
+        found.append(Fault(message, key=f"links.{each.link.name}", hint=hint))
     return found
 
 
 def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
-    """What is to be said of the sketch."""
+    """What is to be said of the sketch: of positions, so nothing else is computed."""
+    equations = equations.positions
     driver = driver_values(mechanism, dimension_values(mechanism))
     if any(group.system for group in equations.groups):  # its assembly is that of the first position alone
         return tuple(step_doubts(mechanism, equations, driver, sweep))
@@ -206,8 +210,12 @@ def with_position(fault: Fault, mechanism: Mechanism) -> Fault:
     if not missed.min() < SUSPICIOUS:
         return fault
     written = _written(mechanism, _named(mechanism, values, missed))
-    fits = f"the sketch fits {mechanism.driver.symbol} = {' or '.join(written)}"
-    return replace(fault, hint=f"{fault.hint}; {fits}: if it was drawn there, write at = {written[0]}")
+    places: str = f"{mechanism.driver.symbol} = {written[0]}"
+    for further in written[1:]:
+        places = say("{first} or {last}", first=places, last=further)
+    fits = say("the sketch fits {positions}", positions=places)
+    hint = say("{hint}; {fits}: if it was drawn there, write at = {at}", hint=fault.hint, fits=fits, at=written[0])
+    return replace(fault, hint=hint)
 
 
 def _position(mechanism: Mechanism, equations: Equations, driver: Array) -> tuple[Mapping[str, Array], int | None]:

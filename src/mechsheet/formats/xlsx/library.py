@@ -27,7 +27,7 @@ from mechsheet.sheet.workbook import Anchor, Area
 from ..archive import Archive
 from ..seal import seal
 from ..xml_text import attribute, number, ooxml_escaped
-from .cells import SheetData, cached_values
+from .cells import SheetData
 from .controls import CONTENT_TYPE, EMU, PlacedControl, anchor_text, control_properties, control_shape, controls_element
 from .ignored_errors import ignored_errors
 
@@ -37,6 +37,10 @@ _BUILTIN_STYLES = {
     "Note": 10, "Warning Text": 11, "Explanatory Text": 53,
 }  # fmt: skip
 """Styles that Excel has under these names (ECMA-376-1, 18.8.7): redefining one must give its number."""
+
+
+SHOWN_DIGITS = 6
+"""Digits of the copy of its values that a chart keeps, for programs that draw without reading cells."""
 
 
 class DataWorksheet(Worksheet):  # type: ignore[misc]
@@ -63,7 +67,7 @@ class DataWorksheet(Worksheet):  # type: ignore[misc]
         self.fh.write("</sheetData>")
 
     def _get_range_data(self, *corners: int) -> Sequence[float | str | None]:
-        return cached_values(self.data.sheet, Area(*corners))
+        return self.data.copies.of(Area(*corners))
 
     def _prepare_formula(self, formula: str, expand_future_functions: bool = False) -> str:
         # The printer has spelled it as the file wants it.
@@ -131,7 +135,7 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
 
     _write_lang, _write_disp_blanks_as, _write_plot_vis_only, _write_c_smooth, _write_number_format, _write_d_lbls
                                          elements that are said in full
-    _write_num_ref                       leaves the copy of the values out where there is none, and writes all digits
+    _write_num_ref                       leaves the copy of the values out where there is none; a picture needs few digits
     _write_axis_font                     the font of labels
     """
 
@@ -171,7 +175,8 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
     def _write_num_ref(self, formula: str, data: Sequence[float | None], ref_type: str) -> None:
         copy = ""
         if data:
-            points = [f'<c:pt idx="{i}"><c:v>{number(v)}</c:v></c:pt>' for i, v in enumerate(data) if v is not None]
+            shown = [(i, float(f"{v:.{SHOWN_DIGITS}g}")) for i, v in enumerate(data) if v is not None]
+            points = [f'<c:pt idx="{i}"><c:v>{number(v)}</c:v></c:pt>' for i, v in shown]
             count = f'<c:formatCode>General</c:formatCode><c:ptCount val="{len(data)}"/>'
             copy = f"<c:numCache>{count}{''.join(points)}</c:numCache>"
         self.fh.write(f"<c:numRef><c:f>{ooxml_escaped(formula.removeprefix('='))}</c:f>{copy}</c:numRef>")

@@ -22,9 +22,11 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks import turning
+from mechsheet.sheet.checks.boundless import at_pole, beyond_rows, may_grow
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
@@ -34,6 +36,9 @@ from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.units import turn as whole_turn
+
+BOUNDLESS = SIDE + 7
+"""The working cell that says whether a quantity grows without bound."""
 
 PROBES = 4
 """With three, an extreme that is steep on one side only was found, but not where it is: time ratios were 2 % off."""
@@ -92,6 +97,8 @@ class Extremes:
         spots["#whole"] = Spot(title, whole.row, whole.col)
         spots["#fine"] = Spot(title, whole.row, whole.col + 1)
         spots["#there"] = Spot(title, whole.row, whole.col + 2)
+        if len(self.plan.found.transmission) > 1:
+            spots["#worst_group"] = Spot(title, whole.row, whole.col + 3)
         for (symbol, way), block in self.blocks.items():
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
@@ -102,6 +109,9 @@ class Extremes:
         for symbol in self.quantities:
             wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
             spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
+            for way in ("min", "max") if may_grow(self.plan, symbol) else ():
+                cell = self.probes.cell(self.blocks[symbol, way].row + 2, BOUNDLESS)
+                spots[f"#{way}_boundless_{symbol}"] = Spot(title, cell.row, cell.col)
         for (symbol, way), block in self.bands.items():
             for name in self.plan.banded[symbol].derivatives:
                 spots[f"#{way} {name}"] = Spot(title, block.row + 1, self.probes.at.spots[name].col)
@@ -124,6 +134,10 @@ class Extremes:
         probes.work(self.whole_row, 2, "fine", fine=self._inputs_are_fine())
         there = "SUMPRODUCT((numbers=_position)*ISNUMBER(_position))=1"
         probes.work(self.whole_row, 3, there, numbers=Symbol(f"{ALL}#number"))
+        if len(plan.found.transmission) > 1:
+            rows = [plan.blocks["verdicts"].rows[f"transmission_{group.number}"] for group in plan.found.transmission]
+            least = RangeRef(*(CellRef(row, FIRST_SHEET_VALUE, True, True, plan.main) for row in (rows[0], rows[-1])))
+            probes.work(self.whole_row, 4, "MATCH(MIN(least),least,0)", least=least)
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)
@@ -133,6 +147,8 @@ class Extremes:
             self._end(end, block)
         for (symbol, way), block in self.blocks.items():
             self._extreme(symbol, way, block)
+            if may_grow(plan, symbol):
+                self._boundless(symbol, way, block)
         for (symbol, way), block in self.bands.items():
             self._band(symbol, way, block)
         return Sheet(
@@ -397,8 +413,10 @@ class Extremes:
             points = [
                 (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
             ]
-            near = formula("MAX(middle-1,MIN(middle+1,vertex))", middle=middle, vertex=vertex_of(points))
-            place = formula("IF(wraps>0,near,MAX(low,MIN(high,near)))", wraps=wraps, near=near, low=low, high=high)
+            place = formula(
+                "MAX(IF(wraps>0,middle-1,MAX(low,middle-1)),MIN(IF(wraps>0,middle+1,MIN(high,middle+1)),vertex))",
+                wraps=wraps, middle=middle, vertex=vertex_of(points), low=low, high=high,
+            )  # fmt: skip
             probes.work(row + probe, AT, "IFERROR(place,middle)", place=place, middle=middle)
 
     def _result(self, symbol: str, way: Way, block: Block) -> None:
@@ -435,6 +453,16 @@ class Extremes:
             before=Call(way.upper(), (probes.cells_down(row, VALUE, block.probes),)), wraps=wraps, place=place,
             low=low, high=high,
         )  # fmt: skip
+
+    def _boundless(self, symbol: str, way: Way, block: Block) -> None:
+        """Whether the quantity has no largest or smallest value."""
+        probes, row = self.probes, block.row
+        worst = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, VALUE)
+        found = beyond_rows(probes.cell(row + 2, SIDE), probes.cell(row, VALUE), worst, self._rows_of_stretch())
+        if not turning.known(self.plan, symbol):
+            before, here, after = (probes.cell(row + 1, SIDE + work) for work in (4, 5, 6))
+            found = formula("OR(found,pole)", found=found, pole=at_pole(before, here, after))
+        probes.work(row + 2, BOUNDLESS, "IFERROR(found,FALSE)", found=found)
 
     def _band(self, symbol: str, way: Way, block: Block) -> None:
         """The derivatives by dimensions where a quantity is smallest or largest: as this changes, so does the extreme."""
@@ -485,9 +513,35 @@ def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
     if plan.newton:
         return Text(plan.text("verdict.rows.only"))
-    unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
-    return formula('IF(_stretches>1,rows,IF(IFERROR(OR(_unsettled,unsettled),FALSE),about,""))', unsettled=unsettled,
-                   about=plan.text("verdict.about"), rows=plan.text("verdict.rows.only"))  # fmt: skip
+    return formula("IF(_stretches>1,rows,one)", rows=plan.text("verdict.rows.only"),
+                   one=about_one_stretch(plan, symbol, ways))  # fmt: skip
+
+
+def about_one_stretch(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
+    """The same, where it has been asked whether there are several stretches."""
+    if plan.newton:
+        return Text(plan.text("verdict.rows.only"))
+    unsettled = tuple(Symbol(f"#{way}_about_{symbol}") for way in ways)
+    settled = formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=Call("OR", (Symbol("#unsettled"), *unsettled)),
+                      about=plan.text("verdict.about"))  # fmt: skip
+    without = boundless(plan, symbol, ways)
+    return settled if without is None else formula(
+        "IF(without,words,settled)", without=without, words=plan.text("verdict.boundless"), settled=settled
+    )  # fmt: skip
+
+
+def boundless(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node | None:
+    """Whether a quantity has no smallest or no largest value; None where it cannot grow without bound."""
+    if not may_grow(plan, symbol):
+        return None
+    flags = tuple(Symbol(f"#{way}_boundless_{symbol}") for way in ways)
+    return Call("OR", flags) if len(flags) > 1 else flags[0]
+
+
+def where_bounded(plan: Plan, symbol: str, value: Node, ways: Sequence[Way] = ("min", "max")) -> Node:
+    """A value that follows from extremes; #N/A where there are none."""
+    without = boundless(plan, symbol, ways)
+    return value if without is None else formula("IF(without,NA(),value)", without=without, value=value)
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:
@@ -509,6 +563,6 @@ def banded_extremes(plan: Plan) -> list[tuple[str, Way]]:
 
 def quantities_of(plan: Plan) -> tuple[str, ...]:
     """Symbols whose extremes are asked for: by the lines of the first sheet, and by the description's summaries."""
-    wanted = [summary.of for summary in plan.mechanism.summaries if summary.extremes]
+    wanted = [each.of for each in plan.mechanism.summaries if each.extremes and same_angle(plan, each.of) is None]
     driver = plan.mechanism.driver.symbol
     return tuple(dict.fromkeys(name for name in [*plan.found.extremes, *wanted] if name != driver))
