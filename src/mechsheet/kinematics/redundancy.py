@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations, islice
 
 import numpy as np
@@ -79,23 +79,30 @@ def redundant_links(mechanism: Mechanism) -> tuple[str, ...]:
     """
     if 1 + len(mechanism.drivers) - mobility(graph_of(mechanism)) != 1:
         return ()
-    found: list[tuple[str, dict[str, Array], float]] = []
+    found: list[tuple[str, _Around]] = []
     for part, _ in _candidates(mechanism):
-        if isinstance(part, Link) and (values := _around(mechanism, part)) is not None:
-            found.append((part.name, *values))
-    if not found:
-        return ()
-    _, first, size = found[0]
-    for _, values, _ in found[1:]:
-        places = [name for name in values if name.endswith((".x", ".y")) and name in first]
-        apart = max(float(np.nanmax(np.abs(values[name] - first[name]))) for name in places)
-        if apart > ALIKE * size:
+        around = _around(mechanism, part) if isinstance(part, Link) else None
+        if around is not None:
+            found.append((part.name, around))
+    for _, other in found[1:]:
+        first = found[0][1]
+        places = [name for name in other.values if name.endswith((".x", ".y")) and name in first.values]
+        apart = max(float(np.nanmax(np.abs(other.values[name] - first.values[name]))) for name in places)
+        if apart > ALIKE * first.size:
             return ()
-    return tuple(name for name, _, _ in found)
+    return tuple(name for name, _ in found)
 
 
-def _around(mechanism: Mechanism, link: Link) -> tuple[dict[str, Array], float] | None:
-    """The positions of the others around the one that is sketched, and their size; None where the link does not fit."""
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """Positions of a mechanism around the one that is sketched, and its size."""
+
+    values: dict[str, Array]
+    size: float
+
+
+def _around(mechanism: Mechanism, link: Link) -> _Around | None:
+    """What the others do around the position that is sketched; None where the link does not fit."""
     rest = _without(mechanism, [link])
     points = {point for other in rest.links for point in other.points}
     sketch = replace(
@@ -114,13 +121,13 @@ def _around(mechanism: Mechanism, link: Link) -> tuple[dict[str, Array], float] 
         return None
     here = driver[int(np.argmax(closed))] if mechanism.sketch.at is None else number(mechanism.sketch.at, dimensions)
     step = NEAR[1] * float(np.ptp(driver)) if mechanism.driver.joint else NEAR[0]
-    values = sweep(rest, equations, here + step * AROUND)
+    values = sweep(rest, equations, np.asarray(here + step * AROUND, dtype=np.float64))
     size = _size(rest, values)
     gap = _gap(mechanism, link, values) / size
     there = np.isfinite(gap)
     if there.sum() < LEAST_AROUND or not there[AROUND == 0].all() or np.any(gap[there] > ALIKE):
         return None
-    return values, size
+    return _Around(values, size)
 
 
 def _candidates(mechanism: Mechanism) -> list[tuple[Part, int]]:
