@@ -20,7 +20,7 @@ ALWAYS = ("adjustable-pump", "fivelink", "four-bar")
 EVERY = 9
 """Of the other templates every so-manieth."""
 
-ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephenson-iii-output")
+ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephenson-iii-output", "sun-and-planet")
 """Templates with groups that Newton's method solves: there are no pages and functions of these."""
 
 LOADED = (

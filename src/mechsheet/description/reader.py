@@ -97,7 +97,7 @@ def with_layout(mechanism: Mechanism, layout: str | None, file: str = "<text>") 
     source, _ = parse_as_meant(mechanism.text, file)
     found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text, file)
     sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
-    return replace(found, file=mechanism.file, sketch=sketch)
+    return replace(found, file=mechanism.file, sketch=sketch, redundant=mechanism.redundant)
 
 
 def with_tolerance(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
@@ -116,7 +116,7 @@ def with_tolerance(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
         told = [replace(each, line=None, source="") if (each.line or 0) > last else each for each in error.faults]
         raise DescriptionError(told) from None
     sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
-    return replace(found, file=mechanism.file, sketch=sketch)
+    return replace(found, file=mechanism.file, sketch=sketch, redundant=mechanism.redundant)
 
 
 def _check_format(source: Source) -> None:
