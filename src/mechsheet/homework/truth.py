@@ -104,7 +104,8 @@ def truth_of(
     if not len(rows):
         return None
     if mechanism.driver.speed is not None and not mechanism.driver.speeds:
-        columns |= {symbol: values for symbol, values in reference.by_time(solution).items() if symbol not in columns}
+        columns = reference.by_time(solution) | columns
+    columns = reference.forces(solution) | columns
     poses = {name: tuple(map(float, pose[rows[0]])) for name, pose in solution.poses.items()}
     return Truth(
         mechanism,

@@ -46,7 +46,7 @@ class Need:
 class Exercise:
     """What is asked of students.
 
-    asked      marks by variable, coordinate, output or summary; empty: a mark for every link angle, displacement, output
+    asked      marks by variable, coordinate, rate, force, output or summary; empty: all link angles, displacements, outputs
     tolerance  of the mechanism's size; radians for angles
     follow_through  whether what is right but for an earlier fault has its marks;  not_live  the share of a mark for what
                does not follow the dimensions

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from mechsheet.description.forces.force_names import CENTER, OF_MOTION
 from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
@@ -46,10 +47,13 @@ def _asked(data: Any, summaries: Mapping[str, Any], scope: Scope) -> dict[str, f
     """Marks by what is asked."""
     found: dict[str, float] = {}
     coordinates = [f"{point}.{axis}" for point in scope.points for axis in "xy"]
-    known = [*scope.variables, *coordinates, *scope.outputs, *scope.rates, *summaries]
+    forces = [name for name, what in scope.forces.items() if what not in (*OF_MOTION, CENTER)]
+    known = [*scope.variables, *coordinates, *scope.outputs, *scope.rates, *forces, *summaries]
     for symbol, marks in ({} if data is BAD else data).items():
         if symbol not in known and scope.complete:
-            message = say("no variable, coordinate, output or summary is called {symbol}", symbol=quoted(symbol))
+            message = say(
+                "no variable, coordinate, rate, force, output or summary is called {symbol}", symbol=quoted(symbol)
+            )
             if symbol in scope.motion_outputs:
                 message = say("{symbol} follows from summaries: ask for these", symbol=quoted(symbol))
             scope.report.at(("exercise", "asked", symbol), message, suggestion(symbol, known, "allowed"))

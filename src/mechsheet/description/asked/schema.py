@@ -33,7 +33,7 @@ TOLERANCES = Table(
 EXERCISE = Table(
     {
         "asked": Key(
-            Named(Number(0), "variable, coordinate, output or summary"),
+            Named(Number(0), "variable, coordinate, rate, force, output or summary"),
             "marks for each; default: a mark for every link angle, displacement and output",
         ),
         "vary": Key(

@@ -323,8 +323,8 @@ ASKED: dict[str, str] = {
     "{name} is no summary and no dimension": "{name} ne özet ne boyut",
     # exercises
     "must lie between 0 and {most}, not {value:g}": "0 ile {most} arasında olmalıdır, {value:g} değil",
-    "no variable, coordinate, output or summary is called {symbol}": (
-        "{symbol} adlı değişken, koordinat, çıktı ya da özet yok"
+    "no variable, coordinate, rate, force, output or summary is called {symbol}": (
+        "{symbol} adlı değişken, koordinat, hız, kuvvet, çıktı ya da özet yok"
     ),
     "{symbol} follows from summaries: ask for these": "{symbol} özetlerden çıkar: onları sorun",
     '"{all_rows}", or a comparison such as "mu_min > 30"': '"{all_rows}" ya da "mu_min > 30" gibi bir karşılaştırma',
@@ -381,7 +381,7 @@ ASKED: dict[str, str] = {
     "stiffness": "yay katsayısı",
     "free length": "serbest boy",
     "damping": "sönüm",
-    "variable, coordinate, output or summary": "değişken, koordinat, çıktı ya da özet",
+    "variable, coordinate, rate, force, output or summary": "değişken, koordinat, hız, kuvvet, çıktı ya da özet",
     "point or variable; or an assembly mode that is a result of [synthesis]": (
         "nokta ya da değişken; ya da [synthesis] sonucu olan bir montaj biçimi"
     ),
