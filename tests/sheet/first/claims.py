@@ -10,6 +10,7 @@ quantities are extreme, and compares with the named cells after inputs were type
 from __future__ import annotations
 
 import argparse
+import json
 import math
 import re
 import sys
@@ -770,6 +771,20 @@ def random_sheets(seed, dyads, rows=25, step=15.0, language="en"):
         return None
 
 
+def named_sheets(name):
+    """The workbook of a template, or of `random SEED`."""
+    if name.startswith("random "):
+        seed = int(name.split()[1])
+        return random_sheets(seed, 1 + seed % 3)
+    return Sheets(load(ROOT / f"templates/{name}.toml"))
+
+
+def settings_of(name, sheets, changes):
+    """As described, and so many random changes: the same ones for the same name."""
+    random = np.random.default_rng(zlib.crc32(name.encode()))
+    return [{}, *(change(sheets, random) for _ in range(changes))]
+
+
 def report(claims, limit=12):
     """Counts by kind, and some of the wrong claims of each."""
     wrong = Counter(entry[0] for entry in claims.wrong)
@@ -783,35 +798,46 @@ def report(claims, limit=12):
             print(*entry)
 
 
+def written_before(path):
+    """By mechanism the settings in which something was wrong in an earlier run."""
+    found = {}
+    for line in Path(path).read_text(encoding="utf-8").splitlines():
+        entry = json.loads(line)
+        settings = found.setdefault(entry["name"], [])
+        if entry["inputs"] not in settings:
+            settings.append(entry["inputs"])
+    return found
+
+
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--random", type=int, default=60)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--changes", type=int, default=10)
-    parser.add_argument("--templates", default="*")
-    parser.add_argument("--seeds", default="")
-    parser.add_argument("--show", type=int, default=12)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--random", type=int, default=60, help="so many random mechanisms")
+    parser.add_argument("--first", type=int, default=0, help="the first one's seed")
+    parser.add_argument("--seeds", default="", help="seeds of random mechanisms instead")
+    parser.add_argument("--templates", default="*", help="which templates, as a pattern; none: ''")
+    parser.add_argument("--changes", type=int, default=10, help="changes of each")
+    parser.add_argument("--wrong", help="file to which wrong claims are written as they are found")
+    parser.add_argument("--again", help="judge only what stands in such a file")
+    parser.add_argument("--show", type=int, default=12, help="so many wrong claims of each kind are printed")
     given = parser.parse_args()
+    # where a list gives positions there are no others between them to search
+    names = [path.stem for path in but(sorted((ROOT / "templates").glob(f"{given.templates}.toml")), *LISTED)]
+    seeds = given.seeds.split(",") if given.seeds else range(given.first, given.first + given.random)
+    names += [f"random {seed}" for seed in seeds]
+    again = written_before(given.again) if given.again else None
     claims = Claims()
     begun = time.perf_counter()
-    runs = []
-    # where a list gives positions there are no others between them to search
-    for path in but(sorted((ROOT / "templates").glob(f"{given.templates}.toml")), *LISTED):
-        runs.append((path.stem, lambda path=path: Sheets(load(path))))
-    for seed in (
-        [int(part) for part in given.seeds.split(",")]
-        if given.seeds
-        else range(given.first, given.first + given.random)
-    ):
-        runs.append((f"random {seed}", lambda seed=seed: random_sheets(seed, 1 + seed % 3)))
-    for name, make in runs:
-        sheets = make()
+    log = open(given.wrong, "w", encoding="utf-8") if given.wrong else None  # noqa: SIM115
+    for name in again or names:
+        sheets = named_sheets(name)
         if sheets is None:
             continue
-        random = np.random.default_rng(zlib.crc32(name.encode()))
-        judge(sheets, {}, claims, name)
-        for _ in range(given.changes):
-            judge(sheets, change(sheets, random), claims, name)
+        for inputs in again[name] if again else settings_of(name, sheets, given.changes):
+            before = len(claims.wrong)
+            judge(sheets, inputs, claims, name)
+            for kind, *_, details in (((each[0], each[3:]) for each in claims.wrong[before:]) if log else ()):
+                entry = {"name": name, "inputs": inputs, "kind": kind, "details": repr(details)}
+                print(json.dumps(entry), file=log, flush=True)
         print(
             f"{name}: {len(claims.wrong)} of {sum(claims.judged.values())}, {time.perf_counter() - begun:.0f} s",
             file=sys.stderr,

@@ -2,8 +2,8 @@
 
 From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row
 beside it (or as far on the row's other side, where the first is worse than the row), and one at the vertex of the parabola
-through the row and these two. Where the best row is the last before a limit, the second probe is made where a parabola
-over the root of the distance from the limit has its vertex. What is given has been attained: the best of the row, the
+through the row and these two. Where the best row is the last before a limit, all parabolas are over the root of the distance
+from it. What is given has been attained: the best of the row, the
 probes and both ends of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows
 at its ends are neighbours, which is decided by formulas: start and step may change.
 
@@ -41,6 +41,12 @@ PROBES = 4
 BESIDE = 0.1
 """How far beside the first probe the second is made, in rows."""
 
+FROM_LIMIT = 0.125
+"""How far from a limit the second probe is made, at least: as a part of the root of the row's distance."""
+
+BEFORE = -9.0
+"""A place before all others: of no limit."""
+
 FROM_END = 0.25
 """How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
@@ -49,6 +55,9 @@ SETTLED, IMPROVED = 1e-4, 1e-2
 and the value is said to be about right."""
 
 TITLE_ROW, ABOUT_ROW, HEAD_ROW, FIRST = 0, 1, 3, 4
+
+ROOT = SIDE + 7
+"""Working cells: the root of a probe's distance from a limit, or the distance."""
 
 Way = Literal["min", "max"]
 
@@ -100,7 +109,7 @@ class Extremes:
                 place = self.probes.cell(block.row + 2, SIDE + 3)
                 spots[f"#{way}_place_{symbol}"] = Spot(title, place.row, place.col)
         for symbol in self.quantities:
-            wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
+            wraps = self._wraps_of(symbol)
             spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
         for (symbol, way), block in self.bands.items():
             for name in self.plan.banded[symbol].derivatives:
@@ -240,16 +249,19 @@ class Extremes:
         of_rows = self._best_row(column, way, block)
         if plan.rows_only:
             probes.work(row, VALUE, "value", value=of_rows)
-            probes.work(row + 1, SIDE + 2, "0")
+            if way == "max":
+                probes.work(row + 1, SIDE + 2, "0")
             self._result(symbol, way, block)
             return
-        wraps = self._wraps(symbol, block)
+        wraps = self._wraps_of(symbol)
+        if way == "max":
+            self._wraps(symbol, wraps)
         if turning.known(plan, symbol):
             turning.write(probes, block, symbol, way, wraps, self._rows_of_stretch(), self._ends_of_stretch())
         else:
             probes.lay(block, [symbol])
             self._first_probes(column, way, block, wraps)
-            self._further_probes(block)
+            self._further_probes(block, wraps)
         for index in range(1, block.probes + 1):
             cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
@@ -272,9 +284,9 @@ class Extremes:
             )  # fmt: skip
         bests = probes.cells_across(row, SIDE, STRETCHES)
         most = probes.work(row, SIDE + 3, f"IF(COUNT(bests)=0,NA(),{way.upper()}(bests))", bests=bests)
-        first = probes.work(
-            row, SIDE + 4, "INDEX(firsts,MATCH(most,bests,0))",
-            most=most, bests=bests, firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
+        first = formula(
+            "INDEX(firsts,MATCH(most,bests,0))", most=most, bests=bests,
+            firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
         )  # fmt: skip
         probes.work(
             row, AT, "first-1+MATCH(most,INDEX(column,first):INDEX(column,rows),0)",
@@ -282,7 +294,10 @@ class Extremes:
         )  # fmt: skip
         return most
 
-    def _wraps(self, symbol: str, block: Block) -> CellRef:
+    def _wraps_of(self, symbol: str) -> CellRef:
+        return self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
+
+    def _wraps(self, symbol: str, cell: CellRef) -> None:
         """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
         quantity has gone on by a turn."""
         plan, probes = self.plan, self.probes
@@ -293,8 +308,8 @@ class Extremes:
             CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
         )
         holes: dict[str, Node | float | str] = {"half": turns, "start": start, "end": end} if turns else {}
-        return probes.work(
-            block.row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
+        probes.work(
+            cell.row, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
             first=first, last=last, rows=plan.rows, **holes,
         )  # fmt: skip
 
@@ -330,44 +345,48 @@ class Extremes:
             "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(least,here-1,MIN(most,here+1,vertex)))",
             wraps=around, here=here, vertex=vertex, least=least, most=most,
         )  # fmt: skip
+        if self.ends:
+            place = formula("IF(limit>0,limit+(here-limit)/4,place)", limit=self._limit(block, around), here=here,
+                            place=place)  # fmt: skip
         one = probes.work(row + 1, AT, "place", place=place)
         worse = formula("there>best" if way == "min" else "there<best", there=probes.cell(row + 1, VALUE),
                         best=probes.cell(row, VALUE))  # fmt: skip
-        aside = formula(
-            "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),IF(worse,2*here-one,one+IF(one-here>1E-6,-beside,beside))))",
-            wraps=around, low=low, high=high, rows=plan.rows, worse=worse, here=here, one=one, beside=BESIDE,
-        )  # fmt: skip
+        aside = formula("IF(worse,2*here-one,one+IF(one-here>1E-6,-beside,beside))", worse=worse, here=here, one=one,
+                        beside=BESIDE)  # fmt: skip
         if self.ends:
-            aside = formula("IF(ISNUMBER(root),root,aside)", root=self._from_limit(block, around), aside=aside)
-        probes.work(row + 2, AT, "aside", aside=aside)
+            aside = formula("IF(limit>0,root,aside)", limit=self._limit_of(block), root=self._root(block), aside=aside)
+        probes.work(
+            row + 2, AT, "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),aside))",
+            wraps=around, low=low, high=high, rows=plan.rows, aside=aside,
+        )  # fmt: skip
 
-    def _from_limit(self, block: Block, wraps: Node) -> CellRef:
-        """Where the best row is the last before a limit: a quantity goes there as a root does. The place of the vertex of
+    def _limit_of(self, block: Block) -> CellRef:
+        return self.probes.cell(block.row + 3, SIDE)
 
-        y(w) = y0 + b w + c w^2 with w^2 = |u - limit|, through the limit, that row and the next; else a text.
-        """
-        probes, row = self.probes, block.row
-        here, best, next_best = probes.cell(row, AT), probes.cell(row, VALUE), probes.cell(row + 1, SIDE + 5)
+    def _limit(self, block: Block, wraps: Node) -> CellRef:
+        """The limit beside the best row, where there is one, else a place before all: a quantity goes to a limit as a
+        root does."""
+        probes = self.probes
         first, last = self._rows_of_stretch()
         low, high = self._ends_of_stretch()
-        limit = probes.work(
-            row + 3, SIDE, 'IF(wraps>0,"",IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,"")))',
-            wraps=wraps, here=here, first=first, last=last, low=low, high=high,
-        )  # fmt: skip
-        values = [probes.cell(row + PROBES + index, VALUE) for index in (1, 2)]
-        there = probes.work(row + 3, SIDE + 1, "IF(limit=low,at_low,at_high)", limit=limit, low=low,
-                            at_low=values[0], at_high=values[1])  # fmt: skip
-        far = formula("ABS(here-limit)", here=here, limit=limit)
-        root = formula(
-            "((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next))",
-            far=far, rise=formula("best-there", best=best, there=there),
-            next=formula("best-there", best=next_best, there=there),
-        )  # fmt: skip
         return probes.work(
-            row + 3, SIDE + 2,
-            'IF(ISNUMBER(limit),IFERROR(limit+SIGN(here-limit)*MIN(far+1,MAX(0,root)^2),limit),"")',
-            limit=limit, here=here, far=far, root=root,
+            block.row + 3, SIDE,
+            "IF(wraps>0,before,IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,before)))",
+            wraps=wraps, here=probes.cell(block.row, AT), first=first, last=last, low=low, high=high, before=BEFORE,
         )  # fmt: skip
+
+    def _root(self, block: Block) -> Node:
+        """The place of the vertex of the parabola y(w), with w^2 = |u - limit|, through the limit, the first probe, which
+        is halfway there (in w), and the row; some way off the limit in any case, so that something is learnt."""
+        probes, row = self.probes, block.row
+        limit = self._limit_of(block)
+        low, _ = self._ends_of_stretch()
+        ends = [probes.cell(row + PROBES + index, VALUE) for index in (1, 2)]
+        there = formula("IF(limit=low,at_low,at_high)", limit=limit, low=low, at_low=ends[0], at_high=ends[1])
+        part = formula("(one-0.75*there-0.25*best)/(2*one-there-best)", one=probes.cell(row + 1, VALUE), there=there,
+                       best=probes.cell(row, VALUE))  # fmt: skip
+        return formula("limit+(here-limit)*IFERROR(MAX(least,part),least)^2", limit=limit, here=probes.cell(row, AT),
+                       part=part, least=FROM_LIMIT)  # fmt: skip
 
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
         """The first and the last row of the first stretch."""
@@ -388,17 +407,32 @@ class Extremes:
             return 0.0
         return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
 
-    def _further_probes(self, block: Block) -> None:
+    def _further_probes(self, block: Block, wraps: CellRef) -> None:
         """At the vertex of the parabola through the row and the two probes; then through the three probes."""
         probes, row = self.probes, block.row
-        low, high, wraps = *self._ends_of_stretch(), self._around(probes.cell(row + 1, SIDE + 2))
+        low, high, around = *self._ends_of_stretch(), self._around(wraps)
         middle = probes.cell(row + 1, AT)
+        here, limit = probes.cell(row, AT), self._limit_of(block)
+        if self.ends:
+            probes.work(row + 1, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=limit, here=here, place=middle)
+        vertex: Node
         for probe in range(3, PROBES + 1):
             points = [
                 (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
             ]
-            near = formula("MAX(middle-1,MIN(middle+1,vertex))", middle=middle, vertex=vertex_of(points))
-            place = formula("IF(wraps>0,near,MAX(low,MIN(high,near)))", wraps=wraps, near=near, low=low, high=high)
+            if self.ends:  # over the root of the distance from a limit, as a part of the row's
+                probes.work(row + probe - 1, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=limit, here=here,
+                            place=points[2][0])  # fmt: skip
+                roots: list[Node] = [probes.cell(row + index, ROOT) for index in range(1, probe)]
+                points = list(zip([al.ONE, *roots][-3:], (value for _, value in points), strict=True))
+                vertex = formula("limit+(here-limit)*MAX(0,vertex)^IF(limit>0,2,1)", limit=limit, here=here,
+                                 vertex=vertex_of(points))  # fmt: skip
+            else:
+                vertex = vertex_of(points)
+            place = formula(
+                "MAX(IF(wraps>0,middle-1,MAX(low,middle-1)),MIN(IF(wraps>0,middle+1,MIN(high,middle+1)),vertex))",
+                wraps=around, middle=middle, vertex=vertex, low=low, high=high,
+            )  # fmt: skip
             probes.work(row + probe, AT, "IFERROR(place,middle)", place=place, middle=middle)
 
     def _result(self, symbol: str, way: Way, block: Block) -> None:
@@ -419,7 +453,7 @@ class Extremes:
                         drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
             probes.work(row + 2, SIDE + 2, "FALSE")
             return
-        wraps = self._around(probes.cell(row + 1, SIDE + 2))
+        wraps = self._around(self._wraps_of(symbol))
         within = formula(
             "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=plan.rows
         )
