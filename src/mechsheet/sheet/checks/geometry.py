@@ -99,7 +99,7 @@ def length_in_cells(link: Link, start: str, end: str, poses: Mapping[str, LinkPo
 
 def largest_length(equations: Assignments) -> Node:
     """The largest length given, over cells: that of which the tolerance is a part (`CLOSING`)."""
-    return al.mul(al.number(round(1 / CLOSING)), Symbol(equations.tolerance))
+    return al.div(Symbol(equations.tolerance), al.number(CLOSING))
 
 
 def measured_pairs(link: Link) -> tuple[tuple[str, str], ...]:

@@ -190,9 +190,18 @@ class Limits:
         if several:
             here = self._margin_of_row(row + 2, side + 1, group, inside)
             one = (one[0], probes.work(row + 2, side + 2, _chosen(symbols), **self._named_margins(row + 1, group)))
-        ends = (inside, here), (outside, beyond)
-        probes.work(row + 3, AT, "place", place=self._zero(row + 2, ends, one, two, APART))
-        zero = self._zero(row + 3, ends, two, three, 0.0)
+        # the end whose margin has the other sign where both probes have the same
+        end, margin = (
+            formula("IF(MIN(f,g)>0,far,near)", f=one[1], g=two[1], far=far, near=near)
+            for far, near in ((outside, inside), (beyond, here))
+        )
+        known, way = (inside, here), al.sub(inside, outside)
+        place = self._zero(row + 2, known, (end, margin), one, two, way)
+        # apart from the last probe, so that the slope can be seen
+        apart = formula("MEDIAN(v+way*IF(g<0,apart,-apart),IF(g<0,inside,outside),place)", v=two[0], g=two[1], way=way,
+                        apart=APART, inside=inside, outside=outside, place=place)  # fmt: skip
+        probes.work(row + 3, AT, "apart", apart=apart)
+        zero = self._zero(row + 3, known, one, two, three, way)
         best = probes.work(row, side + 6, "IF(ISNUMBER(outside),zero,NA())", outside=outside, zero=zero)
         # a little inside, by a part of what the last step still changed
         found = probes.work(
@@ -245,30 +254,18 @@ class Limits:
         named = values if group is None else {**values, "group": group}
         return self.probes.work(row, work, _chosen(symbols), **named)
 
-    def _zero(self, row: int, ends: tuple[Point, Point], one: Point, two: Point, apart: float) -> Node:
-        """Where the parabola m(u) through the last two probes and an end is 0 between places where it is open and closed;
-        apart from the last probe, so that the slope can be seen.
+    def _zero(self, row: int, inside: Point, end: Point, one: Point, two: Point, way: Node) -> Node:
+        """Where the parabola m(u) through an end and two probes, the last of them `two`, is 0 and falls; `way` is 1 or -1, for
+        inwards.
 
         Its bend, m[one, two, end], stands in a working cell of `row`.
         """
-        (inside, here), (outside, beyond) = ends
         (u, f), (v, g) = one, two
-        # an end whose margin has the other sign where both probes have the same
-        end, margin = (
-            formula("IF(MIN(f,g)>0,outside,inside)", f=f, g=g, outside=far, inside=near)
-            for far, near in ((outside, inside), (beyond, here))
-        )
-        bend = self.probes.work(row, SIDE + BEND, "((g-f)/(v-u)-(f-margin)/(u-end))/(v-end)", u=u, f=f, v=v, g=g, end=end,
-                                margin=margin)  # fmt: skip
+        bend = self.probes.work(row, SIDE + BEND, "((g-f)/(v-u)-(f-margin)/(u-end))/(v-end)", u=u, f=f, v=v, g=g,
+                                end=end[0], margin=end[1])  # fmt: skip
         slope = formula("(g-f)/(v-u)+(v-u)*bend", u=u, f=f, v=v, g=g, bend=bend)
-        zero = formula("v-2*g/(slope+(inside-outside)*SQRT(slope^2-4*g*bend))", v=v, g=g, slope=slope, inside=inside,
-                       outside=outside, bend=bend)  # fmt: skip
-        if apart:
-            zero = formula(
-                "MEDIAN(v+(inside-outside)*IF(g<0,apart,-apart),IF(g<0,inside,outside),zero)", v=v, g=g, zero=zero,
-                inside=inside, outside=outside, apart=apart,
-            )  # fmt: skip
-        return formula("IFERROR(zero,IF(g<0,chord,v))", zero=zero, g=g, v=v, chord=_chord((inside, here), two))
+        zero = formula("v-2*g/(slope+way*SQRT(slope^2-4*g*bend))", v=v, g=g, slope=slope, way=way, bend=bend)
+        return formula("IFERROR(zero,IF(g<0,chord,v))", zero=zero, g=g, v=v, chord=_chord(inside, two))
 
 
 def _chord(one: Point, two: Point) -> Node:
