@@ -135,7 +135,7 @@ def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
     reach, of_all = inner[2] - inner[0], outer[2] - outer[0]
     if not math.isfinite(of_all) or (reach > 0 and of_all > POLE * reach):
         return None
-    column = search.at[summary.of][:: search.fine][search.row_there]
+    column = search.in_rows(summary.of)[search.row_there]
     rows = {"min": inner[0], "max": inner[2], "range": reach}
     motion = {"min": outer[0], "max": outer[2], "range": of_all}
     plain = {"first": float(column[0]), "last": float(column[-1]), "mean": float(np.mean(column))}

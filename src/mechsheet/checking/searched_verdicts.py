@@ -78,10 +78,10 @@ class SearchedVerdicts:
         ]
         return 2 * (min(lengths) + max(lengths)) - sum(lengths)
 
-    def extent(self, symbol: str) -> list[float]:
-        """A swing or a stroke: of one stretch."""
+    def extent(self, symbol: str, rows_only: bool = False) -> list[float]:
+        """A swing or a stroke: of one stretch, or of its rows."""
         search = self.search
-        extremes = search.extremes(symbol) if len(search.row_stretches) == 1 else None
+        extremes = search.extremes(symbol, rows_only=rows_only) if len(search.row_stretches) == 1 else None
         if extremes is None:
             return []
         whole = search.is_angle(symbol) and search.is_crank(symbol)
@@ -112,7 +112,7 @@ class SearchedVerdicts:
         near = self.search.u[np.abs(self.search.at[symbol] - best) < FLAT * span]
         return near[:: max(1, len(near) // 20)]
 
-    def transmission(self, group: Group) -> tuple[float, float, float] | None:
+    def transmission(self, group: Group, rows_only: bool = False) -> tuple[float, float, float] | None:
         """(least, place, most) of the angle of transmission as an acute angle; of several stretches, in their rows."""
         search = self.search
         if not search.count:
@@ -121,8 +121,8 @@ class SearchedVerdicts:
         def acute(angle: Array) -> Array:
             return np.minimum(angle, math.pi - angle) if group.kind == "RRR" else math.pi / 2 - np.abs(angle)
 
-        several = self.page or len(search.row_stretches) > 1
-        extremes = search.extremes(group.transmission, acute, rows_only=several)
+        rows_only = rows_only or self.page or len(search.row_stretches) > 1
+        extremes = search.extremes(group.transmission, acute, rows_only=rows_only)
         if extremes is None:
             return None
         least, place, most, _ = extremes

@@ -176,9 +176,9 @@ class Truth(Search):
             u = self.place(driver_shown)
         else:
             u = 1 + float(np.argmin(np.abs(self.listed - driver_shown / self.scale)))
-        if not 1 - 1e-6 <= u <= self.rows + 1e-6:
+        if not 1 - 1e-6 <= u <= self.last + 1e-6:
             return None
-        u = min(max(u, 1.0), float(self.rows))
+        u = min(max(u, 1.0), float(self.last))
         known = self.known(np.array([u]))
         raw = float(np.asarray((of or (lambda x: x))(known[symbol]))[0])
         column = np.asarray((of or (lambda x: x))(self.at[symbol]), float)
@@ -351,7 +351,7 @@ class _Judge:
                 continue
             shown = sheets.spot(key)
             u = truth.place(shown) if isinstance(shown, float) else math.nan
-            tolerance = LIMIT if not truth.doubtful and self.verdict("about") not in words else 5e-2
+            tolerance = LIMIT if self.verdict("within") not in words else 1.0
             self.say("limit", any(abs(u - place) <= tolerance for place in places), number_, u, places)
             if isinstance(shown, float) and number_ <= 2:
                 said = numbers_in(words)
@@ -372,7 +372,10 @@ class _Judge:
         if not truth.count:
             self.say("input", missing(low) and missing(high), low, high)
             return
-        about = self.verdict("about") in sheets.words("limits")
+        within = self.verdict("within") in sheets.words("limits")
+        if truth.stepped:
+            self.say("input words", (self.verdict("within") in words) == within, words)
+        words = words.removesuffix(self.verdict("within"))
         first, last = truth.row_stretches[0]
         ends = []
         for row, other in ((first, first - 1), (last, last + 1)):
@@ -382,7 +385,7 @@ class _Judge:
         for shown, places in zip((low, high), ends, strict=True):
             right = isinstance(shown, float) and any(
                 abs(shown - float(truth.driver(place)) * truth.scale)
-                <= (LIMIT if not truth.doubtful and not about else 5e-2) * abs(truth.step) * truth.scale + 1e-9
+                <= (1.0 if within else LIMIT) * abs(truth.step) * truth.scale + 1e-9
                 for place in places
             )
             self.say(
@@ -511,6 +514,13 @@ class _Judge:
     def scale_of(self, symbol):
         return math.degrees(1.0) if self.plan.at.spots[symbol].degrees else 1.0
 
+    def of_rows(self, words):
+        """Whether a number is of the rows only: where there are several stretches, or limits known to a step only."""
+        unsettled = self.found.limits and self.verdict("within") in self.sheets.words("limits")
+        rows_only = bool(len(self.truth.row_stretches) > 1 or unsettled)
+        self.say("rows only", self.plan.newton or (self.verdict("rows.only") in words) == rows_only, words)
+        return rows_only
+
     def continuous(self, symbol):
         """Whether the rows follow the angle: nothing turns by half a turn or more from row to row."""
         return all(np.nanmax(column, initial=0.0) < math.pi for column in self.truth.turns_between_rows().values())
@@ -530,7 +540,7 @@ class _Judge:
             return
         if truth.holes or truth.doubtful:
             return  # warned of by `passes`, judged there
-        low, _, high, _ = truth.extremes(symbol)
+        low, _, high, _ = truth.extremes(symbol, rows_only=self.of_rows(words))
         range_ = high - low
         scale = self.scale_of(symbol)
         crank = False
@@ -607,9 +617,7 @@ class _Judge:
             return
         if truth.holes or truth.doubtful or sheets.of("leaps") > 0:
             return
-        several = len(truth.row_stretches) > 1
-        if several:
-            self.say("rows only", self.verdict("rows.only") in words, words)
+        several = self.of_rows(words)
         if group.kind == "RRR":
 
             def fold(x):
@@ -668,9 +676,8 @@ class _Judge:
             return
         if sheets.of("leaps") > 0:
             return
-        several = len(truth.row_stretches) > 1 and summary.take in ("min", "max", "range")
-        if several and summary.of != truth.mechanism.driver.symbol:
-            self.say("rows only", self.verdict("rows.only") in words, words)
+        extreme = summary.take in ("min", "max", "range") and summary.of != truth.mechanism.driver.symbol
+        several = extreme and self.of_rows(words)
         symbol = summary.of
         output = next((out for out in truth.mechanism.outputs if out.symbol == symbol), None)
         if symbol == truth.mechanism.driver.symbol:
@@ -683,7 +690,7 @@ class _Judge:
             return
         if len(truth.row_stretches) > 1 and truth.is_angle(symbol) and missing(shown):
             return
-        column = truth.at[symbol][:: truth.fine] * scale
+        column = truth.in_rows(symbol) * scale
         there = np.flatnonzero(truth.row_there)
         extremes = truth.extremes(symbol, None, several)
         if extremes is None:  # an output that does not exist

@@ -51,7 +51,7 @@ BEFORE = -9.0
 FROM_END = 0.25
 """How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
-SETTLED, IMPROVED = 1e-4, 1e-2
+SETTLED, IMPROVED = 1e-4, 1e-3
 """The last probe may be worse than the best by the first part of the range, and better than all others by the second; more,
 and the value is said to be about right."""
 
@@ -446,8 +446,8 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.rows_only else block.probes + len(self.ends) + 1
         values = probes.cells_down(row, VALUE, count)
-        # each stretch would need probes of its own
-        known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
+        # each stretch would need probes of its own, and none is known where it ends
+        known = "best" if count == 1 else "IF(_rows_only,of_rows,best)"
         value = probes.work(
             row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
         )
@@ -525,17 +525,9 @@ def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
     if plan.newton:
         return Text(plan.text("verdict.rows.only"))
-    return formula("IF(_stretches>1,rows,one)", rows=plan.text("verdict.rows.only"),
-                   one=about_one_stretch(plan, symbol, ways))  # fmt: skip
-
-
-def about_one_stretch(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
-    """The same, where it has been asked whether there are several stretches."""
-    if plan.newton:
-        return Text(plan.text("verdict.rows.only"))
-    unsettled = tuple(Symbol(f"#{way}_about_{symbol}") for way in ways)
-    return formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=Call("OR", (Symbol("#unsettled"), *unsettled)),
-                   about=plan.text("verdict.about"))  # fmt: skip
+    unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
+    return formula('IF(_rows_only,rows,IF(IFERROR(unsettled,FALSE),about,""))', unsettled=unsettled,
+                   rows=plan.text("verdict.rows.only"), about=plan.text("verdict.about"))  # fmt: skip
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:

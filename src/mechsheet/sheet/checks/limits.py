@@ -40,7 +40,7 @@ APART = 1e-7
 
 SETTLED = 1e-5
 """What the last probe lacks to the limit, in parts of the margin in the row beside it; more, and it is said to be
-about right."""
+known to a step."""
 
 GROUP, BEND = 4, 5
 """Working cells beside a probe: the number of the group that comes apart, the bend of a parabola through it."""
@@ -72,6 +72,7 @@ class Limits:
         n = probes.cell(row, 1)
         self.plan.at.spots["#stretches"] = Spot(probes.title, n.row, n.col)
         self.plan.at.spots["#unsettled"] = Spot(probes.title, n.row, n.col + 1)
+        self.plan.at.spots["#rows_only"] = Spot(probes.title, n.row, n.col + 2)
         for number in range(1, STRETCHES + 1):
             for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO), ("stretch", WORDS)):
                 spot = self.of_stretch(number, work)
@@ -103,9 +104,10 @@ class Limits:
         for work, key in enumerate(("first", "last", "from", "to")):
             probes.put(self.row + 1, probes.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
         rests = [self.plan.at.cell(f"#rest_{number}", probes.title, None) for number in range(1, self.count + 1)]
-        probes.work(
+        unsettled = probes.work(
             self.row, 2, "rests>settled" if rests else "FALSE", rests=Call("MAX", tuple(rests)), settled=SETTLED
         )
+        probes.work(self.row, 3, "OR(stretches>1,unsettled)", stretches=stretches, unsettled=unsettled)
         for number in range(1, STRETCHES + 1):
             self._stretch(number, stretches)
         for number, block in enumerate(self.blocks, 1):
