@@ -122,10 +122,10 @@ class Expected:
 def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
     """What a summary is over the rows that exist and, but on a page, what lies between them.
 
-    None where no row exists, and for a quantity with a pole.
+    None where no row exists, for an extreme over too many stretches, and for a quantity with a pole.
     """
     search = judged.search
-    if not search.count or summary.of not in search.at:
+    if not search.count or summary.of not in search.at or (summary.extremes and judged.too_many):
         return None
     angle = search.is_angle(summary.of)
     scale = unit_of_column(judged.plan, summary.of).to_shown(1.0)

@@ -259,7 +259,7 @@ class _Judge:
     def _transmission(self, group: Group) -> None:
         """The angle of transmission that is farthest from 90 degrees, as an acute angle."""
         key = f"transmission_{group.number}"
-        if not self.search.count:
+        if not self.search.count or self.searched.too_many:
             self._number(key, [])
         elif self.searched.sure or self.page:
             found = self.searched.transmission(group, not self.page and self._says(key, "rows.only"))

@@ -38,6 +38,7 @@ from mechsheet.kinematics.search import TURN, Search  # noqa: E402
 from mechsheet.kinematics.solve import dimension_values  # noqa: E402
 from mechsheet.sheet import styles  # noqa: E402
 from mechsheet.sheet.checks.geometry import distance  # noqa: E402
+from mechsheet.sheet.checks.limits import STRETCHES  # noqa: E402
 from mechsheet.sheet.layout import lay_out  # noqa: E402
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW  # noqa: E402
 from mechsheet.sheet.symbols import plain  # noqa: E402
@@ -515,9 +516,10 @@ class _Judge:
         return math.degrees(1.0) if self.plan.at.spots[symbol].degrees else 1.0
 
     def of_rows(self, words):
-        """Whether a number is of the rows only: where there are several stretches, or limits known to a step only."""
+        """Whether a number is of the rows only: of several stretches or one row, or where limits are known to a step."""
         unsettled = self.found.limits and self.verdict("within") in self.sheets.words("limits")
-        rows_only = bool(len(self.truth.row_stretches) > 1 or unsettled)
+        stretches = self.truth.row_stretches
+        rows_only = len(stretches) > 1 or stretches[0][0] == stretches[0][1] or bool(unsettled)
         self.say("rows only", self.plan.newton or (self.verdict("rows.only") in words) == rows_only, words)
         return rows_only
 
@@ -612,8 +614,8 @@ class _Judge:
         truth, sheets = self.truth, self.sheets
         key, symbol = f"transmission_{group.number}", group.transmission
         shown, words, at = sheets.of(key), sheets.words(key), sheets.of(key, TOLERANCE)
-        if not truth.count:
-            self.say("transmission", missing(shown), shown)
+        if not truth.count or len(truth.row_stretches) > STRETCHES:
+            self.say("transmission", missing(shown) and not words, shown, words)
             return
         if truth.holes or truth.doubtful or sheets.of("leaps") > 0:
             return
@@ -677,6 +679,9 @@ class _Judge:
         if sheets.of("leaps") > 0:
             return
         extreme = summary.take in ("min", "max", "range") and summary.of != truth.mechanism.driver.symbol
+        if extreme and len(truth.row_stretches) > STRETCHES:
+            self.say(kind, missing(shown), shown)
+            return
         several = extreme and self.of_rows(words)
         symbol = summary.of
         output = next((out for out in truth.mechanism.outputs if out.symbol == symbol), None)

@@ -279,7 +279,7 @@ class Extremes:
         self._result(symbol, way, block)
 
     def _best_row(self, column: Node, way: Way, block: Block) -> CellRef:
-        """The best value of all rows that exist; its row goes to the anchor."""
+        """The best value of all rows that exist, of no more stretches than are looked at; its row goes to the anchor."""
         probes, row, limits = self.probes, block.row, self.limits
         for number in range(1, STRETCHES + 1):
             first, last = limits.of_stretch(number, FIRST_ROW), limits.of_stretch(number, LAST_ROW)
@@ -289,7 +289,8 @@ class Extremes:
                 first=first, last=last, column=column,
             )  # fmt: skip
         bests = probes.cells_across(row, SIDE, STRETCHES)
-        most = probes.work(row, SIDE + 3, f"IF(COUNT(bests)=0,NA(),{way.upper()}(bests))", bests=bests)
+        most = probes.work(row, SIDE + 3, f"IF(OR(COUNT(bests)=0,_stretches>most),NA(),{way.upper()}(bests))", bests=bests,
+                           most=STRETCHES)  # fmt: skip
         first = formula(
             "INDEX(firsts,MATCH(most,bests,0))", most=most, bests=bests,
             firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
@@ -387,8 +388,8 @@ class Extremes:
         probes, row = self.probes, block.row
         limit = self._limit_of(block)
         low, _ = self._ends_of_stretch()
-        ends = [probes.cell(row + PROBES + index, VALUE) for index in (1, 2)]
-        there = formula("IF(limit=low,at_low,at_high)", limit=limit, low=low, at_low=ends[0], at_high=ends[1])
+        at_low, at_high = (probes.cell(row + PROBES + index, VALUE) for index in (1, 2))
+        there = formula("IF(limit=low,at_low,at_high)", limit=limit, low=low, at_low=at_low, at_high=at_high)
         part = formula("(one-0.75*there-0.25*best)/(2*one-there-best)", one=probes.cell(row + 1, VALUE), there=there,
                        best=probes.cell(row, VALUE))  # fmt: skip
         return formula("limit+(here-limit)*IFERROR(MAX(least,part),least)^2", limit=limit, here=probes.cell(row, AT),
@@ -446,7 +447,7 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.rows_only else block.probes + len(self.ends) + 1
         values = probes.cells_down(row, VALUE, count)
-        # each stretch would need probes of its own, and none is known where it ends
+        # each stretch would need probes of its own, and where it ends must be known
         known = "best" if count == 1 else "IF(_rows_only,of_rows,best)"
         value = probes.work(
             row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
