@@ -1,7 +1,8 @@
 """What the first sheet says is true after any change of a yellow cell: named cases, and a sample of what `claims` runs."""
 
 import pytest
-from claims import ROOT, Claims, Sheets, change, judge, random_sheets
+from claimed import ROOT, Sheets, change, random_sheets
+from claims import Claims, judge
 from numpy.random import default_rng
 
 from chosen import LISTED, LOADED, but

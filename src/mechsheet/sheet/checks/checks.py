@@ -77,9 +77,7 @@ class Checks:
         first = plan.at.first
         self.checks = [Check("gap", number, node) for number, node in gap_columns(plan, self.title, first)]
         self.checks += [
-            Check(
-                "margin", number, plan.at.bind(_least_nearby(symbol, plan), self.title, first)
-            )
+            Check("margin", number, plan.at.bind(_least_nearby(symbol, plan), self.title, first))
             for number, symbol in plan.equations.margins.items()
         ]
         self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]

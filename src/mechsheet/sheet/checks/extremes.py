@@ -421,7 +421,8 @@ class Extremes:
         middle = probes.cell(row + 1, AT)
         here, limit = probes.cell(row, AT), self._limit_of(block)
         if self.ends:
-            probes.work(row + 1, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=limit, here=here, place=middle)
+            probes.work(row + 1, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=limit, here=here,
+                        place=middle)  # fmt: skip
         vertex: Node
         for probe in range(3, PROBES + 1):
             points = [

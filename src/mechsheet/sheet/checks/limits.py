@@ -8,7 +8,7 @@ Automatic Computer, 1956). Values of the driver are counted in rows (`probes`).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.names import folded, safe_name
@@ -259,8 +259,8 @@ class Limits:
         return self.probes.work(row, work, _chosen(symbols), **named)
 
     def _zero(self, row: int, inside: Point, end: Point, one: Point, two: Point, way: Node) -> Node:
-        """Where the parabola m(u) through an end and two probes, the last of them `two`, is 0 and falls; `way` is 1 or -1, for
-        inwards.
+        """Where the parabola m(u) through an end and two probes, the last of them `two`, is 0 and falls outwards; `way`:
+        1 or -1, for inwards.
 
         Its bend, m[one, two, end], stands in a working cell of `row`.
         """

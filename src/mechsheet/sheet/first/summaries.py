@@ -35,7 +35,9 @@ def _write(writer: Writer, summary: Summary) -> None:
     words = _with_part(plan, summary_words(plan, summary))
     if summary.extremes and summary.of != plan.mechanism.driver.symbol:
         same = same_angle(plan, summary.of)
-        doubts = about(plan, same.group.transmission if same else summary.of, ("min", "max") if same else summary.extremes)
+        doubts = about(
+            plan, same.group.transmission if same else summary.of, ("min", "max") if same else summary.extremes
+        )
         words = plan.at.bind(joined(words, doubts), plan.main)
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
