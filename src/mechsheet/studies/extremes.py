@@ -218,6 +218,9 @@ def refined(
     return np.where(of_rows, best, extreme)
 
 
+Point = tuple[Array, Array]
+
+
 @dataclass(frozen=True, slots=True)
 class Roots:
     """Places by the root of their distance from a limit, as a part of the best row's; without limit, by the distance from a
@@ -234,7 +237,27 @@ class Roots:
 
     def place(self, roots: Array) -> Array:
         """The other way round."""
-        return self.limit + (self.here - self.limit) * np.where(self.limited, roots**2, roots)
+        return np.asarray(self.limit + (self.here - self.limit) * np.where(self.limited, roots**2, roots))
+
+    def first(self, there: Array, best: Array, value: Array) -> Array:
+        """Where the parabolas through the limit (`there` is the value), the row and the next have their vertices:
+
+        y(w) = y0 + b w + c w^2 with w^2 = |u - limit|.
+        """
+        far, rise, next_rise = np.abs(self.here - self.limit), best - there, value - there
+        root = ((far + 1) * rise - far * next_rise) / (2 * (np.sqrt(far + 1) * rise - np.sqrt(far) * next_rise))
+        root = np.where(np.isfinite(root), np.maximum(0.0, root), 0.0)
+        return self._off(np.maximum(far / 4.0, np.minimum(far + 1.0, root**2)))
+
+    def second(self, there: Array, best: Array, one: Point) -> Array:
+        """The same through the limit, the first probe and the row."""
+        far, w, rise, row_rise = np.abs(self.here - self.limit), self.of(one[0]), one[1] - there, best - there
+        root = (rise - w**2 * row_rise) / (2 * (rise - w * row_rise))
+        root = np.where(np.isfinite(root), np.maximum(FROM_LIMIT, root), FROM_LIMIT)
+        return self._off(np.minimum(far + 1.0, far * root**2))
+
+    def _off(self, far: Array) -> Array:
+        return np.asarray(self.limit + np.sign(self.here - self.limit) * far)
 
 
 def _by_parabolas(
@@ -255,14 +278,12 @@ def _by_parabolas(
     at_low = at_first & (low < around.first)
     limited = at_low | (at_last & (high > around.last))
     roots = Roots(here, np.where(at_low, low, np.where(limited, high, BEFORE)), limited)
-    one = np.where(limited, roots.limit + (here - roots.limit) / 4.0, one)
+    there = np.where(at_low, *at_ends)
+    one = np.where(limited, roots.first(there, best, value), one)
     (y_one,) = found(one)
     worse = y_one > best if way == "min" else y_one < best
     aside = np.where(worse, 2.0 * here - one, one + np.where(one - here > 1e-6, -BESIDE, BESIDE))
-    there = np.where(at_low, *at_ends)
-    part = (y_one - 0.75 * there - 0.25 * best) / (2.0 * y_one - there - best)
-    root = np.where(np.isfinite(part), np.maximum(part, FROM_LIMIT), FROM_LIMIT)
-    two = around.within(np.where(limited, roots.place(root), aside))
+    two = around.within(np.where(limited, roots.second(there, best, (one, y_one)), aside))
     (y_two,) = found(two)
     three = _further(one, around, roots, (here, best), (one, y_one), (two, y_two))
     (y_three,) = found(three)
@@ -289,9 +310,6 @@ def _where_it_turns(way: Way, anchors: Anchors, around: Around, slopes: Slopes) 
 
     one = np.where(inside, here + side * np.where((s > 0) & (s < 1), s, t), newton(here, once, twice))
     return one, newton(one, *slopes(one))
-
-
-Point = tuple[Array, Array]
 
 
 def vertex_of(one: Point, two: Point, three: Point) -> Array:

@@ -353,7 +353,7 @@ class Extremes:
             wraps=around, here=here, vertex=vertex, least=least, most=most,
         )  # fmt: skip
         if self.ends:
-            place = formula("IF(limit>0,limit+(here-limit)/4,place)", limit=self._limit(block, around), here=here,
+            place = formula("IF(limit>0,root,place)", limit=self._limit(block, around), root=self._first_root(block),
                             place=place)  # fmt: skip
         one = probes.work(row + 1, AT, "place", place=place)
         worse = formula("there>best" if way == "min" else "there<best", there=probes.cell(row + 1, VALUE),
@@ -361,7 +361,9 @@ class Extremes:
         aside = formula("IF(worse,2*here-one,one+IF(one-here>1E-6,-beside,beside))", worse=worse, here=here, one=one,
                         beside=BESIDE)  # fmt: skip
         if self.ends:
-            aside = formula("IF(limit>0,root,aside)", limit=self._limit_of(block), root=self._root(block), aside=aside)
+            aside = formula(
+                "IF(limit>0,root,aside)", limit=self._limit_of(block), root=self._second_root(block), aside=aside
+            )
         probes.work(
             row + 2, AT, "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),aside))",
             wraps=around, low=low, high=high, rows=plan.rows, aside=aside,
@@ -382,18 +384,40 @@ class Extremes:
             wraps=wraps, here=probes.cell(block.row, AT), first=first, last=last, low=low, high=high, before=BEFORE,
         )  # fmt: skip
 
-    def _root(self, block: Block) -> Node:
-        """The place of the vertex of the parabola y(w), with w^2 = |u - limit|, through the limit, the first probe, which
-        is halfway there (in w), and the row; some way off the limit in any case, so that something is learnt."""
+    def _first_root(self, block: Block) -> Node:
+        """The place of the vertex of the parabola
+
+        y(w) = y0 + b w + c w^2, with w^2 = |u - limit|, through the limit, the row beside it and the next: no nearer to the
+        limit than halfway (in w), no farther than the next row.
+        """
         probes, row = self.probes, block.row
-        limit = self._limit_of(block)
+        here, limit = probes.cell(row, AT), self._limit_of(block)
         low, _ = self._ends_of_stretch()
         at_low, at_high = (probes.cell(row + PROBES + index, VALUE) for index in (1, 2))
-        there = formula("IF(limit=low,at_low,at_high)", limit=limit, low=low, at_low=at_low, at_high=at_high)
-        part = formula("(one-0.75*there-0.25*best)/(2*one-there-best)", one=probes.cell(row + 1, VALUE), there=there,
-                       best=probes.cell(row, VALUE))  # fmt: skip
-        return formula("limit+(here-limit)*IFERROR(MAX(least,part),least)^2", limit=limit, here=probes.cell(row, AT),
-                       part=part, least=FROM_LIMIT)  # fmt: skip
+        there = probes.work(row + 3, SIDE + 1, "IF(limit=low,at_low,at_high)", limit=limit, low=low, at_low=at_low,
+                            at_high=at_high)  # fmt: skip
+        far = formula("ABS(here-limit)", here=here, limit=limit)
+        root = probes.work(
+            row + 3, SIDE + 2, "IFERROR(((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next)),0)", far=far,
+            rise=formula("best-there", best=probes.cell(row, VALUE), there=there),
+            next=formula("next-there", next=probes.cell(row + 1, SIDE + 5), there=there),
+        )  # fmt: skip
+        return formula("limit+SIGN(here-limit)*MAX(far/4,MIN(far+1,MAX(0,root)^2))", limit=limit, here=here, far=far,
+                       root=root)  # fmt: skip
+
+    def _second_root(self, block: Block) -> Node:
+        """The same through the limit, the first probe and the row; some way off the limit in any case, so that something is
+        learnt."""
+        probes, row = self.probes, block.row
+        here, limit, there = probes.cell(row, AT), self._limit_of(block), probes.cell(row + 3, SIDE + 1)
+        root = formula(
+            "((one-there)-w^2*(best-there))/(2*((one-there)-w*(best-there)))", w=probes.cell(row + 1, ROOT), there=there,
+            one=probes.cell(row + 1, VALUE), best=probes.cell(row, VALUE),
+        )  # fmt: skip
+        return formula(
+            "limit+SIGN(here-limit)*MIN(far+1,far*MAX(least,IFERROR(root,0))^2)", limit=limit, here=here, root=root,
+            far=formula("ABS(here-limit)", here=here, limit=limit), least=FROM_LIMIT,
+        )  # fmt: skip
 
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
         """The first and the last row of the first stretch."""
