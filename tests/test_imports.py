@@ -7,10 +7,11 @@ import pytest
 
 SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
 
-EVERYBODY = {"diagnostics", "extras", "arguments.numbers"}
+EVERYBODY = {"diagnostics", "extras", "arguments.numbers", "said"}
 ALLOWED = {
     "diagnostics": set(),
-    "extras": set(),
+    "said": set(),
+    "extras": {"said"},
     "arguments": {"formula", "formats.archive"},
     "units": set(),
     "portable": set(),

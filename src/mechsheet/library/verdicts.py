@@ -12,9 +12,11 @@ from mechsheet.kinematics.search import Search
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING
 from mechsheet.units import behind_number
+from mechsheet.words.messages import text_in
 
 _LANDS = 1e-6
 """By this part of a step the stop may be missed: it is rounding."""
@@ -31,14 +33,18 @@ def verdict(compiled: Compiled) -> str:
     if missed is not None:
         unit = shown_unit(plan, mechanism.driver.symbol)
         last = compiled.value(plan.at.spots[mechanism.driver.symbol], plan.rows - 1)
-        said.append(f"the step misses the stop ({_shown(missed, unit)}): the last row is {_shown(last, unit)}")
+        shown = {"stop": _shown(missed, unit), "last": _shown(last, unit)}
+        said.append(say("the step misses the stop ({stop}): the last row is {last}", **shown))
     said += [
-        f"the sketch says nothing about group {group.number}: mode +1 was taken, {group.mode_words.of(mechanism.language)}; "
-        "a point under [assembly] decides"
+        say(
+            "the sketch says nothing about group {group}: mode +1 was taken, {mode}; a point under [assembly] decides",
+            group=group.number,
+            mode=group.mode_words,
+        )
         for group in plan.equations.groups
         if group.open
     ]
-    return "; ".join(said)
+    return "; ".join(text_in(each, mechanism.language) for each in said)
 
 
 def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:

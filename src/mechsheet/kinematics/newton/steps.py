@@ -13,6 +13,7 @@ from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
 from mechsheet.kinematics.numeric import Array, interpolated
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 FINER = (2, 4, 8)
 """Parts into which the steps are divided."""
@@ -107,7 +108,7 @@ def settled(mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sw
         raise ValueError("no number of passes")
     if worst.elsewhere.any():
         row = int(np.argmax(worst.elsewhere))
-        raise MechanismError(_too_far(mechanism, driver, row, working_step(steps, best), "lands on another assembly"))
+        raise MechanismError(_too_far(mechanism, driver, row, working_step(steps, best), elsewhere=True))
     return best
 
 
@@ -120,7 +121,7 @@ def step_doubts(mechanism: Mechanism, equations: Equations, driver: Array, sweep
     if not trial.lost.any():
         return []
     row = int(np.argmax(trial.lost))
-    return [_too_far(mechanism, driver, row, working_step(steps, equations), "loses the links")]
+    return [_too_far(mechanism, driver, row, working_step(steps, equations), elsewhere=False)]
 
 
 def working_step(steps: Steps, equations: Equations) -> int:
@@ -129,14 +130,20 @@ def working_step(steps: Steps, equations: Equations) -> int:
     return next((parts for parts in FINER if parts <= steps.parts and steps.trial(most, parts).fine), 0)
 
 
-def _too_far(mechanism: Mechanism, driver: Array, row: int, parts: int, what: str) -> Fault:
+def _too_far(mechanism: Mechanism, driver: Array, row: int, parts: int, elsewhere: bool) -> Fault:
     unit = mechanism.driver.unit
     there, before = float(unit.to_shown(driver[row])), float(unit.to_shown(driver[max(row - 1, 0)]))
-    hint = "take a much smaller step, or end the sweep before"
+    hint = say("take a much smaller step, or end the sweep before")
     if parts > 1:
-        hint = f"a step of {abs(there - before) / parts:.4g} works"
+        hint = say("a step of {step:.4g} works", step=abs(there - before) / parts)
+    at = {"symbol": mechanism.driver.symbol, "value": there}
+    message = say("the step to {symbol} = {value:.6g} is too large: Newton's method loses the links", **at)
+    if elsewhere:
+        message = say(
+            "the step to {symbol} = {value:.6g} is too large: Newton's method lands on another assembly", **at
+        )
     return Fault(
-        f"the step to {mechanism.driver.symbol} = {there:.6g} is too large: Newton's method {what}",
+        message,
         key="driver.values" if mechanism.driver.values else "driver.step",
         hint=hint,
     )

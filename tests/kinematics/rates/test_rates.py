@@ -20,7 +20,7 @@ from mechsheet.kinematics.solve import dimension_values, solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower, compared
 
-TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
+TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 ONCE = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
 TWICE = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])
 STEP = 2e-3

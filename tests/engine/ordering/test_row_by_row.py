@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_fast_path import numeric, plain, values
+from test_fast import numeric, plain, values
 
 from mechsheet.engine import FAST, PORTABLE, compile_book
 from mechsheet.engine.fast import scalars

@@ -20,7 +20,7 @@ from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Solution, rate_symbols
 from random_mechanisms import Grower
 
-TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
+TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 SPEED, ACCELERATION = 2.5, -1.7
 
 FOUR_BAR = """

@@ -27,7 +27,7 @@ from random_mechanisms import compared
 
 TEMPLATES = [
     path
-    for path in but(sorted((Path(__file__).parents[2] / "templates").glob("*.toml")), *ITERATED)
+    for path in but(sorted((Path(__file__).parents[3] / "templates").glob("*.toml")), *ITERATED)
     if "[synthesis" not in path.read_text(encoding="utf-8")  # which finds all their dimensions
 ]
 CALM = 0.02
