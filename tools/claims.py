@@ -200,7 +200,7 @@ KINDS = {
     "swings, strokes, crank or rocker": ("swing", "swing words", "stroke", "stroke words", "unsure"),
     "time ratios": ("time_ratio",),
     "transmission angle": ("transmission", "transmission at", "transmission range", "transmission words"),
-    "summaries": ("summary",),
+    "summaries": ("summary", "without bound"),
     "wrong inputs": ("wrong input", "impossible"),
     "the line under the title, its colour": ("verdict", "verdict colour"),
     "words without errors, rows only": ("words without errors", "rows only"),

@@ -14,7 +14,7 @@ from mechsheet.library.building import told
 from mechsheet.model import Mechanism
 from mechsheet.said import say
 from mechsheet.sheet.first.blocks import shown_unit
-from mechsheet.sheet.plan import MEANING
+from mechsheet.sheet.plan import MEANING, TOLERANCE
 from mechsheet.units import behind_number
 from mechsheet.words.messages import text_in
 
@@ -66,11 +66,13 @@ def _shown(value: object, unit: str) -> str:
 def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]]:
     """What is to be said, by the names of the first sheet's cells: the value, where it occurs, and the words beside it.
 
-    The first is `verdict`, the line under the title. None stands for a value that there is none of. Values are searched in
-    Python wherever a search can be sure (`kinematics.search`), the others and the words are the sheet's.
+    The first is `verdict`, the line under the title; summaries and outputs of them are the last. None stands for a value
+    that there is none of. Values are searched in Python wherever a search can be sure (`kinematics.search`), the others
+    and the words are the sheet's: those of several sheets, which say more than one page has room for.
     """
     from mechsheet.checking.searched_verdicts import SearchedVerdicts
 
+    mechanism = replace(mechanism, layout="sheets")
     compiled = told(mechanism)
     plan = compiled.plan
 
@@ -88,6 +90,10 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
     for key, spot in plan.at.spots.items():
         if key.startswith("#limit_") and isinstance(limit := compiled.value(spot), float):
             found[spot.name] = line(limit, None, None)
+    for single in mechanism.motion_numbers:
+        spot = plan.at.spots[f"#summary {single.symbol}"]
+        where, words = (compiled.value(replace(spot, col=col)) for col in (TOLERANCE, MEANING))
+        found[spot.name] = line(compiled.value(spot), where, words)
     search = Search(mechanism, compiled.equations, compiled.given, stepped=not mechanism.driver.values)
     for key, numbers in SearchedVerdicts(plan, search).numbers().items():
         name = plan.at.spots[f"#{key}"].name if f"#{key}" in plan.at.spots else key

@@ -28,6 +28,9 @@ from mechsheet.words.equations import link_words
 EXTREME = 1e-4
 LIMIT = 1e-5
 
+GROWN = 3.0
+"""What is said to grow without bound goes beyond the rows by more than so many of their ranges."""
+
 OF_COLOURS = ("impossible: red", "wrong input: red", "wrong input: red cell", "verdict colour")
 
 
@@ -382,6 +385,15 @@ class _Judge:
         self.say("rows only", self.plan.newton or (self.verdict("rows.only") in words) == rows_only, words)
         return rows_only
 
+    def without_bound(self, symbol, words, shown):
+        """Whether the sheet says that a quantity grows without bound: then the search goes far beyond the rows."""
+        if self.verdict("boundless") not in words:
+            return False
+        inner, outer = (self.truth.extremes(symbol, rows_only=rows_only) for rows_only in (True, False))
+        beyond = not outer[2] - outer[0] < GROWN * (inner[2] - inner[0])
+        self.say("without bound", missing(shown) and beyond, shown, words, inner, outer)
+        return True
+
     def continuous(self, symbol):
         """Whether the rows follow the angle: nothing turns by half a turn or more from row to row."""
         return all(np.nanmax(column, initial=0.0) < math.pi for column in self.truth.turns_between_rows().values())
@@ -404,6 +416,8 @@ class _Judge:
         low, _, high, _ = truth.extremes(symbol, rows_only=self.of_rows(words))
         range_ = high - low
         scale = self.scale_of(symbol)
+        if self.without_bound(symbol, words, shown):
+            return
         crank = False
         if angle and truth.whole and truth.closes_everywhere:
             column = truth.at[symbol]
@@ -559,6 +573,8 @@ class _Judge:
         extremes = truth.extremes(symbol, None, several)
         if extremes is None:  # an output that does not exist
             self.say(kind, missing(shown), shown)
+            return
+        if extreme and self.without_bound(symbol, words, shown):
             return
         low, _, high, _ = (part * scale for part in extremes)
         range_ = high - low
