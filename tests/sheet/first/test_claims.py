@@ -1,4 +1,4 @@
-"""What the first sheet says is true after any change of a yellow cell: named cases, a part of what `tools/claims.py` runs."""
+"""What the first sheet says is true after any change of a yellow cell: named cases, a part of what `tools/claims.py` does."""
 
 import json
 
