@@ -393,7 +393,7 @@ class Extremes:
             wraps=wraps, here=probes.cell(block.row, AT), first=first, last=last, low=low, high=high, before=BEFORE,
         )  # fmt: skip
 
-    def _first_root(self, block: Block) -> Node:
+    def _first_root(self, block: Block) -> CellRef:
         """The place of the vertex of the parabola
 
         y(w) = y0 + b w + c w^2, with w^2 = |u - limit|, through the limit, the row beside it and the next: no nearer to the
@@ -406,13 +406,13 @@ class Extremes:
         there = probes.work(row + 3, SIDE + 1, "IF(limit=low,at_low,at_high)", limit=limit, low=low, at_low=at_low,
                             at_high=at_high)  # fmt: skip
         far = formula("ABS(here-limit)", here=here, limit=limit)
-        root = probes.work(
-            row + 3, SIDE + 2, "IFERROR(((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next)),0)", far=far,
+        root = formula(
+            "IFERROR(((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next)),0)", far=far,
             rise=formula("best-there", best=probes.cell(row, VALUE), there=there),
             next=formula("next-there", next=probes.cell(row + 1, SIDE + 5), there=there),
         )  # fmt: skip
-        return formula("limit+SIGN(here-limit)*MAX(far/4,MIN(far+1,MAX(0,root)^2))", limit=limit, here=here, far=far,
-                       root=root)  # fmt: skip
+        return probes.work(row + 3, SIDE + 2, "limit+SIGN(here-limit)*MAX(far/4,MIN(far+1,MAX(0,root)^2))", limit=limit,
+                           here=here, far=far, root=root)  # fmt: skip
 
     def _second_root(self, block: Block) -> Node:
         """The same through the limit, the first probe and the row; some way off the limit in any case, so that something is
