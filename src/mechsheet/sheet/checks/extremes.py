@@ -301,13 +301,13 @@ class Extremes:
         bests = probes.cells_across(row, SIDE, STRETCHES)
         most = probes.work(row, SIDE + 3, f"IF(OR(COUNT(bests)=0,_stretches>most),NA(),{way.upper()}(bests))", bests=bests,
                            most=STRETCHES)  # fmt: skip
-        first = formula(
+        begin = formula(
             "INDEX(firsts,MATCH(most,bests,0))", most=most, bests=bests,
             firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
         )  # fmt: skip
         probes.work(
-            row, AT, "first-1+MATCH(most,INDEX(column,first):INDEX(column,rows),0)",
-            first=first, rows=self.plan.rows, most=most, column=column,
+            row, AT, "begin-1+MATCH(most,INDEX(column,begin):INDEX(column,rows),0)",
+            begin=begin, rows=self.plan.rows, most=most, column=column,
         )  # fmt: skip
         return most
 
@@ -459,7 +459,7 @@ class Extremes:
                         place=middle)  # fmt: skip
         vertex: Node
         for probe in range(3, PROBES + 1):
-            points = [
+            points: list[tuple[Node, Node]] = [
                 (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
             ]
             if self.ends:  # over the root of the distance from a limit, as a part of the row's

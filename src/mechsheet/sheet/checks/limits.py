@@ -165,6 +165,12 @@ class Limits:
             place=place, inside=inside, rows=plan.rows,
         )  # fmt: skip
         probes.work(row, AT, "inside", inside=inside)
+        self._look(block, inside, outside)
+
+    def _look(self, block: Block, inside: CellRef, outside: CellRef) -> None:
+        """Where between a row that exists and one that does not the margin is 0, and what the last probe lacks."""
+        probes, row, side = self.probes, block.row, SIDE
+        plan = self.plan
         symbols = plan.equations.margins
         several = len(symbols) > 1
         probes.lay(block, list(symbols.values()) + [g.closes for g in plan.equations.groups[:-1]])
@@ -174,6 +180,7 @@ class Limits:
         beyond = self._margin_of_row(row + 1, side, opened, outside)
         probes.work(row + 1, AT, "inside+(outside-inside)*here/(here-beyond)",
                     inside=inside, outside=outside, here=here, beyond=beyond)  # fmt: skip
+        one: Point
         one, two, three = ((probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in (1, 2, 3))
         group = self._group_at(row + 1, opened)
         probes.work(row + 1, VALUE, _chosen(symbols), **self._named_margins(row + 1, group))
@@ -182,9 +189,10 @@ class Limits:
             part=formula("ABS(one-inside)", one=one[0], inside=inside),
             bend=formula("f*(here-beyond)/(here*beyond)", f=one[1], here=here, beyond=beyond),
         )  # fmt: skip
-        if several:
+        if group is not None and opened is not None:
             here = self._margin_of_row(row + 1, side + 2, group, inside)
-            parabola = formula("IF(group=opened,parabola,chord)+(inside-outside)*aside", group=group, opened=opened,
+            same = formula("group=opened", group=group, opened=opened)
+            parabola = formula("IF(same,parabola,chord)+(inside-outside)*aside", same=same,
                                parabola=parabola, chord=_chord((inside, here), one), inside=inside, outside=outside,
                                aside=ASIDE)  # fmt: skip
         probes.work(row + 2, AT, "IFERROR(parabola,one)", parabola=parabola, one=one[0])
@@ -196,16 +204,16 @@ class Limits:
             one = (one[0], probes.work(row + 2, side + 2, _chosen(symbols), **self._named_margins(row + 1, group)))
         # the end whose margin has the other sign where both probes have the same
         end, margin = (
-            formula("IF(MIN(f,g)>0,far,near)", f=one[1], g=two[1], far=far, near=near)
-            for far, near in ((outside, inside), (beyond, here))
+            formula("IF(MIN(f,g)>0,far,near)", f=one[1], g=two[1], far=there, near=known)
+            for there, known in ((outside, inside), (beyond, here))
         )
-        known, way = (inside, here), al.sub(inside, outside)
-        place = self._zero(row + 2, known, (end, margin), one, two, way)
+        begin, way = (inside, here), al.sub(inside, outside)
+        place = self._zero(row + 2, begin, (end, margin), one, two, way)
         # apart from the last probe, so that the slope can be seen
         apart = formula("MEDIAN(v+way*IF(g<0,apart,-apart),IF(g<0,inside,outside),place)", v=two[0], g=two[1], way=way,
                         apart=APART, inside=inside, outside=outside, place=place)  # fmt: skip
         probes.work(row + 3, AT, "apart", apart=apart)
-        zero = self._zero(row + 3, known, one, two, three, way)
+        zero = self._zero(row + 3, begin, one, two, three, way)
         best = probes.work(row, side + 6, "IF(ISNUMBER(outside),zero,NA())", outside=outside, zero=zero)
         # a little inside, by a part of what the last step still changed
         found = probes.work(
