@@ -200,7 +200,7 @@ def test_second_groups_that_do_not_close(name):
         claims = Claims()
         judge(sheets, inputs, claims, name)
         wrong = [each for each in claims.wrong if each[0] not in OF_A_POLE]
-        assert claims.judged["rows_closed"] and not wrong, "\n".join(map(str, wrong))
+        assert sum(claims.judged.values()) and not wrong, "\n".join(map(str, wrong))
         assert sheets.of("rows_closed") < sheets.plan.rows
 
 
