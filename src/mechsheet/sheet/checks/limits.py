@@ -108,8 +108,10 @@ class Limits:
             self.row, 2, "rests>settled" if rests else "FALSE", rests=Call("MAX", tuple(rests)), settled=SETTLED
         )
         first, last = (self.of_stretch(1, work) for work in (FIRST_ROW, LAST_ROW))
-        probes.work(self.row, 3, "OR(stretches>1,unsettled,AND(stretches=1,first=last))", stretches=stretches, first=first, last=last,
-                    unsettled=unsettled)  # fmt: skip
+        probes.work(
+            self.row, 3, "OR(stretches>1,unsettled,AND(stretches=1,first=last))",
+            stretches=stretches, first=first, last=last, unsettled=unsettled,
+        )  # fmt: skip
         for number in range(1, STRETCHES + 1):
             self._stretch(number, stretches)
         for number, block in enumerate(self.blocks, 1):
