@@ -20,10 +20,13 @@ ALWAYS = ("adjustable-pump", "fivelink", "four-bar")
 EVERY = 9
 """Of the other templates every so-manieth."""
 
-ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephenson-iii-output")
+ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephenson-iii-output", "sun-and-planet")
 """Templates with groups that Newton's method solves: there are no pages and functions of these."""
 
-LOADED = ("engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms", "six-link-dwell", "toggle-press")
+LOADED = (
+    "engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms", "six-link-dwell", "slotted-lever",
+    "toggle-press",
+)  # fmt: skip
 """Templates with masses or loads."""
 
 LISTED = ("five-bar-robot",)

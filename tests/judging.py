@@ -32,8 +32,8 @@ def positions_only(mechanism: Mechanism) -> tuple[Workbook, Plan]:
 
 
 def only_positions(workbook: Workbook, plan: Plan) -> Workbook:
-    """The first two sheets, without formulas that read others."""
-    kept = {plan.main, plan.table, plan.at.titles.get("synthesis", plan.main)}
+    """The sheets that positions are found on, without formulas that read others."""
+    kept = {plan.main, plan.table, *(plan.at.titles.get(name, plan.main) for name in ("synthesis", "iterations"))}
 
     def stays(fill: Fill) -> bool:
         read = {node.sheet for node in walk(fill.formula) if isinstance(node, CellRef) and node.sheet is not None}

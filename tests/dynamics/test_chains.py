@@ -11,6 +11,7 @@ from test_reactions import sines, solved, weighed
 from chosen import ALL, IN_CI
 from mechsheet import reference
 from mechsheet.description import load
+from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.solve import dimension_values
@@ -63,9 +64,14 @@ def worst_of(text):
 
 
 @pytest.mark.parametrize("seed", range(RANDOM))
-def test_random_groups_against_the_reference(seed):
+def test_random_groups_against_the_reference(seed, record_property):
     text = weighed(Grower(seed, 1, (("III", "IV")[seed % 2],)).text(rows=6, step=1.5), seed, seed % 5 == 0)
-    worst, rows = worst_of(text)
+    try:
+        worst, rows = worst_of(text)
+    except MechanismError as error:  # drawn so that its rounded sketch says nothing
+        assert "the sketch lies between" in str(error)
+        pytest.skip("between two assemblies")
+    record_property("worst", worst)
     assert rows > 0 or seed > 4
     assert max(worst) < 1e-9
 

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from chosen import part
 from judging import judged
 from mechsheet import reference
 from mechsheet.description import loads
@@ -129,3 +130,53 @@ def test_rates_of_a_second_driver_by_the_chain_rule():
         once, twice = theirs[name]
         assert found[f"omega{tail}"] == pytest.approx(2 * once, rel=1e-9)
         assert found[f"alpha{tail}"] == pytest.approx(4 * twice + 3 * once, rel=1e-8, abs=1e-9)
+
+
+SUN_AND_PLANET = """
+format = 1
+mechanism = {{ name = "sun-and-planet" }}
+links.ground.points = {{ O = [0, 0], P = [{px!r}, {py!r}] }}
+links.sun.points = {{ O = [0, 0], M = [60, 0] }}
+links.arm.points = {{ O = [0, 0], A = [{arm!r}, 0] }}
+links.rod.points = {{ A = [0, 0], B = [{rod!r}, 0] }}
+links.beam.points = {{ P = [0, 0], B = [{beam!r}, 0] }}
+joints = [{{ type = "{kind}", link = "rod", on = "sun", arm = "arm", ratio = {ratio}, phase = {phase!r} }}]
+driver = {{ link = "{driven}", {rows} }}
+[assembly]
+A = [{ax!r}, {ay!r}]
+B = [0, 900]
+"""
+"""Watt's: the planet is fixed to the connecting rod. Driven at the sun, arm, rod and beam must be found all at once."""
+
+WATT = {"px": -800, "py": 900, "arm": 200, "rod": 1000, "beam": 800, "kind": "gear", "ratio": -1, "phase": 8.0,
+        "ax": 100.0, "ay": 173.0}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", ["gear", "belt"])
+def test_a_gear_inside_a_group_against_the_closed_form(kind):
+    """Driven at its arm it is a four-bar and a gear behind it; driven at the sun it reads that motion backwards."""
+    own = WATT | {"kind": kind}
+    closed = positions(SUN_AND_PLANET.format(**own, driven="arm", rows="start = 60, stop = 420, step = 5"))
+    sun = np.degrees(closed["theta12"])
+    text = SUN_AND_PLANET.format(**own, driven="sun", rows=f"values = {sun.tolist()}")
+    (group,) = solve(loads(text)).groups
+    assert group.system is not None
+    found = positions(text)
+    for name in ("theta13", "theta14", "theta15"):
+        assert np.remainder(found[name] - closed[name] + np.pi, math.tau) - np.pi == pytest.approx(0, abs=1e-12), name
+
+
+@pytest.mark.parametrize("seed", part(range(40), 8))
+def test_random_gears_inside_groups_against_the_reference(seed):
+    random = np.random.default_rng(seed)
+    arm, beam = random.uniform(150, 250), random.uniform(700, 900)
+    own = WATT | {"arm": float(arm), "beam": float(beam), "ratio": float(random.uniform(-2, -0.5)),
+                  "phase": float(random.uniform(-20, 20)), "kind": ("gear", "belt")[seed % 2]}  # fmt: skip
+    start = float(random.uniform(0, 90))
+    rows = f"start = {start!r}, stop = {start + 23 * 8!r}, step = 8"
+    try:
+        comparison = judged(loads(SUN_AND_PLANET.format(**own, driven="sun", rows=rows)))
+    except MechanismError as error:
+        assert "cannot be joined" in str(error) or "lies between" in str(error) or "too large" in str(error)
+        pytest.skip("no such sun-and-planet")
+    assert comparison.agrees and comparison.worst < 1e-9, comparison

@@ -23,12 +23,12 @@ from mechsheet.checking.rules import Rules
 from mechsheet.checking.stored import Stored, judge_stored
 from mechsheet.checking.twins import with_twins
 from mechsheet.checking.verdicts import against_search
-from mechsheet.description import load
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
 from mechsheet.formats import read
 from mechsheet.formula.book import Book
 from mechsheet.library.building import build
+from mechsheet.library.changed import load
 from mechsheet.model import Mechanism
 
 __all__ = [

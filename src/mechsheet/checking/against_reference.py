@@ -26,6 +26,7 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
+from mechsheet.sheet.checks.assemblies import LEAP
 from mechsheet.sheet.plan import Plan
 
 DEAD_CENTRE = 1e-6
@@ -357,16 +358,31 @@ def _reached(
     solution: reference.Solution, mechanism: Mechanism, equations: Equations, driver: Array
 ) -> tuple[reference.Solution, NDArray[np.bool_]]:
     """Of a mechanism that Newton's method solves: the solution without the rows that it does not reach from row to row,
-    and the rows behind a gap, in which any assembly will do."""
+    and the rows behind a gap or a leap that the sheet tells, in which any assembly will do."""
     values = sweep(mechanism, equations, driver)
     there = equations.closed(values)
     exists = solution.exists & there
     home = next(group.system.row for group in equations.groups if group.system is not None)
     gaps = np.flatnonzero(~there)
-    before, after = gaps[gaps < home], gaps[gaps > home]
+    leaps = np.flatnonzero(_leapt(equations, values, solution.size))
+    before = np.concatenate([gaps[gaps < home], leaps[leaps <= home]])
+    after = np.concatenate([gaps[gaps > home], leaps[leaps > home] - 1])
     rows = np.arange(len(there))
     beyond = (rows < before.max(initial=-1)) | (rows > after.min(initial=len(rows)))
     return replace(solution, exists=exists), beyond
+
+
+def _leapt(equations: Equations, values: Mapping[str, Array], size: float) -> NDArray[np.bool_]:
+    """Rows in which an unknown leaves its trend, as the sheet measures it: perhaps for another assembly."""
+    found = np.zeros(len(next(iter(values.values()))), bool)
+    for group in equations.groups:
+        for name in () if group.system is None else group.system.variables:
+            scale = 1.0 if equations.of(name).unit.kind == "angle" else size
+            column = values[name]
+            bend = np.diff(column, 2, prepend=column[:1])  # in the second row how far it goes
+            with np.errstate(invalid="ignore"):
+                found[1:] |= np.abs(bend) > math.radians(LEAP) * scale
+    return found
 
 
 def _start(

@@ -21,7 +21,6 @@ from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
-from mechsheet.description import load
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
 from mechsheet.engine import compile_book
@@ -29,6 +28,7 @@ from mechsheet.formats import read, update_values
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.library.building import build
+from mechsheet.library.changed import load
 from mechsheet.sheet.plan import Plan
 
 Place = tuple[str, int, int]

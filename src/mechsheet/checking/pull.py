@@ -12,6 +12,7 @@ from mechsheet.checking.edits import same
 from mechsheet.checking.expected import Expected, expected_for, inside
 from mechsheet.checking.inserted_rows import moves_between, undone
 from mechsheet.checking.perturb import description_or_fault
+from mechsheet.description import loads
 from mechsheet.description.driving.driver import LANDS
 from mechsheet.description.index import Path as Place
 from mechsheet.description.locate import located
@@ -22,7 +23,7 @@ from mechsheet.formats import read
 from mechsheet.formula.nodes import Scalar
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values
-from mechsheet.library.modes_from_sketch import with_modes
+from mechsheet.library.modes_from_sketch import numbered_anew, with_modes
 from mechsheet.model import Mechanism
 
 
@@ -156,13 +157,16 @@ def _written(source: Source, changes: Sequence[Change], target: Expected, file: 
     modes = {group.mode: group.mode_value for group in target.plan.equations.groups if group.mode}
     for change in changes:
         if change.key[0] == "mode" and change.now is not None:
-            modes[str(change.key[1])] = 1 if change.now > 0 else -1
+            group = next(group for group in target.plan.equations.groups if group.mode == change.key[1])
+            modes[group.mode] = group.value_of(change.now)
         else:
             source = _with_change(source, change)
     if not changes:
         return source
     source = replace(_with_stop(source, changes, target), file=f"{file} with the changes")
     try:
+        if target.plan.newton:
+            modes = numbered_anew(loads(source.text, source.file), target.plan.equations.equations, modes)
         return with_modes(source, modes)
     except MechanismError as error:
         raise located(error, source.text, source.file) from error

@@ -65,14 +65,29 @@ def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
     """What is wrong with a mechanism, and what is doubtful, is told with the description's file and line."""
     from mechsheet.description.locate import located
 
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always", DescriptionWarning)
+    def at_line(error: MechanismError) -> MechsheetError:
+        return located(error, mechanism.text, _name_of(path))
+
+    with doubts_told(at_line):
         try:
             yield
         except MechanismError as error:
-            raise located(error, mechanism.text, _name_of(path)) from error
+            raise at_line(error) from error
+
+
+def in_file(path: Path) -> Callable[[MechanismError], MechsheetError]:
+    """Where doubts are, when only the file is known."""
+    return lambda error: MechanismError(replace(fault, file=fault.file or _name_of(path)) for fault in error.faults)
+
+
+@contextlib.contextmanager
+def doubts_told(at: Callable[[MechanismError], MechsheetError]) -> Iterator[None]:
+    """Doubts about a mechanism become lines on standard error; `at` says where they are."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", DescriptionWarning)
+        yield
     doubts = [warning.message.fault for warning in caught if isinstance(warning.message, DescriptionWarning)]
-    for fault in located(MechanismError(dict.fromkeys(doubts)), mechanism.text, _name_of(path)).faults:
+    for fault in at(MechanismError(dict.fromkeys(doubts))).faults if doubts else ():
         click.echo(f"warning: {fault}", err=True)
     for warning in caught:
         if not isinstance(warning.message, DescriptionWarning):

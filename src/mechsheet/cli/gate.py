@@ -13,7 +13,7 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
-from .common import Command, progress
+from .common import Command, doubts_told, in_file, progress
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
@@ -127,7 +127,8 @@ def of_each(
             if len(files) > 1:
                 say(f"{number} of {len(files)}")
             try:
-                found.append(judge(file, say))
+                with doubts_told(in_file(file)):
+                    found.append(judge(file, say))
             except MechsheetError as error:
                 faults += error.faults
     return found

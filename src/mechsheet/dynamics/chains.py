@@ -10,6 +10,7 @@ With S and M(P) of a link between two carriers (`acting`), w from its first pin 
     two pins     force on it at Q: L w - M(P) J w / l^2,      at P: -S minus that
     pin, line    force on it at P: L n - (S.d) d,             from the line: -(S.n) - L along n, couple about P -M(P)
     a pin of two carriers: (L_x, L_y) on the later one
+    a gear or a rack: -L is its lambda (`teeth`)
 
 then each carrier is held where it is reached, the last first. The determinant is that of the rates.
 Source: the principle of virtual work; Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapter 13.
@@ -22,6 +23,7 @@ from dataclasses import dataclass, field
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
+from mechsheet.dynamics.teeth import Teeth
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol, renamed
 from mechsheet.kinematics.newton.carriers import Solution, Span, holder
@@ -30,6 +32,7 @@ from mechsheet.kinematics.newton.rates import solved
 from mechsheet.kinematics.poses import Assembly, Poses
 from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.kinematics.vectors import Vector, cross, dot, minus, negative, over, times, together, turned
+from mechsheet.model import Gear
 from mechsheet.units import NUMBER
 from mechsheet.words.equations import phrase
 
@@ -46,8 +49,15 @@ class ChainReactions:
     """Of one group of a mechanism."""
 
     def __init__(
-        self, solution: Solution, motions: Motions, acting: ActingForces, joints: Joints, columns: Columns
+        self,
+        solution: Solution,
+        motions: Motions,
+        acting: ActingForces,
+        joints: Joints,
+        columns: Columns,
+        teeth: Teeth,
     ) -> None:
+        self.teeth = teeth
         self.solution, self.chain, self.system = solution, solution.chain, solution.system
         self.motions, self.acting, self.joints, self.columns = motions, acting, joints, columns
         self.poses: Poses = motions.poses
@@ -66,6 +76,11 @@ class ChainReactions:
         for point, _, other in self.chain.shut:
             body = self.motions.with_point(other, point)
             self.joints.outer(point, body, (next(held), next(held)))
+        for relation in self.chain.relations:
+            effort = al.neg(next(held))
+            if isinstance(relation, Gear):
+                effort = al.mul(effort, self.columns.metre)
+            self.teeth.exert(relation, effort)
         for carrier in reversed(self.chain.carriers):
             self._reached(carrier)
 

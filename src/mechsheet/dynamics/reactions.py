@@ -78,7 +78,9 @@ class Reactions:
                     self._dyad(step, det)
                 else:
                     solution = self.found.chains[ledger.group]
-                    ChainReactions(solution, self.motions, self.acting, self.joints, self.columns).write(det)
+                    ChainReactions(solution, self.motions, self.acting, self.joints, self.columns, self.teeth).write(
+                        det
+                    )
                 self._driven_inside(step, efforts)
                 ledger.group -= 1
         ledger.group = 0

@@ -46,7 +46,7 @@ class Teeth:
     def write(self, tied: Tied) -> None:
         """The forces of the ties of a step, then those by which its bodies are held."""
         for relation, effort in zip(tied.relations, self._efforts(tied), strict=True):
-            self._exert(relation, effort)
+            self.exert(relation, effort)
         for held in reversed(tied.bodies):
             total = negative(self.acting.total(held.body))
             if isinstance(held.at, Slide):
@@ -105,7 +105,8 @@ class Teeth:
 
     # --- what they exert --------------------------------------------------------------------------------------
 
-    def _exert(self, relation: Relation, effort: Node) -> None:
+    def exert(self, relation: Relation, effort: Node) -> None:
+        """What a tie with this lambda exerts on the bodies that it ties."""
         if isinstance(relation, Rack):
             self._rack(relation, effort)
         elif relation.kind == "gear" and not self._one_axis(relation):

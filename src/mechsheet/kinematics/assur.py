@@ -17,7 +17,7 @@ from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.mobility import listed_names, stiff_faults
 from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
 from mechsheet.kinematics.ties import Tied, next_tied
-from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack
+from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack, Relation
 from mechsheet.said import say
 
 
@@ -134,7 +134,7 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
         pending = [drive for drive in drives if not {*drive.bodies} <= solved]
         step: Step | None = _next_drive(pending, solved)
         if step is None:
-            done = [relation for step in steps if isinstance(step, Tied) for relation in step.relations]
+            done = _used(steps)
             step = next_tied(graph, done, solved, _oriented(graph, pending, solved))
         if step is None:
             assemblies = _assemblies(graph, [clusters[drive] for drive in pending], solved)
@@ -146,20 +146,28 @@ def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     return Order(drives, tuple(steps))
 
 
+def _used(steps: Sequence[Step]) -> list[Relation]:
+    """Gears, belts and racks by which something has been solved."""
+    return [relation for step in steps if isinstance(step, Tied | Chain) for relation in step.relations]
+
+
+def _unused(graph: Graph, steps: Sequence[Step]) -> list[Relation]:
+    used = _used(steps)
+    return [relation for relation in graph.relations if relation not in used]
+
+
 def _next_chain(graph: Graph, assemblies: list[Bodies], steps: list[Step], solved: set[str], force: bool) -> Chain:
     """The smallest group that Newton's method solves; `force` takes dyads so, too."""
     stiff = stiff_faults(graph)
     if stiff:
         raise MechanismError(stiff)
+    left = _unused(graph, steps)
     try:
-        chain = next_chain(graph, assemblies, solved, 2 if force else 4)
+        chain = next_chain(graph, assemblies, solved, 2 if force else 4, left)
     except TooManyUnknownsError as error:
-        raise MechanismError(_tied_too_deep(graph, steps) or [_too_large(error.assemblies)]) from error
+        raise MechanismError(_too_large(error.assemblies)) from error
     if chain is None:
-        raise MechanismError(_tied_too_deep(graph, steps) or [_too_large(assemblies)])
-    inside = _tied_too_deep(graph, steps, {*solved, *chain.bodies})
-    if inside:
-        raise MechanismError(inside)
+        raise MechanismError(_tied_too_deep(graph, left[0]) if left else _too_large(assemblies))
     return chain
 
 
@@ -233,23 +241,15 @@ def _assemblies(graph: Graph, pairs: list[Bodies], solved: set[str]) -> list[Bod
     return sorted(found, key=lambda bodies: -1 if len(bodies) > 2 else graph.bodies.index(bodies[0]))
 
 
-def _tied_too_deep(graph: Graph, steps: list[Step], known: set[str] | None = None) -> list[Fault]:
-    """Gears that could not be used: they stand inside a group. `known`: only such as tie nothing but these bodies."""
-    done = [relation for step in steps if isinstance(step, Tied) for relation in step.relations]
-    left = [relation for relation in graph.relations if relation not in done]
-    if known is not None:
-        left = [relation for relation in left if {*graph.tied(relation)} <= known]
-    if not left:
-        return []
-    names = listed_names(graph.tied(left[0]))
-    kind = say("rack") if isinstance(left[0], Rack) else say(left[0].kind)
+def _tied_too_deep(graph: Graph, relation: Relation) -> Fault:
+    """A gear that could not be used."""
     message = say(
-        "the {kind} between {names} ties links of a group that must be solved all at once: not supported yet",
-        kind=kind,
-        names=names,
+        "the {kind} between {names} is in no group of links that it could be solved with",
+        kind=say("rack") if isinstance(relation, Rack) else say(relation.kind),
+        names=listed_names(graph.tied(relation)),
     )
-    hint = say("a gear is solved where all but one of the angles that it ties are known")
-    return [Fault(message, key=f"joints.{left[0].order}", hint=hint)]
+    hint = say("what it ties is held without it, or by more links than are solved all at once")
+    return Fault(message, key=f"joints.{relation.order}", hint=hint)
 
 
 def _drive(mechanism: Mechanism, driver: Driver | FurtherDriver, graph: Graph) -> Drive:

@@ -139,6 +139,7 @@ class System:
     passes       Newton steps a row
     described    what `given` follows from in that row, with the values for which the start values were found: dimensions,
                  values of drivers, unknowns of groups before;  way: the equations from there to `given`
+    periodic     whether a turn more of an angle changes nothing: with gears it does
     """
 
     unknowns: tuple[str, ...]
@@ -158,6 +159,7 @@ class System:
     passes: int = PASSES
     described: tuple[tuple[str, float], ...] = ()
     way: tuple[Equation, ...] = ()
+    periodic: bool = True
 
     def roots(self) -> tuple[Root, ...]:
         """Each unknown as an expression."""

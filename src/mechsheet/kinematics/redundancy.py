@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations, islice
 
 import numpy as np
@@ -23,7 +23,7 @@ from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.sketched import assemblies
-from mechsheet.kinematics.solve import dimension_values, solve_unpicked
+from mechsheet.kinematics.solve import dimension_values, solve, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Rack, Sketch
 from mechsheet.said import say
@@ -34,6 +34,14 @@ HOLDS = 1e-7
 MOST_TRIED = 200
 """So many ways of leaving something out are tried, then the count is all that is told."""
 
+ALIKE = 1e-6
+"""A link whose length is met within this part of the size, where the sketch shows it and around, is taken as redundant."""
+
+AROUND = np.arange(-3, 4)
+NEAR = math.radians(1.0), 0.01
+"""Where that is asked: so many small steps of the driver, of an angle or in parts of its sweep."""
+
+LEAST_AROUND = 5
 LEAST_ROWS = 3
 MOST_ROWS = 60
 
@@ -61,6 +69,65 @@ def redundancy_faults(mechanism: Mechanism, missing: int) -> list[Fault]:
             others = [_name(other) for other in left_out if other is not part]
             parts.setdefault(_name(part), _fault(mechanism, part, others))
     return list(parts.values())
+
+
+def redundant_links(mechanism: Mechanism) -> tuple[str, ...]:
+    """The links of which any one may be left out where the count lacks one freedom, the one described last first.
+
+    Without it the others stand as sketched and move, its length is met there and around, and whichever is left out, every
+    point goes the same way. None where no link does so, or where it depends on the link how the rest moves.
+    """
+    if 1 + len(mechanism.drivers) - mobility(graph_of(mechanism)) != 1:
+        return ()
+    found: list[tuple[str, _Around]] = []
+    for part, _ in _candidates(mechanism):
+        around = _around(mechanism, part) if isinstance(part, Link) else None
+        if around is not None:
+            found.append((part.name, around))
+    for _, other in found[1:]:
+        first = found[0][1]
+        places = [name for name in other.values if name.endswith((".x", ".y")) and name in first.values]
+        apart = max(float(np.nanmax(np.abs(other.values[name] - first.values[name]))) for name in places)
+        if apart > ALIKE * first.size:
+            return ()
+    return tuple(name for name, _ in found)
+
+
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """Positions of a mechanism around the one that is sketched, and its size."""
+
+    values: dict[str, Array]
+    size: float
+
+
+def _around(mechanism: Mechanism, link: Link) -> _Around | None:
+    """What the others do around the position that is sketched; None where the link does not fit."""
+    rest = _without(mechanism, [link])
+    points = {point for other in rest.links for point in other.points}
+    sketch = replace(
+        mechanism.sketch,
+        points={point: place for point, place in mechanism.sketch.points.items() if point in points},
+        symbols={name: value for name, value in mechanism.sketch.symbols.items() if name != link.angle_symbol},
+    )
+    dimensions = dimension_values(mechanism)
+    driver = driver_values(mechanism, dimensions)
+    try:
+        equations = solve(replace(rest, sketch=sketch))
+        closed = equations.closed(sweep(rest, equations, driver))
+    except MechanismError:
+        return None
+    if not closed.any():
+        return None
+    here = driver[int(np.argmax(closed))] if mechanism.sketch.at is None else number(mechanism.sketch.at, dimensions)
+    step = NEAR[1] * float(np.ptp(driver)) if mechanism.driver.joint else NEAR[0]
+    values = sweep(rest, equations, np.asarray(here + step * AROUND, dtype=np.float64))
+    size = _size(rest, values)
+    gap = _gap(mechanism, link, values) / size
+    there = np.isfinite(gap)
+    if there.sum() < LEAST_AROUND or not there[AROUND == 0].all() or np.any(gap[there] > ALIKE):
+        return None
+    return _Around(values, size)
 
 
 def _candidates(mechanism: Mechanism) -> list[tuple[Part, int]]:

@@ -19,6 +19,7 @@ from mechsheet import portable
 from mechsheet.diagnostics import DescriptionWarning, Fault
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.mobility import listed_names
 from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
@@ -89,15 +90,23 @@ def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
 
 
 def _left_out(mechanism: Mechanism) -> list[Fault]:
-    """Redundant links: a word about each, which is no doubt about the others."""
-    return [
-        Fault(
-            f'the link "{each.link.name}" is redundant: left out of the solution, its length checked in every row',
-            key=f"links.{each.link.name}.redundant",
-            hint=f'{each.symbol} is how long it would have to be; "gap" says by how much it does not fit',
+    """Links that are left out although the description does not mark them: which one, and which would do as well."""
+    found = []
+    for each in mechanism.redundant:
+        if each.also is None:
+            continue
+        message = say(
+            'the link "{name}" is redundant: left out of the solution, its length checked in every row',
+            name=each.link.name,
         )
-        for each in mechanism.redundant
-    ]
+        hint = say("write `redundant = true` under it, then nothing more is said of it")
+        if each.also:
+            hint = say(
+                "{links} would do as well; write `redundant = true` under the one that is meant, then nothing more is said",
+                links=listed_names(each.also),
+            )
+        found.append(Fault(message, key=f"links.{each.link.name}", hint=hint))
+    return found
 
 
 def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:

@@ -31,6 +31,7 @@ from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
 from mechsheet.kinematics.newton.tracing import cannot_follow, way
+from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
@@ -247,13 +248,8 @@ def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, f
 
 def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
-    dimensions = dimension_values(mechanism)
     driver = replace(mechanism.driver, values=(at,), law=None, speeds=(), accelerations=(), times=(), speed=None)
-    listed = listed_values(mechanism, dimensions, np.array([number(at, dimensions)]))
-    drivers = tuple(
-        replace(other, values=(float(listed[other.symbol][0]),)) if other.values else other
-        for other in mechanism.drivers
-    )
+    drivers = _listed_at(mechanism, np.array([number(at, dimension_values(mechanism))]))
     there = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None), dynamics=None)
     try:
         return _solve(there, {}).groups
@@ -261,6 +257,15 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
         message = say("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
         hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
         raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
+
+
+def _listed_at(mechanism: Mechanism, path: Array) -> tuple[FurtherDriver, ...]:
+    """What is driven besides, those that are listed row by row at other values of the driver."""
+    listed = listed_values(mechanism, dimension_values(mechanism), path)
+    return tuple(
+        replace(other, values=tuple(float(value) for value in listed[other.symbol])) if other.values else other
+        for other in mechanism.drivers
+    )
 
 
 def _further_drivers(mechanism: Mechanism, ledger: Ledger) -> None:
@@ -379,9 +384,12 @@ def _solve_chain(
     mode, at = given.get(solution.system.mode), mechanism.sketch.at
 
     def near(home: float) -> Mapping[str, float]:
+        if mechanism.synthesis is not None:
+            return _of_task(mechanism, home)
         return _traced(mechanism, number(at or 0.0, dimensions), home, solution.system.variables, solution.label)
 
-    shown = near if at is not None and not unpicked else None
+    of_task = mechanism.synthesis is not None and mechanism.solution.force
+    shown = near if (at is not None or of_task) and not unpicked else None
     system, assembly, is_open = pick_assembly(
         mechanism, ledger, solution, start, dimensions, 1 if unpicked else mode, shown
     )
@@ -394,6 +402,15 @@ def _solve_chain(
     return solved, assembly, is_open
 
 
+def _of_task(mechanism: Mechanism, home: float) -> Mapping[str, float]:
+    """Values at the driver's value `home` in the assembly that a task finds: it knows those of dyads."""
+    from mechsheet.kinematics.sweep import sweep  # which needs this module
+
+    driver = replace(mechanism.driver, values=(home,), law=None, speeds=(), accelerations=(), times=(), speed=None)
+    there = replace(mechanism, driver=driver, solution=replace(mechanism.solution, force=False), dynamics=None)
+    return {name: float(column[0]) for name, column in sweep(there, _solve(there, {}), np.array([home])).items()}
+
+
 def _traced(
     mechanism: Mechanism, at: float, home: float, variables: Sequence[str], links: Words
 ) -> Mapping[str, float]:
@@ -402,7 +419,8 @@ def _traced(
 
     path = way(at, home, not mechanism.driver.joint)
     driver = replace(mechanism.driver, values=tuple(float(value) for value in path), law=None)
-    followed = replace(mechanism, driver=driver, sketch=replace(mechanism.sketch, at=None))
+    drivers = _listed_at(mechanism, path)
+    followed = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None))
     values = sweep(followed, _solve(followed, {}), path)
     if not np.all(np.isfinite([values[name][-1] for name in variables])):
         raise cannot_follow(links)

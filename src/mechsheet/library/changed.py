@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from mechsheet import description
 from mechsheet.description.locate import located
@@ -19,7 +20,11 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.description.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
+from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Mechanism
+
+if TYPE_CHECKING:
+    from mechsheet.kinematics.equations import Group
 
 MOST = 16
 """Assemblies of one group."""
@@ -58,11 +63,11 @@ def loads(
     pairs = in_order(overrides or ())
     modes = _modes_in(pairs, text, file)
     if not modes:
-        return description.loads(text, file, pairs, language, rows=rows, step=step)
+        return with_redundant(description.loads(text, file, pairs, language, rows=rows, step=step), file)
     faults = [fault for name, value in modes if (fault := _value_fault(name, value, file)) is not None]
     rest = [pair for pair in pairs if pair not in modes]
     try:
-        mechanism = description.loads(text, file, rest, language, rows=rows, step=step)
+        mechanism = with_redundant(description.loads(text, file, rest, language, rows=rows, step=step), file)
         faults += _name_faults(modes, mechanism, file)
     except MechsheetError as error:
         with suppress(MechsheetError):  # wrong names are told beside what else is wrong
@@ -94,6 +99,12 @@ def _no_mode(name: str, value: str, file: str, hint: str = "") -> Fault:
     return Fault(f"an assembly mode is 1 or -1, not {quoted(value)}", file, key=option_of(f"{name}={value}"), hint=hint)
 
 
+def _no_number(group: Group, name: str, value: str, file: str) -> Fault:
+    hint = "; ".join(f"{number}: {words.en}" for number, words in enumerate(group.assemblies, 1))
+    message = f"{name} is the number of one of {len(group.assemblies)} assemblies, not {quoted(value)}"
+    return Fault(message, file, key=option_of(f"{name}={value}"), hint=hint)
+
+
 def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: str) -> list[Fault]:
     """Modes that no group has, and values that a group of two assemblies cannot have. Raises MechanismError for what is no
     mechanism."""
@@ -116,6 +127,14 @@ def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: s
         _no_mode(name, value, file)
         for name, value in pairs
         if name_of(name) in dyads and _value_fault(name, value, file) is None and abs(float(value)) != 1
+    ]
+    numbered = {group.mode: group for group in groups if group.system is not None}
+    misfits += [
+        _no_number(numbered[name_of(name)], name, value, file)
+        for name, value in pairs
+        if name_of(name) in numbered
+        and _value_fault(name, value, file) is None
+        and not 1 <= float(value) <= len(numbered[name_of(name)].assemblies)
     ]
     return (
         found
@@ -152,4 +171,4 @@ def _with_modes(mechanism: Mechanism, wanted: Mapping[str, int], file: str) -> M
         options = ", ".join(f"{mode}={value}" for mode, value in wanted.items())
         raise MechanismError(Fault(fault.message, file, key=option_of(options)) for fault in error.faults) from error
     found = description.loads(source.text, file)
-    return replace(found, sketch=replace(found.sketch, doubted=False))
+    return replace(found, sketch=replace(found.sketch, doubted=False), redundant=mechanism.redundant)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -23,6 +23,9 @@ from mechsheet.model import Mechanism
 
 APART = 1e-5
 """Assemblies nearer than this part of their size are no help to tell them apart; a later row may be."""
+
+ENOUGH = 0.02
+"""Entries that tell assemblies apart by less than this part of what the best one does are not enough."""
 
 DIGITS = 2
 """A sketched number is rounded to a hundredth of how far the two assemblies are apart."""
@@ -66,34 +69,35 @@ def _wrong(mechanism: Mechanism, wanted: Mapping[str, int]) -> list[Group]:
 
 def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], group: Group) -> Source:
     """With what the sketch says of one group: entries that are there, or the one that tells its assemblies apart best."""
-    if group.system is not None:
-        raise MechanismError(
-            Fault(
-                f"{group.mode} is the number of one of {len(group.assemblies)} assemblies: sketch the one that is meant",
-                source.file,
-                key="assembly",
-                hint="; ".join(f"{number}: {words.en}" for number, words in enumerate(group.assemblies, 1)),
-            )
-        )
     dimensions = dimension_values(mechanism)
     at = mechanism.sketch.at
+    if group.system is not None and at is not None:  # its assemblies are those of the first position
+        source = without_key(source, ("assembly", "at"))
+        mechanism, at = replace(mechanism, sketch=replace(mechanism.sketch, at=None)), None
     driver = driver_values(mechanism, dimensions) if at is None else np.array([number(at, dimensions)])
     equations = solve(mechanism, wanted)  # every mode is given: the sketch as it is does not matter
     right = sweep(mechanism, equations, driver)
-    left = sweep(mechanism, _flipped(equations, group.mode), driver)
     size = max([abs(value) for value in dimensions.values()], default=1.0) or 1.0
-    gaps = _gaps(equations, group, right, left, size)
+    others = [
+        _gaps(equations, group, right, sweep(mechanism, other, driver), size)
+        for other in _others(equations, group.mode)
+    ]
+    gaps = {name: np.min([other[name] for other in others], axis=0) for name in (others[0] if others else ())}
     rows = np.flatnonzero(np.isfinite(right[group.closes]))
+    rows = rows if group.system is None else rows[rows == group.system.row]
     row = next((int(row) for row in rows if any(gap[row] > APART for gap in gaps.values())), None)
     if row is None and at is not None:  # there the sketch can tell nothing: it shall show the first position instead
         source = without_key(source, ("assembly", "at"))
         return _sketched(source, replace(mechanism, sketch=replace(mechanism.sketch, at=None)), wanted, group)
     if row is None:
-        message = f"the two assemblies of {group.label.en} are one: no sketch tells them apart"
+        message = f"the assemblies of {group.label.en} are one: no sketch tells them apart"
         raise MechanismError(Fault(message, source.file, key="assembly"))
     sketch = mechanism.sketch
+    best = max(gaps, key=lambda name: float(gaps[name][row]))
     present = [name for name in gaps if name in sketch.points or name in sketch.symbols]
-    for name in present or [max(gaps, key=lambda name: float(gaps[name][row]))]:
+    if not any(gaps[name][row] > ENOUGH * gaps[best][row] for name in present):
+        present.append(best)
+    for name in present:
         gap = float(gaps[name][row]) or 1.0
         if f"{name}.x" in right:
             pair = [_rough(float(right[f"{name}.{axis}"][row]), gap * size) for axis in "xy"]
@@ -127,11 +131,53 @@ def _with_point(source: Source, name: str, pair: list[float]) -> Source:
     return source
 
 
-def _flipped(equations: Equations, mode: str) -> Equations:
-    groups = tuple(
-        replace(group, assembly=1 - group.assembly) if group.mode == mode else group for group in equations.groups
+def _others(equations: Equations, mode: str) -> list[Equations]:
+    """The equations in every other assembly of a group."""
+    (group,) = (group for group in equations.groups if group.mode == mode)
+    return [
+        replace(
+            equations,
+            groups=tuple(replace(each, assembly=index) if each is group else each for each in equations.groups),
+        )
+        for index in range(len(group.assemblies))
+        if index != group.assembly
+    ]
+
+
+def numbered_anew(mechanism: Mechanism, equations: Equations, wanted: Mapping[str, int]) -> dict[str, int]:
+    """`wanted` of a workbook as modes of the mechanism, which has other dimensions.
+
+    equations  those of the workbook: groups of more than two assemblies number those of their own dimensions, and follow
+               the chosen one from there; the mechanism numbers its own. Where it cannot be followed the number stays.
+    """
+    found = dict(wanted)
+    there = replace(
+        equations,
+        groups=tuple(
+            replace(group, assembly=group.assembly_of(wanted[group.mode])) if group.mode in wanted else group
+            for group in equations.groups
+        ),
     )
-    return replace(equations, groups=groups)
+    driver = driver_values(mechanism, dimension_values(mechanism))
+    for group in there.groups:
+        if group.system is None:
+            continue
+        anew = next(each for each in solve(mechanism, found).groups if each.mode == group.mode).system
+        if anew is None:
+            continue
+        values = sweep(mechanism, there, driver)
+        meant = [float(values[name][anew.row]) for name in anew.variables]
+        if all(map(math.isfinite, meant)):
+            found[group.mode] = 1 + int(
+                np.argmin([_away(start, meant, equations, anew.variables) for start in anew.starts])
+            )
+    return found
+
+
+def _away(start: Sequence[float], meant: Sequence[float], equations: Equations, names: Sequence[str]) -> float:
+    turns = (equations.of(name).unit.kind == "angle" for name in names)
+    gaps = (math.remainder(x - y, math.tau) if turn else x - y for x, y, turn in zip(start, meant, turns, strict=True))
+    return math.hypot(*gaps)
 
 
 def _gaps(

@@ -41,6 +41,10 @@ def overview_text(mechanism: Mechanism) -> str:
         f"mobility {mobility(graph_of(mechanism))}, driver {' and '.join(mechanism.driven_symbols)}",
     ]
     lines += [_tie(mechanism, relation) for relation in mechanism.relations]
+    lines += [
+        f"redundant: {each.link.name}, left out of the solution; {each.symbol} is how long it would have to be"
+        for each in mechanism.redundant
+    ]
     for group in equations.groups:
         mode = f"  {group.mode} = {group.mode_value:+d} ({group.mode_words.en})" if group.mode else ""
         if group.system is not None:

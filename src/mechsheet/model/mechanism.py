@@ -128,10 +128,12 @@ class Redundant:
     """A link that moves with the others anyway: the mechanism has it with a slot in place of its second revolute joint.
 
     link   as described, with both joints;  symbol  the displacement in the slot: how long the link would have to be
+    also   of one that was found, not marked: the names of others that would do as well; None where the description marks it
     """
 
     link: Link
     symbol: str
+    also: tuple[str, ...] | None = field(default=None, compare=False)
 
 
 PRESSURE: Node = Call("RADIANS", (NumberNode(20.0),))

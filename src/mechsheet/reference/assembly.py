@@ -22,6 +22,8 @@ def start_row(sketched: Sketched, block: Block, state: Array, value: Array) -> t
     """
     row = int(np.argmin(sketched.away(value)))
     candidates = branches.solutions(block, state[row : row + 1], value[row : row + 1])[0]
+    if sketched.started and block.geared:
+        candidates = _with_rough(sketched, block, state[row : row + 1], value[row : row + 1], candidates)
     if len(candidates):
         return row, candidates
     rows = np.arange(len(state))
@@ -35,6 +37,18 @@ def start_row(sketched: Sketched, block: Block, state: Array, value: Array) -> t
             if len(candidates):
                 return int(row), candidates
     return None, candidates
+
+
+def _with_rough(sketched: Sketched, block: Block, state: Array, value: Array, candidates: Array) -> Array:
+    """The solutions, and before them the one that the rough poses lead to, in its own turns."""
+    guess = state.copy()
+    columns = list(block.columns)
+    guess[:, columns] = sketched.rough(state)[:, columns]
+    found, miss = newton.polish(block, newton.placed(block, guess, value), value)
+    if miss[0] > newton.CLOSED:
+        return candidates
+    others = [each[None, :] for each in candidates if not newton.same_position(block, each[None, :], found)[0]]
+    return np.concatenate([found, *others])
 
 
 def branch(

@@ -58,8 +58,8 @@ def solutions(block: Block, states: Array, values: Array) -> list[Array]:
 
 
 def _distinct(block: Block, tried: _Tried, value: Array) -> Array:
-    """The solutions among the tries of one row, each once, angles within half a turn of zero."""
-    columns = [block.columns[i] for i in block.angles]
+    """The solutions among the tries of one row, each once, angles within half a turn of zero but where gears count turns."""
+    columns = block.free_angles
     found: list[Array] = []
     for i in np.flatnonzero(tried.miss <= _NEAR_MISS):
         state = tried.state[i : i + 1]
@@ -286,7 +286,7 @@ def follow(block: Block, state: Array, value: Array, first: Array) -> Rows:
                 trend = np.zeros(len(columns))
                 continue
             found = candidates[np.argmin(newton.difference(block, candidates, trial))][None, :]
-            turning = [columns[j] for j in block.angles]
+            turning = block.free_angles
             found[:, turning] -= 2 * np.pi * np.round((found[:, turning] - trial[:, turning]) / (2 * np.pi))
         trend = found[0, columns] - last if rows.exists[i - 1] else np.zeros(len(columns))
         last = found[0, columns]

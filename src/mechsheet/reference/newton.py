@@ -176,7 +176,8 @@ def movable(block: Block, state: Array, value: Array) -> bool:
 def starts(block: Block, state: Array, value: Array, count: int) -> tuple[Array, Array]:
     """`count` spread-out guesses for each position: states (m * count, columns) and values, guesses of a position together.
 
-    Angles follow the additive recurrence of the generalised golden ratio: as good as random, and the same always.
+    Angles follow the additive recurrence of the generalised golden ratio: as good as random, and the same always. Where
+    gears count turns they are spread over one turn to either side.
     """
     angles = [block.columns[i] for i in block.angles]
     ratio = 1.5
@@ -184,6 +185,8 @@ def starts(block: Block, state: Array, value: Array, count: int) -> tuple[Array,
         ratio = (1 + ratio) ** (1 / (len(angles) + 1))
     powers = ratio ** -np.arange(1.0, len(angles) + 1)
     spread = 2 * np.pi * ((0.5 + np.arange(count)[:, None] * powers) % 1)
+    geared = [list(block.angles).index(i) for i in block.geared]
+    spread[:, geared] = 2 * spread[:, geared] - 2 * np.pi
     guesses = np.repeat(state, count, axis=0)
     values = np.repeat(value, count)
     guesses[:, angles] = np.tile(spread, (len(state), 1))

@@ -176,7 +176,7 @@ def _count_turns(
     The first is within half a turn of zero, or of the rough poses where they are.
     """
     block = built.blocks[index]
-    columns = [block.columns[i] for i in block.angles if block.columns[i] in built.read_by_ties]
+    columns = [column for column in block.free_angles if column in built.read_by_ties]
     if block.linear or not columns or not len(rows):
         return
     first = 1 if sketched.at is not None else 0
@@ -272,7 +272,7 @@ def _continuous(built: System, sketched: Sketched, state: Array, value: Array, a
             continue
         for i in block.angles:
             column_index = block.columns[i]
-            if column_index in built.read_by_ties:
+            if column_index in built.read_by_ties or i in block.geared:
                 continue
             angle = np.unwrap(state[rows, column_index])
             target = sketched.turn(column_index) or 0.0

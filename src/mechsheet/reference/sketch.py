@@ -133,6 +133,15 @@ class Sketched:
         off = values - turned
         return np.asarray(np.round(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))), 9))
 
+    def rough(self, state: Array) -> Array:
+        """States (m, columns) with the links as the rough poses have them."""
+        found = state.copy()
+        for entry in self.entries:
+            if entry.kind == "pose":
+                first = self.system.column(entry.name)
+                found[:, first : first + 3] = entry.target
+        return found
+
     def about(self, block: int) -> bool:
         """Whether an entry is decided by this block."""
         return any(entry.block == block for entry in self.entries)

@@ -67,7 +67,8 @@ class Block:
     reach   length of the lever that each unknown angle turns here, 1 for a coordinate: dividing a column of the Jacobian
             by it makes short links count like long ones
     linear  no product of unknowns: one solution, no assembly mode
-    large   more than one loop: more than two solutions, so that the sign of the determinant alone names none
+    large   more than one loop, or a loop with a gear inside: more than two solutions, so that the sign of the determinant
+            alone names none
     """
 
     equations: tuple[Equation, ...]
@@ -82,6 +83,21 @@ class Block:
     def angles(self) -> tuple[int, ...]:
         """Positions in `columns` of the unknown angles."""
         return tuple(i for i, column in enumerate(self.columns) if column % 3 == 2)
+
+    @property
+    def geared(self) -> tuple[int, ...]:
+        """Positions in `columns` of the unknown angles that gears tie to each other: there whole turns count."""
+        tied: set[int] = set()
+        for each in self.equations:
+            if each.terms:
+                tied |= {column for column, _ in each.terms} | {3 * each.body + 2, 3 * each.on + 2}
+        return () if self.linear else tuple(i for i in self.angles if self.columns[i] in tied)
+
+    @property
+    def free_angles(self) -> list[int]:
+        """The unknown angles as columns of the state, where a turn more changes nothing."""
+        geared = self.geared
+        return [self.columns[i] for i in self.angles if i not in geared]
 
 
 @dataclass(frozen=True, slots=True)
@@ -322,7 +338,7 @@ def _block(equations: Sequence[Equation], columns: Sequence[int]) -> Block:
         slots=slots,
         reach=tuple(_reach(equations, column) for column in columns),
         linear=all(_is_linear(equation, columns) for equation in equations),
-        large=loop_unknowns > 2,
+        large=loop_unknowns > 2 or any(column in columns for each in equations for column, _ in each.terms),
     )
 
 

@@ -25,6 +25,9 @@ BESIDE = 0.1
 FROM_LIMIT = 0.125
 """How far from a limit the second probe is made, at least: as a part of the root of the row's distance."""
 
+AT_LIMIT = 1e-3
+"""The same where the quantity has no number at the limit, where the row's then stands: it may grow without bound there."""
+
 BEFORE = -9.0
 """A place before all others: of no limit."""
 
@@ -34,7 +37,7 @@ FROM_END = 0.25
 STRETCHES = 3
 """Stretches of rows that are looked at: of more there are no extremes."""
 
-INWARDS = 1e-10
+INWARDS = 1e-9
 """How far inside the limit its value is given, in rows: there the mechanism still closes."""
 
 HALVINGS = 45
@@ -254,6 +257,7 @@ class Roots:
         far, w, rise, row_rise = np.abs(self.here - self.limit), self.of(one[0]), one[1] - there, best - there
         root = (rise - w**2 * row_rise) / (2 * (rise - w * row_rise))
         root = np.where(np.isfinite(root), np.maximum(FROM_LIMIT, root), FROM_LIMIT)
+        root = np.where(there == best, AT_LIMIT, root)
         return self._off(np.minimum(far + 1.0, far * root**2))
 
     def _off(self, far: Array) -> Array:

@@ -175,6 +175,7 @@ PHRASES = {
         "F: distance of {point} from the line of {symbol}", "F: {point} noktasının {symbol} doğrusuna uzaklığı",
     ),
     "newton_pin": ("F: gap at the pin {point}, {axis} part", "F: {point} mafsalındaki açıklık, {axis} bileşeni"),
+    "newton_tie": ("F: what {links} miss of their ratio", "F: {links} oranının açığı"),
     "newton_slope": ("J: derivative of F{row} by {symbol}", "J: F{row} türevi, {symbol} ile"),
     "newton_minor": ("a minor, for Cramer's rule", "bir minör, Cramer kuralı için"),
     "newton_det": ("determinant of J: 0 where two assemblies meet", "J determinantı: iki montaj birleşince 0"),

@@ -7,8 +7,11 @@ from laid import Laid
 from mechsheet.checking import check, perturb
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
+from mechsheet.diagnostics import MechanismError
 from mechsheet.formats import write
 from mechsheet.kinematics.sketched import doubts
+from mechsheet.library import changed
+from mechsheet.library.show import overview_text
 
 LAMP = """
 format = 1
@@ -84,12 +87,51 @@ def test_it_is_drawn_as_a_link_and_not_as_a_slot():
     assert not [name for name in names if symbol in name]
 
 
-def test_a_word_about_each():
+def test_of_a_marked_link_nothing_more_is_said():
     compiled = Compiled(loads(LAMP))
-    (said,) = [fault for fault in doubts(compiled.mechanism, compiled.equations) if fault.key.startswith("links")]
-    assert said.key == "links.third.redundant"
-    assert '"third" is redundant' in said.message
+    assert not [fault for fault in doubts(compiled.mechanism, compiled.equations) if fault.key.startswith("links")]
     assert all(not group.open for group in compiled.equations.groups)
+
+
+UNMARKED = LAMP.replace("redundant = true\n", "")
+
+
+def test_one_that_is_not_marked_is_found_and_told():
+    """Of follower and third crank either may be left out: the one described last is, and the other is named."""
+    mechanism = changed.loads(UNMARKED)
+    assert [each.link.name for each in mechanism.redundant] == ["third"]
+    assert mechanism.text == LAMP.replace("redundant = true\n", "").replace(
+        "[links.third]\n", "[links.third]\nredundant = true\n"
+    )
+    compiled = Compiled(mechanism)
+    (said,) = [fault for fault in doubts(mechanism, compiled.equations) if fault.key.startswith("links")]
+    assert said.key == "links.third"
+    assert '"third" is redundant' in said.message
+    assert said.hint.startswith('"follower" would do as well; write `redundant = true`')
+    assert "redundant: third, left out" in overview_text(mechanism)
+
+
+def test_it_is_checked_in_every_row_as_a_marked_one():
+    sheet = Laid(changed.loads(UNMARKED).text)
+    assert all(sheet.exists)
+    sheet.change(a4=151)
+    assert sheet.spot("#largest_gap") == pytest.approx(1.0, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("what", "old", "new"),
+    [
+        ("another length", "a4 = 150", "a4 = 150.01"),
+        ("sketched in the other assembly, where it does not fit", "B = [190, 75]", "B = [126, 135]"),
+        ("no sketch", "[assembly]\nB = [190, 75]", ""),
+        ("begun where two assemblies meet", "start = 30", "start = 0"),
+    ],
+)
+def test_where_it_is_not_certain_none_is_left_out(what, old, new):
+    mechanism = changed.loads(UNMARKED.replace(old, new))
+    assert not mechanism.redundant
+    with pytest.raises(MechanismError, match="the mobility is"):
+        _ = Compiled(mechanism).equations
 
 
 @pytest.mark.parametrize("length", [150, 147])

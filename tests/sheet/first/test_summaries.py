@@ -1,5 +1,7 @@
 """Summaries over a sweep of which a part, or nothing, exists: no number that could be taken for a result."""
 
+import math
+
 import pytest
 from laid import Laid, template_text
 
@@ -88,3 +90,23 @@ def test_position_shown_starts_at_a_row_that_exists(start):
     shown = laid.spot("#position")
     assert shown == laid.exists.index(True)
     assert isinstance(laid.values.get(laid.plan.main, laid.plan.blocks["variables"].rows["theta14"], 1), float)
+
+
+def test_an_extreme_says_where_it_is_and_other_summaries_do_not():
+    """The crank's pin is farthest to the left at 180 degrees; a range and a mean have no place."""
+    laid = Laid(FOUR_BAR)
+    assert cell(laid, "pin") == pytest.approx(-35)
+    assert cell(laid, "pin", 3) == pytest.approx(180, abs=1e-6)
+    assert cell(laid, "most", 3) == pytest.approx(180, abs=1e-3)  # the diagonal is longest
+    assert [cell(laid, name, 3) for name in ("swing", "middle", "turned")] == [None] * 3
+
+
+def test_an_output_of_summaries_reads_an_angle_as_radians():
+    """Half of what the rocker swings, and the sine of that: both from a summary that is shown in degrees."""
+    outputs = (
+        '[outputs]\nhalf = { formula = "swing/2", unit = "deg" }\nrise = { formula = "sin(swing/2)", unit = "1" }\n'
+    )
+    laid = Laid(FOUR_BAR.replace("[outputs]\n", outputs))
+    swing = cell(laid, "swing")
+    assert cell(laid, "half") == pytest.approx(swing / 2)
+    assert cell(laid, "rise") == pytest.approx(math.sin(math.radians(swing / 2)))

@@ -7,7 +7,7 @@ import pytest
 from laid import Laid, template_text
 
 import mechsheet
-from chosen import IN_CI, ITERATED, first, part
+from chosen import ALL, IN_CI, ITERATED, first, part
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.newton.leading import leading
 from mechsheet.kinematics.newton.system import CLOSED, refined
@@ -16,8 +16,10 @@ from mechsheet.kinematics.solve import dimension_values
 from mechsheet.sheet.table.lowering import in_pass
 from random_mechanisms import Grower
 
-CHANGES = 40 if IN_CI else 16
+CHANGES = 100 if ALL else 40 if IN_CI else 16
 STEPS = 400
+ALARMS = 0.04
+"""Of the changes after which it begins where it ought to, so many at most are told to be doubtful all the same."""
 KEPT, BEGUN = (f"verdict.same_assembly.{word}" for word in ("kept", "begun"))
 
 
@@ -124,12 +126,12 @@ def test_templates_do_not_leap_in_silence(name):
     assert not silent
     fine, _, _, alarms = counts
     assert fine > CHANGES // 3
-    assert alarms <= 0.02 * fine + 1
+    assert alarms <= ALARMS * fine + 1
 
 
 @pytest.mark.ci
 @pytest.mark.slow
-def test_random_groups_do_not_leap_in_silence():
+def test_random_groups_do_not_leap_in_silence(record_property):
     total, amiss = np.zeros(4, int), []
     for seed in first(range(100, 160), 3):
         try:
@@ -140,9 +142,11 @@ def test_random_groups_do_not_leap_in_silence():
         amiss += silent
     assert not amiss
     fine, ended, _, alarms = total
+    record_property("changes", f"{total[:3].sum()} changes: {total.tolist()} fine, ended, nowhere, alarms")
+    assert total[:3].sum() >= (5_000 if ALL else 100)
     assert fine > 20
     assert ended > 0
-    assert alarms <= 0.02 * fine + 1
+    assert alarms <= ALARMS * fine + 1
 
 
 def test_the_driver_may_begin_elsewhere():

@@ -24,10 +24,11 @@ from mechsheet.kinematics.newton.chains import Assembly, Binary, Carrier, Chain
 from mechsheet.kinematics.newton.cramer import Cramer, cramer
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.kinematics.poses import Guide, Poses
+from mechsheet.kinematics.ties import terms_of
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, turned
-from mechsheet.model import Words
+from mechsheet.model import Rack, Relation, Words
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
-from mechsheet.words.equations import link_words, phrase, several
+from mechsheet.words.equations import body_words, link_words, phrase, several
 
 ITERATED = "{symbol} n"
 """The symbol of a quantity within a pass, before it is asked whether it fits (no description can use a blank in a name)."""
@@ -85,6 +86,7 @@ class ChainWriter:
             self._reach(carrier)
         demands = [self._asked(each) for each in self.chain.binaries]
         demands += [demand for shut in self.chain.shut for demand in self._closed(*shut)]
+        demands += [self._tied(relation) for relation in self.chain.relations]
         system = self._system(start, demands, mode.name)
         for binary in self.chain.binaries:
             self._pose(binary)
@@ -204,6 +206,34 @@ class ChainWriter:
             for axis in (0, 1)
         ]
 
+    def _tied(self, relation: Relation) -> Demand:
+        """The equation of a gear, a belt or a rack: angles and displacements are unknowns, or known."""
+        terms = terms_of(relation)
+        parts = [al.mul(factor, self._angle_or_way(name)) for name, factor in terms.items()]
+        slopes = [
+            al.total(factor for name, factor in terms.items() if self._moved_by(name) == unknown)
+            for unknown in self.unknowns
+        ]
+        power = 1 if isinstance(relation, Rack) else 0
+        names = several(body_words(self.poses.mechanism, name) for name in (relation.link, *self._others(relation)))
+        return Demand(al.sub(al.total(parts), relation.phase), tuple(slopes), power, phrase("newton_tie", links=names))
+
+    def _others(self, relation: Relation) -> tuple[str, ...]:
+        return (relation.arm,) if isinstance(relation, Rack) else (relation.on, relation.arm)
+
+    def _angle_or_way(self, name: str) -> Node:
+        return self.poses.known[name].angle.expression() if name in self.poses.graph.bodies else Symbol(name)
+
+    def _moved_by(self, name: str) -> Assembly:
+        """The carrier whose unknown an angle, or a displacement, follows; nothing for what is known."""
+        if name not in self.poses.graph.bodies:
+            return next((assembly for assembly, symbol in self.variables.items() if symbol == name), ())
+        carrier = self.carrier.get(name)
+        if carrier is None:
+            return ()
+        joint = carrier.reached.joint
+        return carrier.assembly if isinstance(joint, str) else self._moved_by(joint.other(joint.side(carrier.assembly)))
+
     @property
     def unknowns(self) -> tuple[Assembly, ...]:
         """The carriers, each with one unknown."""
@@ -258,7 +288,7 @@ class ChainWriter:
         determinant, residual = self._name("det"), self._name("residual")
         det = self._part(determinant, renamed(found.determinant, minors), NUMBER, phrase("newton_det"))
         largest = al.largest([
-            al.div(Call("ABS", (Symbol(name),)), size if demand.power == 1 else al.square(size))
+            al.div(Call("ABS", (Symbol(name),)), (al.ONE, size, al.square(size))[demand.power])
             for name, demand in zip(names, demands, strict=True)
         ])  # fmt: skip
         body += [det, self._part(residual, largest, NUMBER, phrase("newton_residual"))]
@@ -266,7 +296,7 @@ class ChainWriter:
             tuple(iterated[name] for name in variables), variables, tuple(body), tuple(names),
             tuple(tuple(row) for row in jacobian), determinant, residual,
             tuple(al.div(renamed(node, minors), Symbol(determinant)) for node in found.numerators),
-            _given(body, iterated), mode, ledger.driver,
+            _given(body, iterated), mode, ledger.driver, periodic=not self.chain.relations,
         )  # fmt: skip
         fits = Condition(al.sub(al.number(CLOSED), Symbol(residual)), al.ZERO)
         heads = [
@@ -296,7 +326,7 @@ class ChainWriter:
 
     def _unit(self, power: int) -> Unit:
         length = self.poses.mechanism.length_unit
-        return Unit("number", length + {1: "", 2: "²"}[power])
+        return Unit("number", length + {1: "", 2: "²"}[power]) if power else NUMBER
 
     # --- the links between the carriers ---------------------------------------------------------------------------
 
@@ -332,9 +362,9 @@ class ChainWriter:
 
 
 def holder(poses: Poses, chain: Chain, point: str, but: Assembly = ()) -> str:
-    """The body that a point of a group was found with: a known one, else the first carrier that has it."""
+    """The body that a point of a group was found with: one solved before, else the first carrier that has it."""
     bodies = [body for body in poses.graph.bodies_at(point) if body not in but]
-    known = [body for body in bodies if body not in chain.bodies]
+    known = [body for body in bodies if body in chain.known]
     return (known or [body for carrier in chain.carriers for body in carrier.assembly if body in bodies])[0]
 
 

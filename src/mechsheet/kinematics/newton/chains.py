@@ -3,8 +3,9 @@
 A set of L links is held by what is known when 3 L = 2 J, J being its joints among themselves and with what is known. Some of
 its links are *carriers*, reached one from another over a joint each, with one unknown: the angle about a pin, or the
 displacement along a slide. Each other link has two joints, and asks one thing of the carriers: the distance of two pins,
-or the distance of a pin from a line. A pin between two carriers that is left over asks two things. So there are as many
-equations as unknowns, and fewest of both where as many links as possible are no carriers.
+or the distance of a pin from a line. A pin between two carriers that is left over asks two things, a gear, belt or rack one,
+of angles and displacements that must be those of carriers: a set that they tie is held when 3 L = 2 J + as many as they are.
+So there are as many equations as unknowns, and fewest of both where as many links as possible are no carriers.
 Source: I. I. Artobolevsky, Theory of Mechanisms: the class of a group is that of its highest closed contour.
 """
 
@@ -15,12 +16,17 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from mechsheet.kinematics.graph import Graph, Slide
+from mechsheet.kinematics.ties import terms_of
+from mechsheet.model import Relation
 
 Assembly = tuple[str, ...]
 
 MOST_UNKNOWNS = 4
 MOST_LINKS = 8
 """A group of more links has more than four unknowns."""
+
+LEAST_TIED = 2
+"""Links of which one has its angle from a gear alone are solved before; of two and more none may."""
 
 MOST_TRIED = 20_000
 CLASSES = {3: "III", 4: "IV", 5: "V", 6: "VI"}
@@ -60,12 +66,16 @@ class Chain:
 
     kind   its class: "III", "IV" (of a dyad "II")
     shut   pins between carriers that are left over: the point, and the two assemblies
+    known  the bodies that are solved before; others at its pins are solved later
+    relations  gears, belts and racks that tie its carriers, to each other or to what is known
     """
 
     kind: str
     carriers: tuple[Carrier, ...]
     binaries: tuple[Binary, ...]
     shut: tuple[tuple[str, Assembly, Assembly], ...]
+    known: frozenset[str]
+    relations: tuple[Relation, ...] = ()
 
     @property
     def assemblies(self) -> tuple[Assembly, ...]:
@@ -94,19 +104,26 @@ class TooManyUnknownsError(Exception):
         self.assemblies = tuple(assemblies)
 
 
-def next_chain(graph: Graph, assemblies: Sequence[Assembly], solved: set[str], least: int = 4) -> Chain | None:
+def next_chain(
+    graph: Graph,
+    assemblies: Sequence[Assembly],
+    solved: set[str],
+    least: int = 4,
+    relations: Sequence[Relation] = (),
+) -> Chain | None:
     """The smallest group of at least so many assemblies, the first in the description's order; None where there is none.
 
+    relations  gears, belts and racks that nothing has been solved by yet: with them a group may be smaller
     Raises TooManyUnknownsError where there is one that cannot be written with four unknowns.
     """
     tried = 0
-    for count in range(least, MOST_LINKS + 1, 2):
-        for members in combinations(assemblies, count):
+    for count in range(LEAST_TIED if relations else least, MOST_LINKS + 1):
+        for members in combinations(assemblies, count) if relations or count % 2 == 0 else ():
             tried += 1
             if tried > MOST_TRIED:
                 return None
-            work = _Work(graph, members, solved)
-            if 2 * work.joints == 3 * count:
+            work = _Work(graph, members, solved, relations)
+            if 2 * work.joints + len(work.relations) == 3 * count and (work.relations or count >= least):
                 found = work.chain()
                 if found is None:
                     raise TooManyUnknownsError(members)
@@ -117,7 +134,9 @@ def next_chain(graph: Graph, assemblies: Sequence[Assembly], solved: set[str], l
 class _Work:
     """One set of assemblies, and what is known beside it."""
 
-    def __init__(self, graph: Graph, members: Sequence[Assembly], solved: set[str]) -> None:
+    def __init__(
+        self, graph: Graph, members: Sequence[Assembly], solved: set[str], relations: Sequence[Relation]
+    ) -> None:
         self.graph, self.members, self.solved = graph, members, solved
         self.of = {body: assembly for assembly in members for body in assembly}
         self.fixed = {point for body in solved for point in graph.points[body]}
@@ -126,6 +145,11 @@ class _Work:
             for assembly in members
         }
         self.slides = [slide for slide in graph.slides if self._joins(slide)]
+        here = solved | {*self.of}
+        self.relations = [
+            each for each in relations if {*graph.tied(each)} <= here and not {*graph.tied(each)} <= solved
+        ]
+        self.tied = {name for each in self.relations for name in terms_of(each)}
         holders = dict.fromkeys(point for assembly in members for point in self.points[assembly])
         self.holders = {point: [each for each in members if point in self.points[each]] for point in holders}
 
@@ -153,8 +177,12 @@ class _Work:
 
     def chain(self) -> Chain | None:
         """With the fewest unknowns; None where that takes more than four."""
-        binary = [each for each in self.members if (ends := self.meetings(each))[2:] == [] and ends[0].is_pin]
-        for count in range(len(self.members) // 2, MOST_UNKNOWNS + 1):
+        binary = [
+            each
+            for each in self.members
+            if len(ends := self.meetings(each)) == 2 and ends[0].is_pin and not self.tied.intersection(each)
+        ]
+        for count in range(len(self.members) // 2, min(MOST_UNKNOWNS, len(self.members)) + 1):
             for others in combinations(reversed(binary), len(self.members) - count):
                 found = self._reached([each for each in self.members if each not in others], others)
                 if found is not None:
@@ -182,9 +210,14 @@ class _Work:
             binaries.append(Binary(assembly, (first, second)))
         shut = self._shut(placed)
         left = [slide for slide in self.slides if Meeting(slide) not in used and self._between(slide, there)]
-        if left or len(placed) != len(binaries) + 2 * len(shut):
+        if left or len(placed) != len(binaries) + 2 * len(shut) + len(self.relations) or not self._slid(used):
             return None
-        return Chain(self._class(), tuple(placed), tuple(binaries), shut)
+        return Chain(self._class(), tuple(placed), tuple(binaries), shut, frozenset(self.solved), tuple(self.relations))
+
+    def _slid(self, used: set[Meeting]) -> bool:
+        """Whether the displacements that racks tie are unknowns, or of joints between what is known."""
+        slides = [self.graph.slide(name) for name in self.tied if name not in self.graph.bodies]
+        return all(Meeting(slide) in used or {slide.body, slide.on} <= self.solved for slide in slides)
 
     def _steps(self, carriers: list[Assembly], there: set[Assembly]) -> Iterator[Carrier]:
         """Carriers that can be reached now, over pins first."""

@@ -112,6 +112,6 @@ class ChainColumns:
         return self.columns.define(base, self.columns.within(node, base, unit, label), unit, label)
 
     def _unit(self, closing: Closing, order: int) -> Unit:
-        """Of an equation of the group: a distance is asked as a square, an offset or a pin as a length."""
+        """Of an equation: a distance is asked as a square, an offset or a pin as a length, a gear as an angle."""
         squared = closing.own is not None and closing.own.square != al.ONE
-        return self.columns.unit(2 if squared else 1, order)
+        return self.columns.unit(2 if squared else closing.power, order)

@@ -9,6 +9,7 @@ w, or along the normal n of its line d) it is one of the group's equations, alon
     distance of two pins     w . (P' - Q') = 0,    w . (P'' - Q'') = theta'^2 l^2,       theta' = w x (Q' - P') / l^2
     distance from a line     n . (B' - P') = 0,    n . (B'' - P'') = -2 s' delta',       s' = d . (P' - B')
     a pin of two carriers    P' - Q' = 0,          P'' - Q'' = 0
+    a gear, a rack           sum of A v' = 0,      sum of A v'' = 0,             v angles and displacements (`ties`)
 
 B is the place at P of the body with the line, delta its angle. Source: the implicit function theorem; Soeylemez,
 Mechanisms, section 3.9 for F and J; Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, section 3.12.
@@ -29,9 +30,11 @@ from mechsheet.kinematics.newton.carriers import Solution, holder
 from mechsheet.kinematics.newton.chains import Binary
 from mechsheet.kinematics.newton.cramer import Cramer, cramer
 from mechsheet.kinematics.poses import Assembly
-from mechsheet.kinematics.rates.motions import Motions, PointRate
+from mechsheet.kinematics.rates.motions import Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
+from mechsheet.kinematics.ties import terms_of
 from mechsheet.kinematics.vectors import Vector, dot, minus, negative, turned
+from mechsheet.model import Rack, Relation
 
 SIDES = ((al.ONE, al.ZERO), (al.ZERO, al.ONE))
 
@@ -57,6 +60,7 @@ class Closing:
     bend   what the link's own first rate adds to the second derivative along `asked`, where `free` has lost it
     asked  the directions along which the gap is an equation of the group, in the order of its equations
     point  of a link that stands on the ground, the point at its other end: `free` is minus its rates; else ""
+    power  of a length, that its equations have: of a gear 0, and the gap is along x alone
     """
 
     gap: PointRate
@@ -65,6 +69,7 @@ class Closing:
     asked: tuple[Vector, ...]
     own: Own | None
     point: str = ""
+    power: int = 1
 
 
 def known_pins(motions: Motions, solution: Solution) -> list[str]:
@@ -92,7 +97,8 @@ class Closings:
             else:
                 motions.guided(carrier.assembly, joint)
         found = [self._over(binary) for binary in self.chain.binaries]
-        return found + [self._at_pin(*shut) for shut in self.chain.shut]
+        found += [self._at_pin(*shut) for shut in self.chain.shut]
+        return found + [self._tied(relation) for relation in self.chain.relations]
 
     def _at(self, point: str, but: Assembly = ()) -> PointRate:
         """The rates of a point as the body has them with which it was found."""
@@ -152,6 +158,24 @@ class Closings:
             here = motions.motion[motions.with_point(one, point)](self.poses.xy[point])
         gap = PointRate(minus(here.first, there.first), minus(here.second, there.second))
         return Closing(gap, gap, al.ZERO, SIDES, None)
+
+    def _tied(self, relation: Relation) -> Closing:
+        """A gear, a belt or a rack; the gap of a gear as a length: over the largest one."""
+        terms = terms_of(relation)
+        rates = {name: self.motions.of_tie(name, self._slid) for name in terms}
+        first, second = (
+            al.total(al.mul(factor, getattr(rates[name], part)) for name, factor in terms.items())
+            for part in ("first", "second")
+        )
+        rack = isinstance(relation, Rack)
+        size = al.ONE if rack else self.poses.ledger.size()
+        free = PointRate((first, al.ZERO), (second, al.ZERO))
+        gap = PointRate((al.mul(size, first), al.ZERO), (al.mul(size, second), al.ZERO))
+        return Closing(gap, free, al.ZERO, SIDES[:1], None, power=1 if rack else 0)
+
+    def _slid(self, symbol: str) -> Rate:
+        driven = symbol in self.poses.mechanism.driven_symbols
+        return self.motions.rates.of_drive(symbol) if driven else self.motions.rates.of(symbol)
 
 
 def known_sides(closing: Closing, free: Vector, order: int) -> list[Node]:

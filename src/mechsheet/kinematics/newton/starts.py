@@ -19,6 +19,9 @@ DENSER = 2.5
 LONGEST_STEP = 0.6
 """Radians, or parts of the size."""
 
+TURNS = 2
+"""With gears so many times the starts, over as many turns."""
+
 BOUNDED = 30
 ALIKE = 1e-6
 REACH = 2.5
@@ -32,11 +35,12 @@ def assemblies_in(system: System, known: Mapping[str, Any], turning: Sequence[bo
     turning  which unknowns are angles
 
     Of an angle-only group the determinants' signs add up to 0 (it can be deformed into one without assemblies): where they
-    do not, some assembly was missed and more starts are tried.
+    do not, some assembly was missed and more starts are tried. With gears an angle says in which of its turns it is: those
+    up to a whole turn from 0 are looked through, and of what looks alike the one with the smallest angles is taken.
     """
     count = STARTS[len(system.unknowns)]
-    found = _from(system, known, turning, size, count)
-    if all(turning) and abs(sum(sign for _, sign in found)) > 0.5:
+    found = _from(system, known, turning, size, count if system.periodic else round(count * TURNS))
+    if all(turning) and system.periodic and abs(sum(sign for _, sign in found)) > 0.5:
         found = _from(system, known, turning, size, round(count * DENSER))
     return [state for state, _ in sorted(found, key=lambda each: tuple(each[0]))]
 
@@ -48,7 +52,8 @@ def _from(
     axes = []
     for place, turns in enumerate(turning):
         steps = (np.arange(count) + 0.5 + 0.013 * place) / count
-        axes.append(math.tau * (steps - 0.5) if turns else size * REACH * (2 * steps - 1))
+        turn = math.tau * (1 if system.periodic else TURNS)
+        axes.append(turn * (steps - 0.5) if turns else size * REACH * (2 * steps - 1))
     grid = [part.ravel() for part in np.meshgrid(*axes, indexing="ij")]
     unknowns = grid
     step = step_of(system, known)
@@ -66,9 +71,15 @@ def _from(
     found: list[tuple[Array, float]] = []
     states = np.array(unknowns)[:, there].T
     angles = np.array(turning)
-    states[:, angles] -= math.tau * np.round(states[:, angles] / math.tau)
     scale = np.where(angles, 1.0, size)
-    for state, sign in zip(states, np.sign(determinant[there]), strict=True):
+    signs = np.sign(determinant[there])
+    if system.periodic:
+        states[:, angles] -= math.tau * np.round(states[:, angles] / math.tau)
+    else:
+        inside = np.flatnonzero(np.all(np.abs(states[:, angles]) <= math.pi * TURNS, axis=1))
+        nearest = inside[np.argsort(np.abs(states[inside][:, angles]).max(axis=1).round(6), kind="stable")]
+        states, signs = states[nearest], signs[nearest]
+    for state, sign in zip(states, signs, strict=True):
         if not any(_apart(state, other, angles, scale) < ALIKE for other, _ in found):
             found.append((state, float(sign)))
     return found

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.driving import listed_values
 from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
 from mechsheet.kinematics.numeric import Array, interpolated
@@ -42,6 +43,9 @@ class Steps:
     """A mechanism's rows, and the same motion in the smallest steps that are tried."""
 
     def __init__(self, mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sweep) -> None:
+        from mechsheet.kinematics.solve import dimension_values  # which needs this module
+
+        self.besides = listed_values(mechanism, dimension_values(mechanism), driver)
         self.mechanism, self.equations, self.driver, self.sweep = mechanism, equations, driver, sweep
         self.unknowns = [name for group in equations.groups if group.system for name in group.system.unknowns]
         self.parts = max((parts for parts in FINER if parts * len(driver) <= MOST_ROWS), default=1)
@@ -49,11 +53,20 @@ class Steps:
 
     def _at(self, driver: Array, equations: Equations, parts: int) -> list[Array]:
         """The unknowns at these values of the driver, followed in steps divided into so many parts."""
-        path = interpolated(
-            np.arange((len(driver) - 1) * parts + 1) / parts, np.arange(len(driver), dtype=float), driver
+        rows = np.arange(len(driver), dtype=float)
+        places = np.arange((len(driver) - 1) * parts + 1) / parts
+
+        def listed(column: Array) -> tuple[float, ...]:
+            return tuple(float(value) for value in interpolated(places, rows, column))
+
+        drivers = tuple(
+            replace(other, values=listed(self.besides[other.symbol])) if other.values else other
+            for other in self.mechanism.drivers
         )
-        rows = replace(self.mechanism.driver, values=tuple(float(value) for value in path), law=None)
-        values = self.sweep(replace(self.mechanism, driver=rows), _finer(equations, parts), path)
+        moved = replace(self.mechanism.driver, values=listed(driver), law=None)
+        path = np.array(moved.values)
+        finer = replace(self.mechanism, driver=moved, drivers=drivers)
+        values = self.sweep(finer, _finer(equations, parts), path)
         return [values[name][::parts] for name in self.unknowns]
 
     def trial(self, equations: Equations, parts: int = 1) -> Trial:

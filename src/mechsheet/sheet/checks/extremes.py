@@ -49,6 +49,9 @@ BESIDE = 0.1
 FROM_LIMIT = 0.125
 """How far from a limit the second probe is made, at least: as a part of the root of the row's distance."""
 
+AT_LIMIT = 1e-3
+"""The same where the quantity has no number at the limit, where the row's then stands: it may grow without bound there."""
+
 BEFORE = -9.0
 """A place before all others: of no limit."""
 
@@ -425,8 +428,9 @@ class Extremes:
             one=probes.cell(row + 1, VALUE), best=probes.cell(row, VALUE),
         )  # fmt: skip
         return formula(
-            "limit+SIGN(here-limit)*MIN(far+1,far*MAX(least,IFERROR(root,0))^2)", limit=limit, here=here, root=root,
-            far=formula("ABS(here-limit)", here=here, limit=limit), least=FROM_LIMIT,
+            "limit+SIGN(here-limit)*MIN(far+1,far*IF(there=best,close,MAX(least,IFERROR(root,0)))^2)", limit=limit,
+            here=here, root=root, far=formula("ABS(here-limit)", here=here, limit=limit), least=FROM_LIMIT, there=there,
+            best=probes.cell(row, VALUE), close=AT_LIMIT,
         )  # fmt: skip
 
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:

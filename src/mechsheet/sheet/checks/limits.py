@@ -29,7 +29,7 @@ LIMITS = 4
 """Limits that are found; further ones are counted."""
 
 PROBES = 3
-INWARDS = 1e-10
+INWARDS = 1e-9
 """How far inside the limit its value is given, in parts of a row: there the mechanism still closes."""
 
 ASIDE = 2e-3

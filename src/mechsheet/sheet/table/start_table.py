@@ -2,8 +2,8 @@
 
 The start values belong to the dimensions of the description, which stand in the first row. From there the dimensions go in
 `LED` equal steps to those of the first sheet, a pass each; the passes that are left are made there. While the determinant
-keeps its sign and the unknowns their trend the assembly is the described one; a row where they do not says 1 in the last
-column.
+keeps its sign, the unknowns their trend and the residual its size the assembly is the described one; a row where they do
+not says 1 in the last column.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
 from mechsheet.kinematics.equations import Group, System
-from mechsheet.kinematics.newton.system import FIRST_PASSES, LED
+from mechsheet.kinematics.newton.system import FIRST_PASSES, LED, SETTLED
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.plan import Plan
@@ -24,6 +24,10 @@ from mechsheet.units import DEG
 
 TREND = 0.4
 """Radians, or parts of the size, by which an unknown may leave its trend from one step to the next."""
+
+STEADY = 6
+"""The steps are equal: what a step leaves for its pass to mend is about what the first one leaves, unless an assembly ends
+and Newton's method is thrown far."""
 
 
 class StartTable:
@@ -122,8 +126,8 @@ class StartTable:
             self._fill(first, self.place[part.symbol], part.expression, FIRST_PASSES + 1)
 
     def _lost(self) -> None:
-        """1 in a row to which the assembly cannot be kept: the determinant has another sign than at the beginning, or an
-        unknown leaps from its trend (past one end of the assembly to another of the same sign)."""
+        """1 in a row to which the assembly cannot be kept: the determinant has another sign than at the beginning, or past
+        one end of the assembly to another of the same sign an unknown leaps from its trend, or the residual rises."""
         plan, system = self.plan, self.system
         spot = plan.at.spots[f"#lost_{self.group.number}"]
         begin = CellRef(self.first, self.place[system.determinant], True, True)
@@ -134,6 +138,9 @@ class StartTable:
             most = TREND * (1.0 if plan.equations.of(variable).unit.kind == "angle" else plan.size)
             here, above, before = (CellRef(self.first + row, self.place[unknown], False, False) for row in (2, 1, 0))
             leaps.append(formula("ABS(here-2*above+before)/most", here=here, above=above, before=before, most=most))
+        step = CellRef(self.first + 1, self.place[system.residual], True, True)
+        leaps.append(formula("residual/MAX(most*step,least)", residual=Symbol(system.residual), most=STEADY, step=step,
+                             least=SETTLED))  # fmt: skip
         node = formula("IFERROR(IF(AND(det*begin>0,leap<1),0,1),1)", det=Symbol(system.determinant), begin=begin,
                        leap=al.largest(leaps))  # fmt: skip
         self._fill(self.first + 2, spot.col, node, FIRST_PASSES - 1, 0)

@@ -164,11 +164,11 @@ MECHANISM: dict[str, str] = {
     "the pinion {link} is not pivoted on {which}: they share no point": (
         "{link} pinyonu {which} üzerinde yataklı değil: ortak noktaları yok"
     ),
-    "the {kind} between {names} ties links of a group that must be solved all at once: not supported yet": (
-        "{names} arasındaki {kind}, hep birlikte çözülmesi gereken bir grubun uzuvlarını bağlıyor: henüz desteklenmiyor"
+    "the {kind} between {names} is in no group of links that it could be solved with": (
+        "{names} arasındaki {kind}, birlikte çözülebileceği bir uzuv grubunun içinde değil"
     ),
-    "a gear is solved where all but one of the angles that it ties are known": (
-        "dişli, bağladığı açılardan biri dışında hepsi bilinince çözülür"
+    "what it ties is held without it, or by more links than are solved all at once": (
+        "bağladıkları onsuz da tutuluyor, ya da birlikte çözülenden daha çok uzuvla"
     ),
     "gear": "dişli",
     "belt": "kayış",
@@ -211,6 +211,15 @@ MECHANISM: dict[str, str] = {
         "bir {kind} şunları bağlıyor: {both}; her biri de tahrik ediliyor: hepsi birden olmaz"
     ),
     "take the gear or one of the drivers away": "dişliyi ya da tahriklerden birini kaldırın",
+    'the link "{name}" is redundant: left out of the solution, its length checked in every row': (
+        '"{name}" uzvu fazladan: çözümün dışında bırakıldı, uzunluğu her satırda denetleniyor'
+    ),
+    "{links} would do as well; write `redundant = true` under the one that is meant, then nothing more is said": (
+        "{links} de olurdu; hangisi ise altına `redundant = true` yazın, artık söylenmez"
+    ),
+    "write `redundant = true` under it, then nothing more is said of it": (
+        "altına `redundant = true` yazın, artık söylenmez"
+    ),
     'the link "{name}" is marked as redundant, but may hold the others': (
         '"{name}" uzvu fazladan diye işaretli, ama ötekileri tutuyor olabilir'
     ),
