@@ -27,7 +27,7 @@ FOUR_BAR = {("sheets", "names"): 1_500, ("sheets", "anchors"): 1_500, ("page", "
 """Formulas of a four-bar of 25 rows, whose template has anchors."""
 
 FOUR_BAR_COLUMNS = {"sheets": 19, "page": 15}
-ALL = 187_000
+ALL = 187_500
 """Formulas of all templates together, as they are described."""
 
 PLAIN = [
@@ -61,14 +61,17 @@ SYNTHESIS = 560
 """And so many of a synthesis: its steps, their changes with each input, the figure, the curve."""
 
 LARGE_BESIDE_FEW_ROWS = {
-    "fivelink": 775,
-    "adjustable-pump": 580,
-    "cylinder-boom": 825,
-    "peaucellier": 845,
+    "fivelink": 790,
+    "adjustable-pump": 590,
+    "cylinder-boom": 860,
+    "peaucellier": 885,
     "cardan-gear": 555,
-    "rack-slider": 740,
+    "rack-slider": 755,
+    "excavator": 530,
+    "crank-rocker-swing": 505,
 }  # wheels are drawn, too
-"""Of 19 to 37 rows: what does not grow with the rows (drawing, extremes) is about half."""
+"""Of 19 to 37 rows: what does not grow with the rows (drawing, extremes) is about half. Three working cells for each
+extreme make it right beside a limit, four for each limit where several groups can come apart."""
 
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""

@@ -236,7 +236,7 @@ class _Run:
     def _written(self, setting: Setting, folder: Path) -> Path:
         """The file with only its input cells changed: stored results stay what they were."""
         output = folder / f"set-{setting.number}{self.path.suffix}"
-        update_values(self.path, output, self.book, _Stored(self.book), self._changes(setting))
+        typed_into(self.path, output, self.book, self._changes(setting))
         return output
 
     def _note(self, found: Comparison, setting: Setting) -> None:
@@ -249,6 +249,14 @@ class _Run:
         worse = (not found.agrees, found.worst) > (not old.worst.agrees, old.worst.worst)
         worst, where = (found, setting) if worse else (old.worst, old.setting)
         self.tallies[found.judge] = Judged(old.cells + found.cells, worst, where, old.differing + differs)
+
+
+def typed_into(path: Path, output: Path, book: Book, changes: Mapping[Place, Scalar]) -> None:
+    """Write a copy of a workbook in which only these input cells differ: stored results stay what they were.
+
+    book  what `path` was read as
+    """
+    update_values(path, output, book, _Stored(book), changes)
 
 
 class _Stored:

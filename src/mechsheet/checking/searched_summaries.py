@@ -136,10 +136,10 @@ class Expected:
 def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
     """What a summary is over the rows that exist and, but on a page, what lies between them.
 
-    None where no row exists, and for a quantity with a pole.
+    None where no row exists, for an extreme over too many stretches, and for a quantity with a pole.
     """
     search = judged.search
-    if not search.count or summary.of not in search.at:
+    if not search.count or summary.of not in search.at or (summary.extremes and judged.too_many):
         return None
     angle = search.is_angle(summary.of)
     scale = unit_of_column(judged.plan, summary.of).to_shown(1.0)
@@ -149,7 +149,7 @@ def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
     reach, of_all = inner[2] - inner[0], outer[2] - outer[0]
     if not math.isfinite(of_all) or (reach > 0 and of_all > POLE * reach):
         return None
-    column = search.at[summary.of][:: search.fine][search.row_there]
+    column = search.in_rows(summary.of)[search.row_there]
     rows = {"min": inner[0], "max": inner[2], "range": reach}
     motion = {"min": outer[0], "max": outer[2], "range": of_all}
     plain = {"first": float(column[0]), "last": float(column[-1]), "mean": float(np.mean(column))}

@@ -11,6 +11,7 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.sheet.checks.geometry import length_in_cells
+from mechsheet.sheet.checks.limits import STRETCHES
 from mechsheet.sheet.first.classification import Classification, FourBar
 from mechsheet.sheet.plan import Plan
 
@@ -25,7 +26,7 @@ class SearchedVerdicts:
 
     A list is empty where there is no such number. `sure` is False where the mechanism nearly comes apart, or a link
     turns far between two rows: then nothing is to be said of what hangs on it. `leaps`: a link turns by more than 90
-    degrees between two rows.
+    degrees between two rows. `too_many`: more stretches than extremes are looked for in.
     """
 
     def __init__(self, plan: Plan, search: Search) -> None:
@@ -36,6 +37,7 @@ class SearchedVerdicts:
         self.page = mechanism.layout == "page"
         both = search.row_there[1:] & search.row_there[:-1]
         self.leaps = any(np.any(both & (column > LEAP)) for column in search.turns_between_rows().values())
+        self.too_many = not self.page and len(search.row_stretches) > STRETCHES
         self.sure = not (search.holes or search.doubtful or self.leaps)
 
     def scale(self, symbol: str) -> float:
@@ -78,10 +80,10 @@ class SearchedVerdicts:
         ]
         return 2 * (min(lengths) + max(lengths)) - sum(lengths)
 
-    def extent(self, symbol: str) -> list[float]:
-        """A swing or a stroke: of one stretch."""
+    def extent(self, symbol: str, rows_only: bool = False) -> list[float]:
+        """A swing or a stroke: of one stretch, or of its rows."""
         search = self.search
-        extremes = search.extremes(symbol) if len(search.row_stretches) == 1 else None
+        extremes = search.extremes(symbol, rows_only=rows_only) if len(search.row_stretches) == 1 else None
         if extremes is None:
             return []
         whole = search.is_angle(symbol) and search.is_crank(symbol)
@@ -112,17 +114,17 @@ class SearchedVerdicts:
         near = self.search.u[np.abs(self.search.at[symbol] - best) < FLAT * span]
         return near[:: max(1, len(near) // 20)]
 
-    def transmission(self, group: Group) -> tuple[float, float, float] | None:
+    def transmission(self, group: Group, rows_only: bool = False) -> tuple[float, float, float] | None:
         """(least, place, most) of the angle of transmission as an acute angle; of several stretches, in their rows."""
         search = self.search
-        if not search.count:
+        if not search.count or self.too_many:
             return None
 
         def acute(angle: Array) -> Array:
             return np.minimum(angle, math.pi - angle) if group.kind == "RRR" else math.pi / 2 - np.abs(angle)
 
-        several = self.page or len(search.row_stretches) > 1
-        extremes = search.extremes(group.transmission, acute, rows_only=several)
+        rows_only = rows_only or self.page or len(search.row_stretches) > 1
+        extremes = search.extremes(group.transmission, acute, rows_only=rows_only)
         if extremes is None:
             return None
         least, place, most, _ = extremes

@@ -116,7 +116,7 @@ class _Judge:
             places = number_places(each.link, search.dimensions)
             (x, y), (x_end, y_end) = places[str(slot.through)], places[slot.point]
             length = portable.hypot(x_end - x, y_end - y)
-            column = search.at[each.symbol][:: search.fine][search.row_there]
+            column = search.in_rows(each.symbol)[search.row_there]
             worst = max(worst, float(np.max(np.abs(column - length))))
         return worst
 
@@ -153,11 +153,11 @@ class _Judge:
         found: Scalar = self.values.get(spot.sheet, spot.row, spot.col)
         return found
 
-    def _about(self, key: str) -> bool:
-        """Whether the words beside a number say that it is about right."""
+    def _says(self, key: str, word: str) -> bool:
+        """Whether the words beside a number say that it is `about` right, `within` a step, or of `rows.only`."""
         spot = self.plan.at.spots[f"#{key}"]
         words = self.values.get(spot.sheet, spot.row, MEANING)
-        return isinstance(words, str) and self.plan.text("verdict.about") in words
+        return isinstance(words, str) and self.plan.text(f"verdict.{word}") in words
 
     def _note(self, key: str, apart: float, expected: Scalar) -> None:
         spot = self.plan.at.spots[f"#{key}"]
@@ -226,7 +226,7 @@ class _Judge:
             self._number(f"limit_{number}", self.searched.limit(number), allowed)
 
     def _allowed_place(self) -> float:
-        part = 1.0 if self.search.doubtful or self._about("limits") else EXACT
+        part = 1.0 if self.search.doubtful or self._says("limits", "within") else EXACT
         return max(part * abs(self.search.step) * self.searched.driver_scale, 1e-9)
 
     def _ends(self) -> None:
@@ -238,7 +238,7 @@ class _Judge:
 
     def _extent(self, key: str, symbol: str) -> None:
         """A swing or a stroke; where there are several stretches there is none."""
-        expected = self.searched.extent(symbol)
+        expected = self.searched.extent(symbol, self._says(key, "rows.only"))
         if not expected and len(self.search.row_stretches) == 1:
             return
         if self.searched.sure or not expected:
@@ -246,25 +246,25 @@ class _Judge:
             self._number(key, expected, self._part(key) * max(expected, default=0.0) + least)
 
     def _part(self, key: str) -> float:
-        return ABOUT if self._about(key) else EXACT
+        return ABOUT if self._says(key, "about") else EXACT
 
     def _ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster."""
         key = f"time_ratio_{symbol}"
         if self.searched.sure:
             ratios = self.searched.time_ratio(symbol)
-            part = ABOUT if self._about(key) else 20 * EXACT
+            part = ABOUT if self._says(key, "about") else 20 * EXACT
             self._number(key, ratios, part * min(ratios, default=1.0))
 
     def _transmission(self, group: Group) -> None:
         """The angle of transmission that is farthest from 90 degrees, as an acute angle."""
         key = f"transmission_{group.number}"
-        if not self.search.count:
+        if not self.search.count or self.searched.too_many:
             self._number(key, [])
         elif self.searched.sure or self.page:
-            found = self.searched.transmission(group)
+            found = self.searched.transmission(group, not self.page and self._says(key, "rows.only"))
             if found is not None:
                 least, _, most = found
                 scale = self.searched.angle_scale
-                part = ABOUT if not self.page and self._about(key) else EXACT
+                part = ABOUT if not self.page and self._says(key, "about") else EXACT
                 self._number(key, [least], part * max(most - least, 1e-3 * scale) + ROUNDED * scale)

@@ -42,16 +42,19 @@ Extremes = tuple[float, float, float, float]
 
 
 def edges(places: Array, there: Mask, exists: Callable[[Array], Mask], halvings: int) -> Array:
-    """Places where it begins or stops closing, on the side where it closes: between two of `places`, by halving.
+    """Places where it begins or stops closing, on the side where it closes: between two of `places`, by halving; four times
+    at once, as many places together take little longer than one.
 
     there  at which of them it closes;  exists  the same of any places
     """
     changes = np.flatnonzero(there[1:] != there[:-1])
     low, high, state = places[changes], places[changes + 1], there[changes]
-    for _ in range(halvings if len(changes) else 0):
-        middle = (low + high) / 2
-        same = exists(middle) == state
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    each = np.arange(len(changes))
+    for _ in range(-(-halvings // 4) if len(changes) else 0):
+        steps = low[:, None] + (high - low)[:, None] * np.arange(17) / 16
+        same = exists(steps[:, 1:-1].ravel()).reshape(-1, 15) == state[:, None]
+        last = np.where(same.all(axis=1), 15, np.argmin(same, axis=1))
+        low, high = steps[each, last], steps[each, last + 1]
     return np.where(state, low, high)
 
 
@@ -61,6 +64,7 @@ class Search:
     given    of every row the driver's value [rad or length unit], and what is given beside it (`given_values`)
     stepped  False where the values are listed: there is nothing between the rows
     u, at    the places looked at, and every symbol's values there;  there  where it closes
+    last     the last place: the last row, or one more where that would be the first row again and all rows close
     dips     places off the grid where it does not close, between some where it does;  peeps  the other way round
     doubt    places where it nearly comes apart, or where lines turn parallel or pins coincide between two places
     """
@@ -81,10 +85,12 @@ class Search:
         self.dimensions = dimension_values(mechanism)
         self.size = largest_length(mechanism, self.dimensions) or 1.0
         self.fine = max(1, min(FINE, MOST // self.rows)) if self.stepped else 1
-        self.u = 1 + np.arange((self.rows - 1) * self.fine + 1) / self.fine
-        self.at = self.known(self.u)
-        self.there = self.exists(self.at)
+        self.last = self.rows
+        self._look()
         self.row_there = self.there[:: self.fine]
+        if self._one_row_more() and self.row_there.all():
+            self.last += 1
+            self._look()
         self._known_extremes: dict[tuple[str, bool], Extremes | None] = {}
         self.edges = edges(self.u, self.there, lambda u: self.exists(self.known(u)), HALVINGS if self.stepped else 0)
         self.dips: list[float] = []
@@ -95,6 +101,15 @@ class Search:
             self._crossings()
 
     # --- places --------------------------------------------------------------------------------------------------------
+
+    def _look(self) -> None:
+        self.u = 1 + np.arange((self.last - 1) * self.fine + 1) / self.fine
+        self.at = self.known(self.u)
+        self.there = self.exists(self.at)
+
+    def in_rows(self, symbol: str) -> Array:
+        """A symbol's values in the rows."""
+        return self.at[symbol][:: self.fine][: self.rows]
 
     def driver(self, u: Array | float) -> Array:
         """The driver's value at places."""
@@ -146,7 +161,7 @@ class Search:
         offsets = np.linspace(-1, 1, 9)
         least = np.full(len(best), math.inf)
         for _ in range(NARROWINGS if len(best) else 0):
-            u = np.clip(best[:, None] + half[:, None] * offsets, 1, self.rows)
+            u = np.clip(best[:, None] + half[:, None] * offsets, 1, self.last)
             found = function(u.ravel()).reshape(u.shape)
             found = np.where(np.isnan(found), np.inf, found)
             best, half = u[np.arange(len(u)), np.argmin(found, axis=1)], half / 3.5
@@ -210,8 +225,8 @@ class Search:
         return [(int(first) + 1, int(last)) for first, last in ends.reshape(-1, 2)]
 
     def _between_closed(self, u: float) -> bool:
-        low, high = math.floor(u), min(self.rows, math.ceil(u))
-        return bool(self.row_there[low - 1] and self.row_there[high - 1])
+        low, high = math.floor(u) - 1, min(self.last, math.ceil(u)) - 1
+        return bool(self.row_there[low % self.rows] and self.row_there[high % self.rows])
 
     @cached_property
     def holes(self) -> list[float]:
@@ -233,11 +248,18 @@ class Search:
         """Whether the driver covers whole turns: its last value is its first again, or the next one would be."""
         if not self.mechanism.driver.link or not self.stepped or self.rows < 4:
             return False
-        covered, more = (abs(self.step) * rows / TURN for rows in (self.rows - 1, self.rows))
-        more = covered if self.mechanism.driver.law is not None else more
+        covered = abs(self.step) * (self.rows - 1) / TURN
         if self.equations.tied:  # what gears turn is not back with every turn of the driver
             return abs(round(covered) - covered) < 1e-9 and round(covered) > 0 and self._ties_are_back()
-        return any(abs(round(part) - part) < 1e-9 and round(part) > 0 for part in (covered, more))
+        return self._one_row_more() or (abs(round(covered) - covered) < 1e-9 and round(covered) > 0)
+
+    def _one_row_more(self) -> bool:
+        """Whether one row more would be the first again."""
+        if not self.mechanism.driver.link or not self.stepped or self.rows < 4:
+            return False
+        turns = abs(self.step) * self.rows / TURN
+        evenly = self.mechanism.driver.law is None and not self.equations.tied
+        return evenly and abs(round(turns) - turns) < 1e-9 and round(turns) > 0
 
     def _ties_are_back(self) -> bool:
         """Whether what gears and further drivers decide is after the last row what it was in the first."""
@@ -340,7 +362,7 @@ class Search:
             symbol = link.angle_symbol
             known = (self.mechanism.driver.symbol, *self.equations.tied)
             if symbol not in known and self.equations.of(symbol).reads:
-                found[symbol] = np.abs(np.diff(self.at[symbol][:: self.fine]))
+                found[symbol] = np.abs(np.diff(self.in_rows(symbol)))
         return found
 
     def is_crank(self, symbol: str) -> bool:

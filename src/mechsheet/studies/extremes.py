@@ -1,10 +1,10 @@
 """The smallest and the largest value of quantities over a motion, of many designs at once: as the workbook finds them.
 
 As the sheet of extremes does (`sheet/checks/extremes.py`): the best row, a probe at the vertex of the parabola through it
-and its neighbours, one beside it, on the row's other side or by the root of the distance from a limit, then two at the
-vertices of parabolas through what is known; where the workbook has the quantity's derivatives, two probes where the first
-changes its sign. What is given has been attained: the best of the row, the probes and both ends of the stretch. Of several
-stretches the rows are all. Places count rows from 1.
+and its neighbours, one beside it or on the row's other side, then two at the vertices of parabolas through what is known;
+beside a limit all parabolas are over the root of the distance from it; where the workbook has the quantity's derivatives,
+two probes where the first changes its sign. What is given has been attained: the best of the row, the probes and both ends
+of the stretch. Of several stretches, and of one of one row, the rows are all. Places count rows from 1.
 """
 
 from __future__ import annotations
@@ -22,13 +22,22 @@ Mask = NDArray[np.bool_]
 BESIDE = 0.1
 """How far beside the first probe the second is made, in rows."""
 
+FROM_LIMIT = 0.125
+"""How far from a limit the second probe is made, at least: as a part of the root of the row's distance."""
+
+AT_LIMIT = 1e-3
+"""The same where the quantity has no number at the limit, where the row's then stands: it may grow without bound there."""
+
+BEFORE = -9.0
+"""A place before all others: of no limit."""
+
 FROM_END = 0.25
 """How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
 STRETCHES = 3
-"""Stretches of rows that are looked at."""
+"""Stretches of rows that are looked at: of more there are no extremes."""
 
-INWARDS = 1e-10
+INWARDS = 1e-9
 """How far inside the limit its value is given, in rows: there the mechanism still closes."""
 
 HALVINGS = 45
@@ -59,12 +68,13 @@ def stretches_of(there: Mask, closes: Mask) -> tuple[Stretches, Mask]:
         return Stretches(ones * rows, ones, ones, ones * rows, ones * rows), there
     begins = np.diff(there, axis=1, prepend=False) & there
     begun = np.cumsum(begins, axis=1)
-    shown = there & (begun <= STRETCHES)
+    number = np.asarray(begun[:, -1], np.int64)
+    looked_at = there & (begun <= STRETCHES)
     in_first = there & (begun == 1)
     first = np.argmax(in_first, axis=1) + 1
     last = first + in_first.sum(axis=1) - 1
-    last_row = rows - np.argmax(shown[:, ::-1], axis=1)
-    number = np.asarray(begun[:, -1], np.int64)
+    last_row = rows - np.argmax(looked_at[:, ::-1], axis=1)
+    shown = there & (number <= STRETCHES)[:, None]
     return Stretches(there.sum(axis=1), number, first, last, last_row), shown
 
 
@@ -207,7 +217,51 @@ def refined(
             probed = found(*_where_it_turns(way, anchors, around, slopes))
         stacked = np.array([best, *probed, *at_ends])
         extreme = stacked.min(axis=0) if way == "min" else stacked.max(axis=0)
-    return np.where((stretches.number > 1) | ~np.isfinite(best), best, extreme)
+    of_rows = (stretches.number > 1) | (first == last) | ~np.isfinite(best)
+    return np.where(of_rows, best, extreme)
+
+
+Point = tuple[Array, Array]
+
+
+@dataclass(frozen=True, slots=True)
+class Roots:
+    """Places by the root of their distance from a limit, as a part of the best row's; without limit, by the distance from a
+    place before all."""
+
+    here: Array
+    limit: Array
+    limited: Mask
+
+    def of(self, places: Array) -> Array:
+        """The roots of places."""
+        part = (places - self.limit) / (self.here - self.limit)
+        return np.where(self.limited, np.sqrt(part), part)
+
+    def place(self, roots: Array) -> Array:
+        """The other way round."""
+        return np.asarray(self.limit + (self.here - self.limit) * np.where(self.limited, roots**2, roots))
+
+    def first(self, there: Array, best: Array, value: Array) -> Array:
+        """Where the parabolas through the limit (`there` is the value), the row and the next have their vertices:
+
+        y(w) = y0 + b w + c w^2 with w^2 = |u - limit|.
+        """
+        far, rise, next_rise = np.abs(self.here - self.limit), best - there, value - there
+        root = ((far + 1) * rise - far * next_rise) / (2 * (np.sqrt(far + 1) * rise - np.sqrt(far) * next_rise))
+        root = np.where(np.isfinite(root), np.maximum(0.0, root), 0.0)
+        return self._off(np.maximum(far / 4.0, np.minimum(far + 1.0, root**2)))
+
+    def second(self, there: Array, best: Array, one: Point) -> Array:
+        """The same through the limit, the first probe and the row."""
+        far, w, rise, row_rise = np.abs(self.here - self.limit), self.of(one[0]), one[1] - there, best - there
+        root = (rise - w**2 * row_rise) / (2 * (rise - w * row_rise))
+        root = np.where(np.isfinite(root), np.maximum(FROM_LIMIT, root), FROM_LIMIT)
+        root = np.where(there == best, AT_LIMIT, root)
+        return self._off(np.minimum(far + 1.0, far * root**2))
+
+    def _off(self, far: Array) -> Array:
+        return np.asarray(self.limit + np.sign(self.here - self.limit) * far)
 
 
 def _by_parabolas(
@@ -225,17 +279,19 @@ def _by_parabolas(
     near = np.minimum(here + 1.0, vertex)
     one = np.where(beyond, np.maximum(here - 1.0, near),
                    np.maximum(np.maximum(least, here - 1.0), np.minimum(most, near)))  # fmt: skip
-    at_low, at_high = at_first & (low < around.first), at_last & (high > around.last)
-    limited, limit = at_low | at_high, np.where(at_low, low, high)
+    at_low = at_first & (low < around.first)
+    limited = at_low | (at_last & (high > around.last))
+    roots = Roots(here, np.where(at_low, low, np.where(limited, high, BEFORE)), limited)
+    there = np.where(at_low, *at_ends)
+    one = np.where(limited, roots.first(there, best, value), one)
     (y_one,) = found(one)
     worse = y_one > best if way == "min" else y_one < best
-    two = around.within(np.where(worse, 2.0 * here - one, one + np.where(one - here > 1e-6, -BESIDE, BESIDE)))
-    root = vertex_of_root(limit, np.where(at_low, *at_ends), here, best, value)
-    two = np.where(limited, np.where(np.isfinite(root), root, limit), two)
+    aside = np.where(worse, 2.0 * here - one, one + np.where(one - here > 1e-6, -BESIDE, BESIDE))
+    two = around.within(np.where(limited, roots.second(there, best, (one, y_one)), aside))
     (y_two,) = found(two)
-    three = _further(one, around, (here, best), (one, y_one), (two, y_two))
+    three = _further(one, around, roots, (here, best), (one, y_one), (two, y_two))
     (y_three,) = found(three)
-    four = _further(one, around, (one, y_one), (two, y_two), (three, y_three))
+    four = _further(one, around, roots, (one, y_one), (two, y_two), (three, y_three))
     return [y_one, y_two, y_three, *found(four)]
 
 
@@ -260,9 +316,6 @@ def _where_it_turns(way: Way, anchors: Anchors, around: Around, slopes: Slopes) 
     return one, newton(one, *slopes(one))
 
 
-Point = tuple[Array, Array]
-
-
 def vertex_of(one: Point, two: Point, three: Point) -> Array:
     """Where the parabolas through three points (u, y) have their vertices."""
     (u_one, y_one), (u_two, y_two), (u_three, y_three) = one, two, three
@@ -273,18 +326,9 @@ def vertex_of(one: Point, two: Point, three: Point) -> Array:
     )
 
 
-def vertex_of_root(limit: Array, there: Array, here: Array, best: Array, value: Array) -> Array:
-    """Where the parabolas over the root of the distance from the limit have their vertices, not beyond the next row:
-
-    y(w) = y0 + b w + c w^2 with w^2 = |u - limit|, through the limit (`there` is the value), the row `here` and the next.
-    """
-    far, rise, next_rise = np.abs(here - limit), best - there, value - there
-    root = ((far + 1) * rise - far * next_rise) / (2 * (np.sqrt(far + 1) * rise - np.sqrt(far) * next_rise))
-    return np.asarray(limit + np.sign(here - limit) * np.minimum(far + 1, np.maximum(0.0, root) ** 2))
-
-
-def _further(middle: Array, around: Around, one: Point, two: Point, three: Point) -> Array:
-    vertex = vertex_of(one, two, three)
+def _further(middle: Array, around: Around, roots: Roots, *points: Point) -> Array:
+    one, two, three = ((roots.of(place), value) for place, value in points)
+    vertex = roots.place(np.maximum(0.0, vertex_of(one, two, three)))
     place = around.within(np.maximum(middle - 1.0, np.minimum(middle + 1.0, vertex)))
     return np.where(np.isfinite(place), place, middle)
 

@@ -77,9 +77,7 @@ class Checks:
         first = plan.at.first
         self.checks = [Check("gap", number, node) for number, node in gap_columns(plan, self.title, first)]
         self.checks += [
-            Check(
-                "margin", number, plan.at.bind(_least_nearby(symbol, plan.equations.tolerance, plan), self.title, first)
-            )
+            Check("margin", number, plan.at.bind(_least_nearby(symbol, plan), self.title, first))
             for number, symbol in plan.equations.margins.items()
         ]
         self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
@@ -294,16 +292,17 @@ def _without_formula(area: RangeRef) -> Node:
     return formula("IFERROR(SUMPRODUCT(1-ISFORMULA(area)),0)", area=area)
 
 
-def _least_nearby(margin: str, tolerance: str, plan: Plan) -> Node:
-    """The margin of the second row where the first three have one: of the parabola through them where that dips between.
+def _least_nearby(margin: str, plan: Plan) -> Node:
+    """The margin of the second row where the first three exist: of the parabola through them where that dips between.
 
     m - (c - a)^2 / (8 (a - 2 m + c)), for a > m < c
     """
     before, here, after = (plan.at.cell(margin, plan.at.titles["checks"], plan.at.first + step) for step in (-1, 0, 1))
+    said = RangeRef(*(CellRef(plan.at.first + step, STATUS, sheet=plan.table) for step in (-1, 1)))
     return formula(
-        'IFERROR(IF(MIN(before,here,after)<-tolerance,"",IF(AND(before>here,after>here),'
+        'IFERROR(IF(COUNTIF(said,ok)<3,"",IF(AND(before>here,after>here),'
         "here-(after-before)^2/(8*(before-2*here+after)),here)),\"\")",
-        before=before, here=here, after=after, tolerance=Symbol(tolerance),
+        before=before, here=here, after=after, said=said, ok=plan.text("status.ok"),
     )  # fmt: skip
 
 

@@ -2,8 +2,8 @@
 
 From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row
 beside it (or as far on the row's other side, where the first is worse than the row), and one at the vertex of the parabola
-through the row and these two. Where the best row is the last before a limit, the second probe is made where a parabola
-over the root of the distance from the limit has its vertex. What is given has been attained: the best of the row, the
+through the row and these two. Where the best row is the last before a limit, all parabolas are over the root of the distance
+from it. What is given has been attained: the best of the row, the
 probes and both ends of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows
 at its ends are neighbours, which is decided by formulas: start and step may change.
 
@@ -46,14 +46,26 @@ PROBES = 4
 BESIDE = 0.1
 """How far beside the first probe the second is made, in rows."""
 
+FROM_LIMIT = 0.125
+"""How far from a limit the second probe is made, at least: as a part of the root of the row's distance."""
+
+AT_LIMIT = 1e-3
+"""The same where the quantity has no number at the limit, where the row's then stands: it may grow without bound there."""
+
+BEFORE = -9.0
+"""A place before all others: of no limit."""
+
 FROM_END = 0.25
 """How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
-SETTLED, IMPROVED = 1e-4, 1e-2
+SETTLED, IMPROVED = 1e-4, 1e-3
 """The last probe may be worse than the best by the first part of the range, and better than all others by the second; more,
 and the value is said to be about right."""
 
 TITLE_ROW, ABOUT_ROW, HEAD_ROW, FIRST = 0, 1, 3, 4
+
+ROOT = SIDE + 8
+"""Working cells: the root of a probe's distance from a limit, or the distance."""
 
 Way = Literal["min", "max"]
 
@@ -107,7 +119,7 @@ class Extremes:
                 place = self.probes.cell(block.row + 2, SIDE + 3)
                 spots[f"#{way}_place_{symbol}"] = Spot(title, place.row, place.col)
         for symbol in self.quantities:
-            wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
+            wraps = self._wraps_of(symbol)
             spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
             for way in ("min", "max") if may_grow(self.plan, symbol) else ():
                 cell = self.probes.cell(self.blocks[symbol, way].row + 2, BOUNDLESS)
@@ -158,7 +170,7 @@ class Extremes:
             columns=(
                 Column(NUMBER, NUMBER, 5), Column(DRIVER, DRIVER, 11), Column(STATUS, STATUS, 14),
                 Column(STATUS + 1, probes.side - 2, 11), Column(probes.side - 1, probes.side - 1, 14),
-                Column(probes.side, probes.side + SIDE + 7, 11),
+                Column(probes.side, probes.side + SIDE + 8, 11),
             ),
             row_heights=((TITLE_ROW, 26.0), (HEAD_ROW, 30.0)),
             freeze=(FIRST, STATUS),
@@ -256,16 +268,19 @@ class Extremes:
         of_rows = self._best_row(column, way, block)
         if plan.rows_only:
             probes.work(row, VALUE, "value", value=of_rows)
-            probes.work(row + 1, SIDE + 2, "0")
+            if way == "max":
+                probes.work(row + 1, SIDE + 2, "0")
             self._result(symbol, way, block)
             return
-        wraps = self._wraps(symbol, block)
+        wraps = self._wraps_of(symbol)
+        if way == "max":
+            self._wraps(symbol, wraps)
         if turning.known(plan, symbol):
             turning.write(probes, block, symbol, way, wraps, self._rows_of_stretch(), self._ends_of_stretch())
         else:
             probes.lay(block, [symbol])
             self._first_probes(column, way, block, wraps)
-            self._further_probes(block)
+            self._further_probes(block, wraps)
         for index in range(1, block.probes + 1):
             cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
@@ -277,7 +292,7 @@ class Extremes:
         self._result(symbol, way, block)
 
     def _best_row(self, column: Node, way: Way, block: Block) -> CellRef:
-        """The best value of all rows that exist; its row goes to the anchor."""
+        """The best value of all rows that exist, of no more stretches than are looked at; its row goes to the anchor."""
         probes, row, limits = self.probes, block.row, self.limits
         for number in range(1, STRETCHES + 1):
             first, last = limits.of_stretch(number, FIRST_ROW), limits.of_stretch(number, LAST_ROW)
@@ -287,18 +302,22 @@ class Extremes:
                 first=first, last=last, column=column,
             )  # fmt: skip
         bests = probes.cells_across(row, SIDE, STRETCHES)
-        most = probes.work(row, SIDE + 3, f"IF(COUNT(bests)=0,NA(),{way.upper()}(bests))", bests=bests)
-        first = probes.work(
-            row, SIDE + 4, "INDEX(firsts,MATCH(most,bests,0))",
-            most=most, bests=bests, firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
+        most = probes.work(row, SIDE + 3, f"IF(OR(COUNT(bests)=0,_stretches>most),NA(),{way.upper()}(bests))", bests=bests,
+                           most=STRETCHES)  # fmt: skip
+        begin = formula(
+            "INDEX(firsts,MATCH(most,bests,0))", most=most, bests=bests,
+            firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
         )  # fmt: skip
         probes.work(
-            row, AT, "first-1+MATCH(most,INDEX(column,first):INDEX(column,rows),0)",
-            first=first, rows=self.plan.rows, most=most, column=column,
+            row, AT, "begin-1+MATCH(most,INDEX(column,begin):INDEX(column,rows),0)",
+            begin=begin, rows=self.plan.rows, most=most, column=column,
         )  # fmt: skip
         return most
 
-    def _wraps(self, symbol: str, block: Block) -> CellRef:
+    def _wraps_of(self, symbol: str) -> CellRef:
+        return self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
+
+    def _wraps(self, symbol: str, cell: CellRef) -> None:
         """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
         quantity has gone on by a turn."""
         plan, probes = self.plan, self.probes
@@ -309,8 +328,8 @@ class Extremes:
             CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
         )
         holes: dict[str, Node | float | str] = {"half": turns, "start": start, "end": end} if turns else {}
-        return probes.work(
-            block.row + 1, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
+        probes.work(
+            cell.row, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
             first=first, last=last, rows=plan.rows, **holes,
         )  # fmt: skip
 
@@ -346,43 +365,72 @@ class Extremes:
             "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(least,here-1,MIN(most,here+1,vertex)))",
             wraps=around, here=here, vertex=vertex, least=least, most=most,
         )  # fmt: skip
+        if self.ends:
+            place = formula("IF(limit>0,root,place)", limit=self._limit(block, around), root=self._first_root(block),
+                            place=place)  # fmt: skip
         one = probes.work(row + 1, AT, "place", place=place)
         worse = formula("there>best" if way == "min" else "there<best", there=probes.cell(row + 1, VALUE),
                         best=probes.cell(row, VALUE))  # fmt: skip
-        aside = formula(
-            "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),IF(worse,2*here-one,one+IF(one-here>1E-6,-beside,beside))))",
-            wraps=around, low=low, high=high, rows=plan.rows, worse=worse, here=here, one=one, beside=BESIDE,
-        )  # fmt: skip
+        aside = formula("IF(worse,2*here-one,one+IF(one-here>1E-6,-beside,beside))", worse=worse, here=here, one=one,
+                        beside=BESIDE)  # fmt: skip
         if self.ends:
-            aside = formula("IF(ISNUMBER(root),root,aside)", root=self._from_limit(block, around), aside=aside)
-        probes.work(row + 2, AT, "aside", aside=aside)
+            aside = formula(
+                "IF(limit>0,root,aside)", limit=self._limit_of(block), root=self._second_root(block), aside=aside
+            )
+        probes.work(
+            row + 2, AT, "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),aside))",
+            wraps=around, low=low, high=high, rows=plan.rows, aside=aside,
+        )  # fmt: skip
 
-    def _from_limit(self, block: Block, wraps: Node) -> CellRef:
-        """Where the best row is the last before a limit: a quantity goes there as a root does. The place of the vertex of
+    def _limit_of(self, block: Block) -> CellRef:
+        return self.probes.cell(block.row + 3, SIDE)
 
-        y(w) = y0 + b w + c w^2 with w^2 = |u - limit|, through the limit, that row and the next; else a text.
-        """
-        probes, row = self.probes, block.row
-        here, best, next_best = probes.cell(row, AT), probes.cell(row, VALUE), probes.cell(row + 1, SIDE + 5)
+    def _limit(self, block: Block, wraps: Node) -> CellRef:
+        """The limit beside the best row, where there is one, else a place before all: a quantity goes to a limit as a
+        root does."""
+        probes = self.probes
         first, last = self._rows_of_stretch()
         low, high = self._ends_of_stretch()
-        limit = probes.work(
-            row + 3, SIDE, 'IF(wraps>0,"",IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,"")))',
-            wraps=wraps, here=here, first=first, last=last, low=low, high=high,
+        return probes.work(
+            block.row + 3, SIDE,
+            "IF(wraps>0,before,IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,before)))",
+            wraps=wraps, here=probes.cell(block.row, AT), first=first, last=last, low=low, high=high, before=BEFORE,
         )  # fmt: skip
-        values = [probes.cell(row + PROBES + index, VALUE) for index in (1, 2)]
-        there = probes.work(row + 3, SIDE + 1, "IF(limit=low,at_low,at_high)", limit=limit, low=low,
-                            at_low=values[0], at_high=values[1])  # fmt: skip
+
+    def _first_root(self, block: Block) -> CellRef:
+        """The place of the vertex of the parabola
+
+        y(w) = y0 + b w + c w^2, with w^2 = |u - limit|, through the limit, the row beside it and the next: no nearer to the
+        limit than halfway (in w), no farther than the next row.
+        """
+        probes, row = self.probes, block.row
+        here, limit = probes.cell(row, AT), self._limit_of(block)
+        low, _ = self._ends_of_stretch()
+        at_low, at_high = (probes.cell(row + PROBES + index, VALUE) for index in (1, 2))
+        there = probes.work(row + 3, SIDE + 1, "IF(limit=low,at_low,at_high)", limit=limit, low=low, at_low=at_low,
+                            at_high=at_high)  # fmt: skip
         far = formula("ABS(here-limit)", here=here, limit=limit)
         root = formula(
-            "((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next))",
-            far=far, rise=formula("best-there", best=best, there=there),
-            next=formula("best-there", best=next_best, there=there),
+            "IFERROR(((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next)),0)", far=far,
+            rise=formula("best-there", best=probes.cell(row, VALUE), there=there),
+            next=formula("next-there", next=probes.cell(row + 1, SIDE + 5), there=there),
         )  # fmt: skip
-        return probes.work(
-            row + 3, SIDE + 2,
-            'IF(ISNUMBER(limit),IFERROR(limit+SIGN(here-limit)*MIN(far+1,MAX(0,root)^2),limit),"")',
-            limit=limit, here=here, far=far, root=root,
+        return probes.work(row + 3, SIDE + 2, "limit+SIGN(here-limit)*MAX(far/4,MIN(far+1,MAX(0,root)^2))", limit=limit,
+                           here=here, far=far, root=root)  # fmt: skip
+
+    def _second_root(self, block: Block) -> Node:
+        """The same through the limit, the first probe and the row; some way off the limit in any case, so that something is
+        learnt."""
+        probes, row = self.probes, block.row
+        here, limit, there = probes.cell(row, AT), self._limit_of(block), probes.cell(row + 3, SIDE + 1)
+        root = formula(
+            "((one-there)-w^2*(best-there))/(2*((one-there)-w*(best-there)))", w=probes.cell(row + 1, ROOT), there=there,
+            one=probes.cell(row + 1, VALUE), best=probes.cell(row, VALUE),
+        )  # fmt: skip
+        return formula(
+            "limit+SIGN(here-limit)*MIN(far+1,far*IF(there=best,close,MAX(least,IFERROR(root,0)))^2)", limit=limit,
+            here=here, root=root, far=formula("ABS(here-limit)", here=here, limit=limit), least=FROM_LIMIT, there=there,
+            best=probes.cell(row, VALUE), close=AT_LIMIT,
         )  # fmt: skip
 
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
@@ -404,18 +452,32 @@ class Extremes:
             return 0.0
         return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
 
-    def _further_probes(self, block: Block) -> None:
+    def _further_probes(self, block: Block, wraps: CellRef) -> None:
         """At the vertex of the parabola through the row and the two probes; then through the three probes."""
         probes, row = self.probes, block.row
-        low, high, wraps = *self._ends_of_stretch(), self._around(probes.cell(row + 1, SIDE + 2))
+        low, high, around = *self._ends_of_stretch(), self._around(wraps)
         middle = probes.cell(row + 1, AT)
+        here, limit = probes.cell(row, AT), self._limit_of(block)
+        if self.ends:
+            probes.work(row + 1, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=limit, here=here,
+                        place=middle)  # fmt: skip
+        vertex: Node
         for probe in range(3, PROBES + 1):
-            points = [
+            points: list[tuple[Node, Node]] = [
                 (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
             ]
+            if self.ends:  # over the root of the distance from a limit, as a part of the row's
+                probes.work(row + probe - 1, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=limit, here=here,
+                            place=points[2][0])  # fmt: skip
+                roots: list[Node] = [probes.cell(row + index, ROOT) for index in range(1, probe)]
+                points = list(zip([al.ONE, *roots][-3:], (value for _, value in points), strict=True))
+                vertex = formula("limit+(here-limit)*MAX(0,vertex)^IF(limit>0,2,1)", limit=limit, here=here,
+                                 vertex=vertex_of(points))  # fmt: skip
+            else:
+                vertex = vertex_of(points)
             place = formula(
                 "MAX(IF(wraps>0,middle-1,MAX(low,middle-1)),MIN(IF(wraps>0,middle+1,MIN(high,middle+1)),vertex))",
-                wraps=wraps, middle=middle, vertex=vertex_of(points), low=low, high=high,
+                wraps=around, middle=middle, vertex=vertex, low=low, high=high,
             )  # fmt: skip
             probes.work(row + probe, AT, "IFERROR(place,middle)", place=place, middle=middle)
 
@@ -424,8 +486,8 @@ class Extremes:
         plan, probes, row = self.plan, self.probes, block.row
         count = 1 if plan.rows_only else block.probes + len(self.ends) + 1
         values = probes.cells_down(row, VALUE, count)
-        # each stretch would need probes of its own
-        known = "best" if count == 1 else "IF(_stretches>1,of_rows,best)"
+        # each stretch would need probes of its own, and where it ends must be known
+        known = "best" if count == 1 else "IF(_rows_only,of_rows,best)"
         value = probes.work(
             row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
         )
@@ -437,7 +499,7 @@ class Extremes:
                         drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
             probes.work(row + 2, SIDE + 2, "FALSE")
             return
-        wraps = self._around(probes.cell(row + 1, SIDE + 2))
+        wraps = self._around(self._wraps_of(symbol))
         within = formula(
             "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=plan.rows
         )
@@ -513,21 +575,14 @@ def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
     if plan.newton:
         return Text(plan.text("verdict.rows.only"))
-    return formula("IF(_stretches>1,rows,one)", rows=plan.text("verdict.rows.only"),
-                   one=about_one_stretch(plan, symbol, ways))  # fmt: skip
-
-
-def about_one_stretch(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
-    """The same, where it has been asked whether there are several stretches."""
-    if plan.newton:
-        return Text(plan.text("verdict.rows.only"))
-    unsettled = tuple(Symbol(f"#{way}_about_{symbol}") for way in ways)
-    settled = formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=Call("OR", (Symbol("#unsettled"), *unsettled)),
-                      about=plan.text("verdict.about"))  # fmt: skip
+    unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
+    settled = formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=unsettled, about=plan.text("verdict.about"))
     without = boundless(plan, symbol, ways)
-    return settled if without is None else formula(
-        "IF(without,words,settled)", without=without, words=plan.text("verdict.boundless"), settled=settled
-    )  # fmt: skip
+    if without is not None:
+        settled = formula(
+            "IF(without,words,settled)", without=without, words=plan.text("verdict.boundless"), settled=settled
+        )
+    return formula("IF(_rows_only,rows,settled)", rows=plan.text("verdict.rows.only"), settled=settled)
 
 
 def boundless(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node | None:

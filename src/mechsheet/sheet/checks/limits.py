@@ -1,14 +1,14 @@
 """Stretches of the sweep in which the mechanism closes, and their ends: the limit positions, between two rows.
 
 The margin of the group that comes apart is smooth in the driver on both sides of the limit. Three probes look for
-where it is 0: the first by the chord through the two rows beside it, the others by the inverse parabola through three
-points known (Brent, Algorithms for Minimization without Derivatives, 1973). Values of the driver are counted in rows
-(`probes`).
+where it is 0: the first by the chord through the two rows beside it, the others by the parabola through three points known,
+between which its sign changes: there such a parabola has one zero (Muller, A Method for Solving Algebraic Equations Using an
+Automatic Computer, 1956). Values of the driver are counted in rows (`probes`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.names import folded, safe_name
@@ -29,7 +29,7 @@ LIMITS = 4
 """Limits that are found; further ones are counted."""
 
 PROBES = 3
-INWARDS = 1e-10
+INWARDS = 1e-9
 """How far inside the limit its value is given, in parts of a row: there the mechanism still closes."""
 
 ASIDE = 2e-3
@@ -40,7 +40,13 @@ APART = 1e-7
 
 SETTLED = 1e-5
 """What the last probe lacks to the limit, in parts of the margin in the row beside it; more, and it is said to be
-about right."""
+known to a step."""
+
+GROUP, BEND = 4, 5
+"""Working cells beside a probe: the number of the group that comes apart, the bend of a parabola through it."""
+
+Point = tuple[Node, Node]
+"""A place and the margin there."""
 
 FIRST_ROW, LAST_ROW, FROM, TO, WORDS = range(5)
 """Cells of a stretch, beside each other: its rows (from 1), where it begins and ends between rows, and its rows in words."""
@@ -66,6 +72,7 @@ class Limits:
         n = probes.cell(row, 1)
         self.plan.at.spots["#stretches"] = Spot(probes.title, n.row, n.col)
         self.plan.at.spots["#unsettled"] = Spot(probes.title, n.row, n.col + 1)
+        self.plan.at.spots["#rows_only"] = Spot(probes.title, n.row, n.col + 2)
         for number in range(1, STRETCHES + 1):
             for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO), ("stretch", WORDS)):
                 spot = self.of_stretch(number, work)
@@ -97,9 +104,14 @@ class Limits:
         for work, key in enumerate(("first", "last", "from", "to")):
             probes.put(self.row + 1, probes.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
         rests = [self.plan.at.cell(f"#rest_{number}", probes.title, None) for number in range(1, self.count + 1)]
-        probes.work(
+        unsettled = probes.work(
             self.row, 2, "rests>settled" if rests else "FALSE", rests=Call("MAX", tuple(rests)), settled=SETTLED
         )
+        first, last = (self.of_stretch(1, work) for work in (FIRST_ROW, LAST_ROW))
+        probes.work(
+            self.row, 3, "OR(stretches>1,unsettled,AND(stretches=1,first=last))",
+            stretches=stretches, first=first, last=last, unsettled=unsettled,
+        )  # fmt: skip
         for number in range(1, STRETCHES + 1):
             self._stretch(number, stretches)
         for number, block in enumerate(self.blocks, 1):
@@ -155,56 +167,64 @@ class Limits:
             place=place, inside=inside, rows=plan.rows,
         )  # fmt: skip
         probes.work(row, AT, "inside", inside=inside)
+        self._look(block, inside, outside)
+
+    def _look(self, block: Block, inside: CellRef, outside: CellRef) -> None:
+        """Where between a row that exists and one that does not the margin is 0, and what the last probe lacks."""
+        probes, row, side = self.probes, block.row, SIDE
+        plan = self.plan
         symbols = plan.equations.margins
+        several = len(symbols) > 1
         probes.lay(block, list(symbols.values()) + [g.closes for g in plan.equations.groups[:-1]])
-        opened = probes.work(row, side + 3, "opened", opened=self._opened(outside))
+        # the group that is open in the missing row; another may come apart before it: the probes show it
+        opened = probes.work(row, side + 3, "opened", opened=self._opened(outside)) if several else None
         here = self._margin_of_row(row, VALUE, opened, inside)
         beyond = self._margin_of_row(row + 1, side, opened, outside)
         probes.work(row + 1, AT, "inside+(outside-inside)*here/(here-beyond)",
                     inside=inside, outside=outside, here=here, beyond=beyond)  # fmt: skip
-        several = len(symbols) > 1
-        # another group may come apart before the one that is open in the missing row: the second probe shows it
-        group = opened
-        if several:
-            group = probes.work(row + 1, side + 1, "first", first=self._open_at(row + 2, opened))
-        for index in range(1, PROBES + 1):
-            cells = self._margins_at(row + index)
-            named: dict[str, Node] = {f"group{number}x": cell for number, cell in zip(symbols, cells, strict=True)}
-            probes.work(row + index, VALUE, _chosen(symbols), **named, group=opened if index == 1 else group)
-        known, end = (probes.cell(row, AT), here), (outside, beyond)
-        one: tuple[Node, Node]
+        one: Point
         one, two, three = ((probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in (1, 2, 3))
-        # with several groups a little inside: where one is just open, nothing is known of those after it
-        # where the margin is least near the missing row, it goes there as a square does: u(m) is no parabola
-        second = "IFERROR(IF(f<beyond/2,chord,zero),one)" + ("+(inside-outside)*aside" if several else "")
-        probes.work(
-            row + 2, AT, second, zero=self._zero((known, end, one), inside, outside, APART), one=one[0], inside=inside,
-            chord=formula("one+(inside-one)*SQRT(-f/(here-f))", inside=inside, one=one[0], here=here, f=one[1]),
-            outside=outside, aside=ASIDE, f=one[1], beyond=beyond,
+        group = self._group_at(row + 1, opened)
+        probes.work(row + 1, VALUE, _chosen(symbols), **self._named_margins(row + 1, group))
+        parabola = formula(
+            "inside+(outside-inside)*2*part/(1+bend+SQRT((1+bend)^2-4*bend*part))", inside=inside, outside=outside,
+            part=formula("ABS(one-inside)", one=one[0], inside=inside),
+            bend=formula("f*(here-beyond)/(here*beyond)", f=one[1], here=here, beyond=beyond),
         )  # fmt: skip
-        if several:  # then all begins anew from the row that exists
-            here = self._margin_of_row(row + 2, side, group, inside)
-            known = (known[0], here)
+        if group is not None and opened is not None:
+            here = self._margin_of_row(row + 1, side + 2, group, inside)
             same = formula("group=opened", group=group, opened=opened)
-            place, margin = (
-                probes.work(
-                    row + 2, side + work, "IF(same,probed,row_there)", same=same, probed=probed, row_there=there
-                )
-                for work, probed, there in ((1, one[0], known[0]), (2, one[1], here))
-            )
-            one = (place, margin)
-        chord = formula("inside+(two-inside)*here/(here-f)", inside=inside, two=two[0], here=here, f=two[1])
-        zero = self._zero((known, one, two), inside, outside, APART)
-        probes.work(row + 3, AT, "IFERROR(zero,IFERROR(chord,two))", zero=zero, chord=chord, two=two[0])
-        best = probes.work(row, side + 6, "IF(ISNUMBER(outside),IFERROR(zero,last),NA())", outside=outside, last=three[0],
-                           zero=self._zero((one, two, three), inside, outside, 0.0))  # fmt: skip
+            parabola = formula("IF(same,parabola,chord)+(inside-outside)*aside", same=same,
+                               parabola=parabola, chord=_chord((inside, here), one), inside=inside, outside=outside,
+                               aside=ASIDE)  # fmt: skip
+        probes.work(row + 2, AT, "IFERROR(parabola,one)", parabola=parabola, one=one[0])
+        group = self._group_at(row + 2, group)
+        for index in (2, 3):
+            probes.work(row + index, VALUE, _chosen(symbols), **self._named_margins(row + index, group))
+        if several:
+            here = self._margin_of_row(row + 2, side + 1, group, inside)
+            one = (one[0], probes.work(row + 2, side + 2, _chosen(symbols), **self._named_margins(row + 1, group)))
+        # the end whose margin has the other sign where both probes have the same
+        end, margin = (
+            formula("IF(MIN(f,g)>0,far,near)", f=one[1], g=two[1], far=there, near=known)
+            for there, known in ((outside, inside), (beyond, here))
+        )
+        begin, way = (inside, here), al.sub(inside, outside)
+        place = self._zero(row + 2, begin, (end, margin), one, two, way)
+        # apart from the last probe, so that the slope can be seen
+        apart = formula("MEDIAN(v+way*IF(g<0,apart,-apart),IF(g<0,inside,outside),place)", v=two[0], g=two[1], way=way,
+                        apart=APART, inside=inside, outside=outside, place=place)  # fmt: skip
+        probes.work(row + 3, AT, "apart", apart=apart)
+        zero = self._zero(row + 3, begin, one, two, three, way)
+        best = probes.work(row, side + 6, "IF(ISNUMBER(outside),zero,NA())", outside=outside, zero=zero)
         # a little inside, by a part of what the last step still changed
         found = probes.work(
             row, side + 4, "MEDIAN(inside,outside,best+(inside-outside)*(ABS(best-probed)*part+inwards))",
             best=best, inside=inside, outside=outside, probed=three[0], part=1e-4, inwards=INWARDS,
         )  # fmt: skip
         probes.work(row, side + 5, "driver", styles.RESULT, driver=driver_at(self.plan, found))
-        least = Call("MIN", tuple(self._margins_at(row + PROBES)))
+        # of groups after one that is open nothing is known
+        least = Call("MIN", tuple(formula("IFERROR(margin,0)", margin=cell) for cell in self._margins_at(row + PROBES)))
         probes.work(row, side + 7, "IF(ISNUMBER(outside),IFERROR(MAX(ABS(f),-least)/here,1),0)",
                     outside=outside, f=three[1], least=least, here=here)  # fmt: skip
 
@@ -213,12 +233,22 @@ class Limits:
         spots = self.plan.at.spots
         return [CellRef(row, spots[symbol].col, False, True) for symbol in self.plan.equations.margins.values()]
 
-    def _open_at(self, row: int, opened: Node) -> Node:
-        """The number of the first group that is not joined in a probe; where all are, the one open in the row beyond."""
-        found = opened
+    def _named_margins(self, row: int, group: CellRef | None) -> dict[str, Node]:
+        """The same and the group whose margin is asked for, as `_chosen` reads them."""
+        symbols = self.plan.equations.margins
+        named: dict[str, Node] = {
+            f"group{number}x": cell for number, cell in zip(symbols, self._margins_at(row), strict=True)
+        }
+        return named if group is None else {**named, "group": group}
+
+    def _group_at(self, row: int, before: CellRef | None) -> CellRef | None:
+        """The number of the first group that is not joined in a probe; where all are, that of the probe before."""
+        if before is None:
+            return None
+        found: Node = before
         for number, cell in reversed([*zip(self.plan.equations.margins, self._margins_at(row), strict=True)]):
             found = formula("IF(IFERROR(margin<0,FALSE),number,found)", margin=cell, number=number, found=found)
-        return found
+        return self.probes.work(row, SIDE + GROUP, "group", group=found)
 
     def _opened(self, row: Node) -> Node:
         """The number of the group that is not joined in a row of the table."""
@@ -228,34 +258,41 @@ class Limits:
         ]
         return first_open(closing)
 
-    def _margin_of_row(self, row: int, work: int, group: Node, table_row: Node) -> CellRef:
+    def _margin_of_row(self, row: int, work: int, group: CellRef | None, table_row: Node) -> CellRef:
         """The margin of the group in a row of the table."""
         symbols = self.plan.equations.margins
         values: dict[str, Node] = {
             f"group{number}x": formula("INDEX(column,row_there)", column=Symbol(ALL + symbol), row_there=table_row)
             for number, symbol in symbols.items()
         }
-        return self.probes.work(row, work, _chosen(symbols), **values, group=group)
+        named = values if group is None else {**values, "group": group}
+        return self.probes.work(row, work, _chosen(symbols), **named)
 
-    def _zero(self, known: Sequence[tuple[Node, Node]], inside: Node, outside: Node, apart: float) -> Node:
-        """Where a parabola u(m) through three points is 0, on the side of the last point where the limit is, apart
-        from it."""
-        (one, f_one), (two, f_two), (three, f_three) = known
-        total: Node = al.ZERO
-        for place, f, g, h in (
-            (one, f_one, f_two, f_three),
-            (two, f_two, f_one, f_three),
-            (three, f_three, f_one, f_two),
-        ):
-            total = al.add(total, formula("place*(g/(f-g))*(h/(f-h))", place=place, f=f, g=g, h=h))
-        edge = formula("IF(f<0,inside,outside)", f=f_three, inside=inside, outside=outside)
-        near = formula("last+(inside-outside)*IF(f<0,apart,-apart)", last=three, inside=inside, outside=outside,
-                       f=f_three, apart=apart) if apart else three  # fmt: skip
-        return formula("MEDIAN(near,edge,zero)", near=near, edge=edge, zero=total)
+    def _zero(self, row: int, inside: Point, end: Point, one: Point, two: Point, way: Node) -> Node:
+        """Where the parabola m(u) through an end and two probes, the last of them `two`, is 0 and falls outwards; `way`:
+        1 or -1, for inwards.
+
+        Its bend, m[one, two, end], stands in a working cell of `row`.
+        """
+        (u, f), (v, g) = one, two
+        bend = self.probes.work(row, SIDE + BEND, "((g-f)/(v-u)-(f-margin)/(u-end))/(v-end)", u=u, f=f, v=v, g=g,
+                                end=end[0], margin=end[1])  # fmt: skip
+        slope = formula("(g-f)/(v-u)+(v-u)*bend", u=u, f=f, v=v, g=g, bend=bend)
+        zero = formula("v-2*g/(slope+way*SQRT(slope^2-4*g*bend))", v=v, g=g, slope=slope, way=way, bend=bend)
+        return formula("IFERROR(zero,IF(g<0,chord,v))", zero=zero, g=g, v=v, chord=_chord(inside, two))
+
+
+def _chord(one: Point, two: Point) -> Node:
+    """Where the chord of two points is 0."""
+    (u, f), (v, g) = one, two
+    return formula("u+(v-u)*f/(f-g)", u=u, f=f, v=v, g=g)
 
 
 def _chosen(symbols: Mapping[int, str]) -> str:
-    """The quantity of the group that comes apart, of those that have a margin."""
+    """The margin of the group that comes apart, of those that have one."""
+    *others, last = symbols
+    if not others:
+        return f"group{last}x"
     text = "NA()"
     for number in reversed(symbols):
         text = f"IF(group={number},group{number}x,{text})"

@@ -16,7 +16,7 @@ from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.efforts import AGREES
-from mechsheet.sheet.checks.extremes import Extremes, about, about_one_stretch, where_bounded
+from mechsheet.sheet.checks.extremes import Extremes, about, where_bounded
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
@@ -189,13 +189,17 @@ class _Block:
             parts.append(formula('IF(count<number,"",named)', count=cell, number=number, named=named))
         more = formula('IF(count>most," …","")', count=cell, most=LIMITS)
         if self.extremes.limits.count:
-            more = joined(more, formula('IF(_unsettled,about,"")', about=self.text("about")))
+            more = joined(more, self._within_a_step())
         words = self.bound(
             'IF(count>0,IFERROR(found,""),IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
             passes=self.value("passes"), none=self.text("limits.none"), found=joined(*parts, more),
         )  # fmt: skip
         self.line("limits", self.text("limits"), "", count, 0, words)
         self.colour("limits", "count>0", styles.WARN, count=cell)
+
+    def _within_a_step(self) -> Node:
+        """What is added to limits that three probes have not found."""
+        return formula('IF(_unsettled,within,"")', within=self.text("within"))
 
     def input_range(self) -> None:
         """From where to where the driver can go in the first stretch."""
@@ -211,8 +215,8 @@ class _Block:
                              passes=self.value("passes"))  # fmt: skip
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
-        words = self.bound("IF(_stretches=0,nowhere,IF(_stretches>1,first,free))", nowhere=self.text("rows.none"),
-                           first=self.text("input.first"), free=free)  # fmt: skip
+        words = self.bound("IF(_stretches=0,nowhere,IF(_stretches>1,first,free)&within)", nowhere=self.text("rows.none"),
+                           first=self.text("input.first"), free=free, within=self._within_a_step())  # fmt: skip
         digits = self._driver_places()
         low, high = (self.bound("IF(_stretches=0,NA(),value)", value=end) for end in ends)
         self.line("input_from", self.text("input"), unit, low, digits, words)
@@ -347,7 +351,7 @@ class _Block:
         node = self.bound("IF(_stretches<>1,NA(),IFERROR(value,NA()))", value=value)
         said = self.bound(
             'IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
-            about=about_one_stretch(self.plan, symbol), several=self.text("swing.several"), unsure=self.text("unsure"),
+            about=about(self.plan, symbol), several=self.text("swing.several"), unsure=self.text("unsure"),
         )  # fmt: skip
         self.line(key, rich(symbol), unit, node, places(self.plan, kind), said)
 
@@ -403,7 +407,7 @@ class _Block:
         smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
         poor = formula("value<limit", value=cell, limit=POOR if degrees else round(math.radians(POOR), 3))
         grade = formula(
-            'IF(_stretches>1,"",IF(poor,bad,good))',
+            'IF(_rows_only,"",IF(poor,bad,good))',
             poor=poor,
             bad=f": {self.text('poor')}",
             good=f": {self.text('fair')}",
