@@ -19,9 +19,8 @@ import xlsxwriter
 ROOT = Path(__file__).parent.parent
 sys.path[:0] = [str(ROOT / "tests" / "sheet")]
 
-from budgets import ALL, PAGES, TEMPLATES, compiled, size_of  # noqa: E402
+from budgets import ALL, PAGES, PLAIN, PLAIN_TOGETHER, TEMPLATES, compiled, many_rows, size_of  # noqa: E402
 
-from mechsheet.description import loads  # noqa: E402
 from mechsheet.library.building import build  # noqa: E402
 
 ROWS = (25, 361, 36_001)
@@ -39,6 +38,8 @@ def table():
             line(name, "page", f"{name}-page.xlsx")
     total = sum(size_of(compiled(name)).cells for name in TEMPLATES)
     print(f"{'all':<22}{'sheets':<15}{total:>10,}   (budget {ALL:,})")
+    plain = sum(size_of(compiled(name)).cells for name in PLAIN)
+    print(f"{'the first 29':<22}{'sheets':<15}{plain:>10,}   (budget {PLAIN_TOGETHER:,})")
 
 
 def line(name, layout, file, references=""):
@@ -48,13 +49,6 @@ def line(name, layout, file, references=""):
     label = f"{layout}, {references}" if references else layout
     numbers = (size.cells, size.table, size.columns, size.longest, size.elsewhere)
     print(f"{name:<22}{label:<15}" + "".join(f"{number:>10,}" for number in numbers) + f"{kilobytes:>10}", flush=True)
-
-
-def four_bar(rows):
-    """The template over a turn in so many rows."""
-    text = (ROOT / "templates" / "four-bar.toml").read_text(encoding="utf-8")
-    step = f"step = {360 / (rows - 1)!r}"
-    return loads("\n".join(step if line.startswith("step") else line for line in text.splitlines()))
 
 
 def bare_numbers(path, rows):
@@ -76,17 +70,19 @@ def cpu(act):
 
 
 def times():
-    """What more rows cost."""
-    print(f"\n{'four-bar, rows':>14}{'CPU s':>8}{'to 25 rows':>12}{'to bare numbers':>17}{'MB':>7}")
+    """What more rows cost, with names and with anchors."""
+    print(f"\n{'four-bar, rows':>14} {'references':<11}{'CPU s':>8}{'to 25 rows':>12}{'to bare numbers':>17}{'MB':>7}")
     with tempfile.TemporaryDirectory() as folder:
-        first = None
-        for rows in ROWS:
-            target, mechanism = Path(folder) / f"{rows}.xlsx", four_bar(rows)
-            used = cpu(lambda: build(mechanism, target, force=True))  # noqa: B023
-            bare = cpu(lambda: bare_numbers(Path(folder) / "bare.xlsx", rows))  # noqa: B023
-            first = first or used
-            size = target.stat().st_size / 1e6
-            print(f"{rows:>14,}{used:>8.2f}{used / first:>12.2f}{used / bare:>17.2f}{size:>7.2f}", flush=True)
+        for references in ("names", "anchors"):
+            first = None
+            for rows in ROWS:
+                target, mechanism = Path(folder) / f"{rows}.xlsx", many_rows(rows, references)
+                used = cpu(lambda: build(mechanism, target, force=True))  # noqa: B023
+                bare = cpu(lambda: bare_numbers(Path(folder) / "bare.xlsx", rows))  # noqa: B023
+                first = first or used
+                size = target.stat().st_size / 1e6
+                costs = f"{used:>8.2f}{used / first:>12.2f}{used / bare:>17.2f}{size:>7.2f}"
+                print(f"{rows:>14,} {references:<11}{costs}", flush=True)
 
 
 if __name__ == "__main__":

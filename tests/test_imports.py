@@ -7,9 +7,10 @@ import pytest
 
 SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
 
-EVERYBODY = {"diagnostics", "extras", "arguments.numbers"}
+EVERYBODY = {"diagnostics", "extras", "arguments.numbers", "said"}
 ALLOWED = {
     "diagnostics": set(),
+    "said": set(),
     "extras": set(),
     "arguments": {"formula", "formats.archive"},
     "units": set(),

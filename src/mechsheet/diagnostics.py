@@ -7,6 +7,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+from mechsheet.said import Said, say
+
 
 @dataclass(frozen=True, slots=True)
 class Fault:
@@ -87,10 +89,10 @@ class MissingProgramError(MechsheetError):
     """A program or package that was asked for is not installed; the message says what to install."""
 
 
-def near_miss(word: str, allowed: Iterable[str]) -> str:
+def near_miss(word: str, allowed: Iterable[str]) -> Said:
     """`did you mean "crank"?`, or "" when nothing in `allowed` resembles `word`."""
     found = difflib.get_close_matches(word, list(allowed), n=1, cutoff=0.6)
-    return f'did you mean "{found[0]}"?' if found else ""
+    return say('did you mean "{name}"?', name=found[0]) if found else say("")
 
 
 def readable_name(path: str | Path) -> str:

@@ -10,6 +10,7 @@ from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.model import Dimension
+from mechsheet.said import say
 from mechsheet.units import Unit
 
 
@@ -25,7 +26,7 @@ def own_cell(
         return quantity
     if given is BAD or isinstance(given, str):  # its fault has been reported
         return Symbol("")  # which has no value
-    scope.symbols.claim(symbol, what, path, f"rename it: the {what} has a cell of that name")
+    scope.symbols.claim(symbol, what, path, say("rename it: the {what} has a cell of that name", what=say(what)))
     scope.numbers[symbol] = quantity
     cells.append(Dimension(symbol, quantity, unit, shown=float(given), place=path))
     return Symbol(symbol)

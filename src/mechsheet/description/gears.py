@@ -20,6 +20,7 @@ from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
 from mechsheet.model import PRESSURE, Dimension, Gear, Joint, Link, Rack, Relation
+from mechsheet.said import say
 from mechsheet.units import NUMBER, Unit, unit_of
 
 ROUGH = 1
@@ -73,19 +74,19 @@ class _Reader:
 
     def _ratio(self, entry: dict[str, Any], order: int, link: str | None) -> tuple[Node, Node]:
         """The ratio (of a rack the radius), and the pressure angle."""
-        key = "radius" if entry["type"] == "rack" else "ratio"
+        key = say("radius") if entry["type"] == "rack" else say("ratio")
         path: Path = ("joints", order, key)
         kind, unit = (LENGTH, self._length) if key == "radius" else (ANY, NUMBER)
         number = self.ends.numbers[link] if link is not None else order
         node = own_cell(self.scope, self.cells, self._name(key, number), entry[key], kind, unit, path, key)
         if entry[key] is not BAD and self.scope.number(node) == 0:
-            self.scope.report.at(path, f"the {key} is 0: nothing would turn with it")
+            self.scope.report.at(path, say("the {key} is 0: nothing would turn with it", key=key))
         degrees = self.scope.quantity(entry.get("pressure_angle", STANDARD), ANGLE, (*path[:2], "pressure_angle"))
         if "pressure_angle" in entry:
             size = abs(self.scope.number(degrees))
             if size >= math.pi / 2:
-                message = "must be less than 90 degrees to either side"
-                self.scope.report.at((*path[:2], "pressure_angle"), message, "usual are 20 and 14.5 degrees")
+                message = say("must be less than 90 degrees to either side")
+                self.scope.report.at((*path[:2], "pressure_angle"), message, say("usual are 20 and 14.5 degrees"))
         return node, _as_node(degrees) if "pressure_angle" in entry else PRESSURE
 
     @property
@@ -101,12 +102,16 @@ class _Reader:
     def _can_turn(self, link: str, on: str, path: Path) -> bool:
         """Whether two wheels can turn against each other; reports why not."""
         if link == on:
-            self.scope.report.at((*path, "on"), f"{quoted(link)} is one link: no gear can turn it against itself")
+            self.scope.report.at(
+                (*path, "on"), say("{link} is one link: no gear can turn it against itself", link=quoted(link))
+            )
             return False
         for slide in self.slides:
             if slide.kind == "prismatic" and {slide.link, slide.on} == {link, on}:
-                message = (
-                    f"{quoted(link)} and {quoted(on)} slide on each other and keep their angle: no gear can turn them"
+                message = say(
+                    "{link} and {on} slide on each other and keep their angle: no gear can turn them",
+                    link=quoted(link),
+                    on=quoted(on),
                 )
                 self.scope.report.at((*path, "on"), message)
                 return False
@@ -116,11 +121,15 @@ class _Reader:
         """Whether the arm has a pivot with either wheel; reports which one it lacks."""
         where: Path = (*path, "arm") if given else path
         if arm in wheels:
-            self.scope.report.at(where, f"the arm {quoted(arm)} is one of the wheels", self._arms(wheels))
+            self.scope.report.at(where, say("the arm {arm} is one of the wheels", arm=quoted(arm)), self._arms(wheels))
             return False
         lacking = [wheel for wheel in wheels if not self._pivot(arm, wheel)]
         if lacking:
-            message = f"the arm {quoted(arm)} does not carry the axis of {listed(lacking, 'or')}: they share no point"
+            message = say(
+                "the arm {arm} does not carry the axis of {lacking}: they share no point",
+                arm=quoted(arm),
+                lacking=listed(lacking, "or"),
+            )
             self.scope.report.at(where, message, self._arms(wheels))
         return not lacking
 
@@ -143,7 +152,9 @@ class _Reader:
         slide = next((slide for slide in self.slides if slide.name == entry["joint"]), None)
         if slide is None and entry["joint"] is not BAD:
             hint = suggestion(entry["joint"], [slide.name for slide in self.slides], "sliding joints")
-            self.scope.report.at((*path, "joint"), f"no sliding joint is called {quoted(entry['joint'])}", hint)
+            self.scope.report.at(
+                (*path, "joint"), say("no sliding joint is called {entry}", entry=quoted(entry["joint"])), hint
+            )
         known = self.ends.has_link(entry["link"], (*path, "link"))
         radius, pressure = self._ratio(entry, order, entry["link"] if known else None)
         if slide is None or not known:
@@ -151,7 +162,9 @@ class _Reader:
         link = str(entry["link"])
         sides = [side for side in (slide.on, slide.link) if side != link]
         if len(sides) < 2:
-            message = f"{quoted(link)} is a side of the sliding joint itself: the pinion must be a third link"
+            message = say(
+                "{link} is a side of the sliding joint itself: the pinion must be a third link", link=quoted(link)
+            )
             self.scope.report.at((*path, "link"), message)
             return None
         if entry.get("arm") is BAD:
@@ -171,12 +184,14 @@ class _Reader:
         where: Path = (*path, "arm") if given else (*path, "link")
         if arm not in sides:
             if self.ends.has_link(arm, where):
-                message = f"the arm {quoted(arm)} is no side of the sliding joint"
-                self.scope.report.at(where, message, f"its sides: {listed(sides, 'or')}")
+                message = say("the arm {arm} is no side of the sliding joint", arm=quoted(arm))
+                self.scope.report.at(where, message, say("its sides: {sides}", sides=listed(sides, "or")))
             return False
         if not self._pivot(arm, link):
             which = quoted(arm) if given else listed(sides, "or")
-            message = f"the pinion {quoted(link)} is not pivoted on {which}: they share no point"
+            message = say(
+                "the pinion {link} is not pivoted on {which}: they share no point", link=quoted(link), which=which
+            )
             self.scope.report.at(where, message)
             return False
         return True

@@ -8,6 +8,7 @@ from mechsheet.description.kinds import plain_unit
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report
 from mechsheet.description.scope import Scope
+from mechsheet.said import say
 from mechsheet.units import unit_of
 
 
@@ -34,6 +35,6 @@ def scope_of(head: dict[str, Any], report: Report) -> Scope:
 def _length_unit(head: dict[str, Any], report: Report) -> str:
     unit = choice(head, "length_unit", "mm")
     if plain_unit(unit) in ("deg", "rad", "1") or unit != unit.strip():
-        report.at(("mechanism", "length_unit"), f"{quoted(unit)} cannot be the unit of lengths")
+        report.at(("mechanism", "length_unit"), say("{unit} cannot be the unit of lengths", unit=quoted(unit)))
         return "mm"
     return unit

@@ -11,6 +11,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, Space
 from mechsheet.model import Joint, Link
+from mechsheet.said import say
 
 RELATIONS = ("gear", "belt", "rack")
 """Types that tie angles and displacements to each other; they join nothing."""
@@ -30,7 +31,7 @@ class Ends:
             return False
         if name not in self.numbers:
             hint = suggestion(name, self.numbers, "links")
-            self.scope.report.at(path, f"no link is called {quoted(name)}", hint)
+            self.scope.report.at(path, say("no link is called {name}", name=quoted(name)), hint)
         return name in self.numbers
 
     def has_point(self, link: str, point: str, path: Path) -> bool:
@@ -39,8 +40,8 @@ class Ends:
         if points is None:
             return False
         if point not in points:
-            message = f"the link {quoted(link)} has no point {quoted(point)}"
-            self.scope.report.at(path, message, suggestion(point, points, f"points of {link}"))
+            message = say("the link {link} has no point {point}", link=quoted(link), point=quoted(point))
+            self.scope.report.at(path, message, suggestion(point, points, say("points of {link}", link=link)))
         return point in points
 
     def pair_symbol(self, letter: str, on: str, link: str) -> str:
@@ -73,7 +74,9 @@ def _joint(entry: dict[str, Any], path: Path, ends: Ends, scope: Scope) -> Joint
     link_known = ends.has_link(link, (*path, "link"))
     prismatic = entry["type"] == "prismatic"
     if on_known and link == on:
-        scope.report.at((*path, "link"), f"{quoted(on)} cannot slide on itself: `link` and `on` are the same")
+        scope.report.at(
+            (*path, "link"), say("{on} cannot slide on itself: `link` and `on` are the same", on=quoted(on))
+        )
         link_known = False
     through = _through(entry, path, ends, scope, on if on_known else None)
     angle = scope.quantity(entry.get("angle", 0), ANGLE, (*path, "angle"))
@@ -110,11 +113,15 @@ def _first_owner(point: str, on: str, path: Path, ends: Ends, scope: Scope) -> s
     if owners or any(points is None for points in ends.points.values()):
         return owners[0] if owners else None
     if point in scope.points:
-        message = f"the point {quoted(point)} belongs to {quoted(on)} itself: it must be a point of another link"
+        message = say(
+            "the point {point} belongs to {on} itself: it must be a point of another link",
+            point=quoted(point),
+            on=quoted(on),
+        )
         scope.report.at((*path, "point"), message)
     else:
         hint = suggestion(point, scope.points, "points")
-        scope.report.at((*path, "point"), f"no link has a point {quoted(point)}", hint)
+        scope.report.at((*path, "point"), say("no link has a point {point}", point=quoted(point)), hint)
     return None
 
 
@@ -122,8 +129,12 @@ def _free_of(on: str, point: str, path: Path, ends: Ends, scope: Scope) -> bool:
     """True when `on` does not have the sliding point as a point of its own, which would pin it."""
     if point not in (ends.points[on] or {}):
         return True
-    message = f"the point {quoted(point)} is a point of {quoted(on)} too, which pins it there: it cannot slide"
-    scope.report.at((*path, "point"), message, f"take it out of the points of {on}")
+    message = say(
+        "the point {point} is a point of {on} too, which pins it there: it cannot slide",
+        point=quoted(point),
+        on=quoted(on),
+    )
+    scope.report.at((*path, "point"), message, say("take it out of the points of {on}", on=on))
     return False
 
 
@@ -135,8 +146,10 @@ def _symbol(entry: dict[str, Any], link: str, path: Path, ends: Ends, scope: Sco
     if symbol is None:
         owners = [name for name in scope.points.get(entry["point"], ()) if name != entry["on"]]
         if entry["type"] == "pin-slot" and len(owners) > 1:
-            message = f"is missing: the point {quoted(entry['point'])} belongs to {listed(owners)}"
-            scope.report.at((*path, "symbol"), message, "no default fits; name the displacement")
+            message = say(
+                "is missing: the point {entry} belongs to {owners}", entry=quoted(entry["point"]), owners=listed(owners)
+            )
+            scope.report.at((*path, "symbol"), message, say("no default fits; name the displacement"))
             return None
         symbol = ends.pair_symbol("s", entry["on"], link)
         hint = "this is the default; give the joint a `symbol` of its own"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from mechsheet.said import Said, say
 from mechsheet.units import Unit
 
 ANGLE, LENGTH, DEGREES, ANY = "angle", "length", "number of degrees", ""
@@ -26,22 +27,28 @@ def plain_unit(unit: str) -> str:
     return next((known for known, others in _SPELLED.items() if word == known or word in others), unit)
 
 
-def label_fault(node: Node, kinds: Mapping[str, str], unit: str, length_unit: str) -> tuple[str, str]:
-    """Why a free label cannot stand behind an expression, and what to write; ("", "") where it can.
+def label_fault(
+    node: Node, text: str, kinds: Mapping[str, str], unit: str, length_unit: str
+) -> tuple[Said | None, str]:
+    """Why a free label cannot stand behind an expression, written `text`, and what to write; (None, "") where it can.
 
     An angle is in radians and a length in the length unit: a label that says otherwise would be wrong. A multiple by a plain
     number may be a conversion, which is the writer's own business.
     """
     kind = kind_of(node, kinds, multiples=False)
     if kind == ANGLE:
-        message = f'is an angle, in radians unless `unit` says "deg": the label "{unit}" would stand behind radians'
-        return message, 'write unit = "deg" or unit = "rad", or convert it in the formula'
+        message = say(
+            '{text} is an angle, in radians unless `unit` says "deg": the label "{unit}" would stand behind radians',
+            text=text,
+            unit=unit,
+        )
+        return message, say('write unit = "deg" or unit = "rad", or convert it in the formula')
     if kind == LENGTH and unit in _LENGTHS and unit != length_unit:
         return (
-            f'is a length in {length_unit}, not in "{unit}"',
-            f'write unit = "{length_unit}", or convert it in the formula',
+            say('{text} is a length in {length}, not in "{unit}"', text=text, length=length_unit, unit=unit),
+            say('write unit = "{length}", or convert it in the formula', length=length_unit),
         )
-    return "", ""
+    return None, ""
 
 
 def unit_kind(unit: Unit) -> str:

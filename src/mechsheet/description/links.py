@@ -13,9 +13,14 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
 from mechsheet.model import GROUND, Cartesian, Distances, Joint, Link, Place, Polar
+from mechsheet.said import say
 
 _ROUNDING = 1e-9
 """Distances may miss each other by this part of their size and count as meeting (a point on the line between two)."""
+
+
+LONGEST_NAME = 60
+"""Characters of the name of a link."""
 
 
 def declare(data: dict[str, Any], scope: Scope) -> tuple[Link, ...]:
@@ -30,12 +35,12 @@ def declare(data: dict[str, Any], scope: Scope) -> tuple[Link, ...]:
         number = table.get("number", last + 1)
         last = last + 1 if number is BAD else number
         if not links and last != GROUND:
-            scope.report.at((*path, "number"), "the first link is the ground; its number is 1")
+            scope.report.at((*path, "number"), say("the first link is the ground; its number is 1"))
             last = GROUND
         elif last in numbers:
             where = (*path, "number") if "number" in table else path
-            message = f"the number {last} is taken by the link {quoted(numbers[last])}"
-            scope.report.at(where, message, "numbers count upwards from the link before, unless `number` is given")
+            message = say("the number {number} is taken by the link {link}", number=last, link=quoted(numbers[last]))
+            scope.report.at(where, message, say("numbers count upwards from the link before, unless `number` is given"))
         numbers.setdefault(last, name)
         links.append(Link(name, last, {}, words(table.get("label"))))
     for link in links[1:]:
@@ -46,9 +51,11 @@ def declare(data: dict[str, Any], scope: Scope) -> tuple[Link, ...]:
 
 
 def _name_is_good(name: str, path: Path, scope: Scope) -> None:
-    if not (name and name[0].isalpha() and all(sign.isalnum() or sign in "_-" for sign in name)) or len(name) > 60:
-        message = f"the name {quoted(name)} must begin with a letter and go on with letters, digits, - and _"
-        scope.report.at(path, message + (" (at most 60)" if len(name) > 60 else ""))
+    message = say("the name {name} must begin with a letter and go on with letters, digits, - and _", name=quoted(name))
+    if len(name) > LONGEST_NAME:
+        scope.report.at(path, say("{message} (at most {most})", message=message, most=LONGEST_NAME))
+    elif not (name and name[0].isalpha() and all(sign.isalnum() or sign in "_-" for sign in name)):
+        scope.report.at(path, message)
 
 
 def _declare_points(data: dict[str, Any], scope: Scope) -> None:
@@ -114,8 +121,10 @@ def _check_distances(places: Mapping[str, Place], points: dict[str, Any], path: 
         needs[name] = [other for other in (place.first, place.second) if other in points]
         for other in (place.first, place.second):
             if other not in points:
-                hint = suggestion(other, [point for point in points if point != name], f"points of {path[1]}")
-                message = f"the link {quoted(str(path[1]))} has no point {quoted(other)}"
+                hint = suggestion(
+                    other, [point for point in points if point != name], say("points of {link}", link=path[1])
+                )
+                message = say("the link {link} has no point {point}", link=quoted(str(path[1])), point=quoted(other))
                 scope.report.at((*path, name, "distances", other), message, hint)
     order, circles = cycles(needs)
     for circle in circles:
@@ -141,15 +150,21 @@ def _coordinates(
         return REPORTED, REPORTED
     between = portable.hypot(b[0] - a[0], b[1] - a[1])
     slack = _ROUNDING * max(between, abs(ra), abs(rb))
-    problem = ""
+    problem = say("")
     if min(ra, rb) < 0:
-        problem = f"a distance is negative: {ra:.6g} and {rb:.6g}"
+        problem = say("a distance is negative: {ra:.6g} and {rb:.6g}", ra=ra, rb=rb)
     elif between <= slack:
-        problem = f"{listed((place.first, place.second))} lie at the same place, so no side can be told"
+        problem = say(
+            "{points} lie at the same place, so no side can be told", points=listed((place.first, place.second))
+        )
     elif ra + rb < between - slack or abs(ra - rb) > between + slack:
-        problem = (
-            f"no point lies {ra:.6g} from {quoted(place.first)} and {rb:.6g} from {quoted(place.second)}: "
-            f"these two are {between:.6g} apart"
+        problem = say(
+            "no point lies {ra:.6g} from {first} and {rb:.6g} from {second}: these two are {between:.6g} apart",
+            ra=ra,
+            first=quoted(place.first),
+            rb=rb,
+            second=quoted(place.second),
+            between=between,
         )
     if problem:
         scope.report.at((*path, "distances"), problem)
@@ -175,7 +190,11 @@ def check_connected(links: tuple[Link, ...], joints: Iterable[Joint], scope: Sco
             frontier.extend(neighbours[name])
     for link in links:
         if link.name not in reached:
-            message = f"no chain of joints leads from the link {quoted(link.name)} to the ground"
+            message = say("no chain of joints leads from the link {name} to the ground", name=quoted(link.name))
             others = sorted(neighbours[link.name] - {link.name})
-            hint = f"it is joined to {listed(others)} only" if others else "it shares no point with another link"
+            hint = (
+                say("it is joined to {others} only", others=listed(others))
+                if others
+                else say("it shares no point with another link")
+            )
             scope.report.at(("links", link.name), message, hint)

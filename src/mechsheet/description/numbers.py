@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from mechsheet.description.kinds import plain_unit
 from mechsheet.description.quoting import quoted
+from mechsheet.said import say
 
 MINUS = "−–‒—﹣－"
 """Signs that word processors and web pages write for a minus."""
@@ -41,9 +42,10 @@ class Typed:
     def hint(self) -> str:
         """What to write instead."""
         if not self.unit:
-            return f"write {self.text}"
-        of = "angles are in `angle_unit`" if plain_unit(self.unit) in ("deg", "rad") else "lengths are in `length_unit`"
-        return f"write {self.text}: numbers stand without a unit; all {of}"
+            return say("write {new}", new=self.text)
+        if plain_unit(self.unit) in ("deg", "rad"):
+            return say("write {new}: numbers stand without a unit; all angles are in `angle_unit`", new=self.text)
+        return say("write {new}: numbers stand without a unit; all lengths are in `length_unit`", new=self.text)
 
 
 def typed_number(text: str) -> Typed | None:
@@ -62,11 +64,11 @@ def typed_number(text: str) -> Typed | None:
 
 def _why(sign: str, number: str, unit: str) -> str:
     if sign in tuple(MINUS):
-        return f"{quoted(sign)} (U+{ord(sign):04X}) is not the minus sign of a keyboard"
+        return say("{sign} (U+{code:04X}) is not the minus sign of a keyboard", sign=quoted(sign), code=ord(sign))
     if "," in number:
-        return "the decimal sign is a point"
+        return say("the decimal sign is a point")
     if unit:
-        return f"the unit {quoted(unit)} stands behind the number"
+        return say("the unit {unit} stands behind the number", unit=quoted(unit))
     return ""
 
 

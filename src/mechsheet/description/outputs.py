@@ -14,6 +14,7 @@ from mechsheet.description.results import coordinates, is_coordinate
 from mechsheet.description.scope import Scope, words
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.model import Driver, Output
+from mechsheet.said import say
 from mechsheet.units import Unit, unit_of
 
 
@@ -74,9 +75,9 @@ def _check_label(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> 
     """A label of one's own must not stand behind radians, nor behind lengths in another unit."""
     if unit.kind != "label":
         return
-    message, hint = label_fault(tree, scope.kinds, unit.symbol, scope.length_unit)
-    if message:
-        scope.report.at(("outputs", name, "unit"), f"{quoted(text)} {message}", hint)
+    message, hint = label_fault(tree, quoted(text), scope.kinds, unit.symbol, scope.length_unit)
+    if message is not None:
+        scope.report.at(("outputs", name, "unit"), message, hint)
 
 
 def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
@@ -87,16 +88,21 @@ def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
     if "." in name or not (scope.complete and scope.solved):
         return False
     if name in scope.outputs or name in scope.motion_outputs:
-        scope.report.at(path, f"{where}{quoted(name)} is an output; only variables and dimensions are allowed")
+        scope.report.at(
+            path,
+            say(
+                "{where}{name} is an output; only variables and dimensions are allowed", where=where, name=quoted(name)
+            ),
+        )
         return False
     rates = scope.rates if scope.moves else ()
     hint = suggestion(name, [*scope.variables, *coordinates(scope), *scope.units, *rates, *scope.forces], "allowed")
-    scope.report.at(path, f"{where}{quoted(name)} is not a variable or dimension", hint)
+    scope.report.at(path, say("{where}{name} is not a variable or dimension", where=where, name=quoted(name)), hint)
     return False
 
 
 def _where(name: str, text: str) -> str:
-    return "" if name == text.strip() else f"in {quoted(text)}: "
+    return "" if name == text.strip() else say("in {text}: ", text=quoted(text))
 
 
 # --- of the whole motion ----------------------------------------------------------------------------------------------
@@ -126,19 +132,31 @@ def _refuse(name: str, named: list[str], text: str, path: Path, scope: Scope) ->
     where = _where(name, text)
     known = [*scope.summaries, *scope.units]
     if name == path[1]:
-        message, hint = f"{quoted(name)} depends on itself", ""
+        message, hint = say("{name} depends on itself", name=quoted(name)), say("")
     elif name in scope.motion_outputs:
-        message, hint = f"{quoted(name)} is an output of summaries, too", "write its formula in its place"
+        message = say("{name} is an output of summaries, too", name=quoted(name))
+        hint = say("write its formula in its place")
     elif (
         name in scope.variables or name in scope.outputs or is_rate(name, scope) or name in scope.forces or "." in name
     ):
-        of = f"{listed(named)} {'is one number' if len(named) == 1 else 'are numbers'} of the whole motion"
-        message, hint = f"{quoted(name)} differs from row to row, but {of}", f"a summary of {name} may stand there"
+        message = say(
+            "{name} differs from row to row, but {others} are numbers of the whole motion",
+            name=quoted(name),
+            others=listed(named),
+        )
+        if len(named) == 1:
+            message = say(
+                "{name} differs from row to row, but {other} is one number of the whole motion",
+                name=quoted(name),
+                other=listed(named),
+            )
+        hint = say("a summary of {name} may stand there", name=name)
     elif scope.complete:
-        message, hint = f"{quoted(name)} is not a summary or dimension", suggestion(name, known, "allowed")
+        message = say("{name} is not a summary or dimension", name=quoted(name))
+        hint = suggestion(name, known, "allowed")
     else:
         return
-    scope.report.at(path, where + message, hint)
+    scope.report.at(path, say("{where}{message}", where=where, message=message) if where else message, hint)
 
 
 def _show_units(units: dict[str, Unit], driver: Driver | None, scope: Scope) -> None:

@@ -64,11 +64,11 @@ def _with_value(source: Source, name: str, value: str, option: str) -> tuple[Sou
     if name not in entries:
         if "synthesis" in source.data:
             inputs += task_names(source)
-        hint = suggestion(name, inputs, "inputs")
+        hint: str = suggestion(name, inputs, "inputs")
         return source, [Fault(f"no dimension is called {quoted(name)}", source.file, key=option, hint=hint)]
     if name not in inputs:
         message = f"the dimension {quoted(name)} is derived from others"
-        hint = "change the dimensions in its formula instead; " + suggestion(name, inputs, "inputs")
+        hint = f"change the dimensions in its formula instead; {suggestion(name, inputs, 'inputs')}"
         if "synthesis" in entries[name]:
             message = f"the dimension {quoted(name)} is found by the synthesis"
             hint = "change its task instead: " + ", ".join(task_names(source))

@@ -25,6 +25,7 @@ from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.source import Source, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Mechanism, Solution, Words
+from mechsheet.said import say
 
 LANGUAGES = ("en", "tr")
 LAYOUTS = ("sheets", "page")
@@ -60,7 +61,9 @@ def loads(
     source, faults = parse_as_meant(text, file)
     mistyped = {fault.line for fault in faults}
     if language is not None and language not in LANGUAGES:
-        faults.append(Fault(f"unknown language {quoted(language)}", hint='languages: "en", "tr"'))
+        faults.append(
+            Fault(say("unknown language {language}", language=quoted(language)), hint=say('languages: "en", "tr"'))
+        )
     if not faults:
         source, faults_of_values = with_values(source, overrides or ())
         source, faults_of_sweep = with_sweep(source, rows, step)
@@ -88,7 +91,9 @@ def with_layout(mechanism: Mechanism, layout: str | None, file: str = "<text>") 
     if layout is None or layout == mechanism.layout:
         return mechanism
     if layout not in LAYOUTS:
-        raise DescriptionError(Fault(f"unknown layout {quoted(layout)}", hint='layouts: "sheets", "page"'))
+        raise DescriptionError(
+            Fault(say("unknown layout {layout}", layout=quoted(layout)), hint=say('layouts: "sheets", "page"'))
+        )
     source, _ = parse_as_meant(mechanism.text, file)
     found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text, file)
     sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
@@ -119,7 +124,14 @@ def _check_format(source: Source) -> None:
     version = source.data.get("format", FORMAT)
     if isinstance(version, int) and version != FORMAT:
         raise DescriptionError(
-            source.fault(("format",), f"format {str(version).lower()} is not known: this program reads format {FORMAT}")
+            source.fault(
+                ("format",),
+                say(
+                    "format {lower} is not known: this program reads format {format}",
+                    lower=str(version).lower(),
+                    format=FORMAT,
+                ),
+            )
         )
 
 
@@ -228,8 +240,12 @@ def _name(head: dict[str, Any], report: Report) -> str:
     path = ("mechanism", "name")
     fits = all(sign in "-_" or unicodedata.category(sign)[0] == "L" or sign.isdecimal() for sign in name)
     if not fits or name.startswith("-"):
-        message = f"{quoted(name)} must begin with a letter, a digit or _ and go on with letters, digits, - and _"
-        report.at(path, message, "it becomes the stem of file names")
+        message = say(
+            "{name} must begin with a letter, a digit or _ and go on with letters, digits, - and _", name=quoted(name)
+        )
+        report.at(path, message, say("it becomes the stem of file names"))
     elif name.lower() in _DEVICES:
-        report.at(path, f"{quoted(name)} cannot be the stem of a file: Windows keeps that name for a device")
+        report.at(
+            path, say("{name} cannot be the stem of a file: Windows keeps that name for a device", name=quoted(name))
+        )
     return name

@@ -21,6 +21,7 @@ from mechsheet.description.scope import Scope
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Cartesian, Distances, Joint, Link, Place, Polar, Quantity, Redundant
+from mechsheet.said import say
 
 
 def read(
@@ -41,7 +42,8 @@ def read(
         if isinstance(entry, dict) and entry.get("redundant") is True:
             if link.name in driven:
                 scope.report.at(
-                    ("links", link.name, "redundant"), f"the link {quoted(link.name)} is driven: it is needed"
+                    ("links", link.name, "redundant"),
+                    say("the link {name} is driven: it is needed", name=quoted(link.name)),
                 )
             slot = _slot(link, links, joints, ends, scope)
         if slot is None:
@@ -60,14 +62,17 @@ def _slot(link: Link, links: Sequence[Link], joints: Sequence[Joint], ends: Ends
     shared = [point for point in link.points if len(scope.points[point]) > 1]
     sliding = [joint.name for joint in joints if link.name in (joint.on, joint.link)]
     if link is links[0] or len(shared) != 2 or sliding:
-        joined = f"joined at {listed(shared)}" if shared else "joined at no point"
-        message = f"the link {quoted(link.name)} is {joined}" + (f" and slides at {listed(sliding)}" if sliding else "")
-        scope.report.at(path, message, "a link can be left out that joins two others by two revolute joints")
+        message = say("the link {link} is joined at no point", link=quoted(link.name))
+        if shared:
+            message = say("the link {link} is joined at {points}", link=quoted(link.name), points=listed(shared))
+        if sliding:
+            message = say("{message} and slides at {joints}", message=message, joints=listed(sliding))
+        scope.report.at(path, message, say("a link can be left out that joins two others by two revolute joints"))
         return None
     first, second = shared
     if any(isinstance(place, Distances) for place in link.points.values()):
-        hint = 'give its points by coordinates: B = ["a3", 0]'
-        scope.report.at(path, "points of a redundant link cannot be given by distances", hint)
+        hint = say('give its points by coordinates: B = ["a3", 0]')
+        scope.report.at(path, say("points of a redundant link cannot be given by distances"), hint)
         return None
     owner = next(name for name in scope.points[second] if name != link.name)
     symbol = ends.pair_symbol("s", link.name, owner)

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault, near_miss
 from mechsheet.formula.names import folded
+from mechsheet.said import Said, say
 
 
 class Bad(Enum):
@@ -30,8 +31,8 @@ class Report:
     source: Source
     faults: list[Fault] = field(default_factory=list)
 
-    def at(self, path: Path, message: str, hint: str = "") -> None:
-        """Report a fault at `path`."""
+    def at(self, path: Path, message: Said, hint: str = "") -> None:
+        """Report a fault at `path`; hints are said, too."""
         self.faults.append(self.source.fault(path, message, hint))
 
     def sound(self, *parts: str) -> bool:
@@ -43,18 +44,32 @@ class Report:
         return sorted(dict.fromkeys(self.faults), key=lambda fault: fault.line or 0)
 
 
-def suggestion(word: str, allowed: Iterable[str], what: str) -> str:
+def suggestion(word: str, allowed: Iterable[str], what: str) -> Said:
     """`did you mean "crank"? links: ground, crank, coupler, rocker`."""
     names = list(allowed)
-    near = next((f'did you mean "{name}"?' for name in names if folded(name) == folded(word)), "")
+    near = next((say('did you mean "{name}"?', name=name) for name in names if folded(name) == folded(word)), say(""))
+    near = near or near_miss(word, names)
     shown = ", ".join(names[:20]) + (", …" if len(names) > 20 else "")
-    return " ".join(filter(None, (near or near_miss(word, names), f"{what}: {shown}" if names else f"{what}: none")))
+    of = what if isinstance(what, Said) else say(what)
+    list_of = say("{what}: {names}", what=of, names=shown) if names else say("{what}: none", what=of)
+    return say("{near} {all}", near=near, all=list_of) if near else list_of
 
 
-def listed(names: Iterable[str], last: str = "and") -> str:
+def listed(names: Iterable[str], last: Literal["and", "or"] = "and") -> str:
     """`"a", "b" and "c"`."""
     quoted = [f'"{name}"' for name in names]
-    return f" {last} ".join(filter(None, (", ".join(quoted[:-1]), quoted[-1])))
+    if len(quoted) < 2:
+        return "".join(quoted)
+    pattern = "{first} and {last}" if last == "and" else "{first} or {last}"
+    return say(pattern, first=", ".join(quoted[:-1]), last=quoted[-1])
+
+
+def alternatives(texts: Sequence[str], long: bool = False) -> str:
+    """`a or b or c`; long ones that hold an `and` themselves are set apart by commas, too."""
+    whole = texts[0]
+    for text in texts[1:]:
+        whole = say("{first}, or {last}" if long else "{first} or {last}", first=whole, last=text)
+    return whole
 
 
 def found(value: Any) -> str:
@@ -62,9 +77,9 @@ def found(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, int | float):
-        return f"{value:.12g}" if isinstance(value, float) or abs(value) < 1e15 else "a huge number"
+        return f"{value:.12g}" if isinstance(value, float) or abs(value) < 1e15 else say("a huge number")
     if isinstance(value, str):
-        return f"the text {quoted(value)}"
+        return say("the text {text}", text=quoted(value))
     if isinstance(value, list):
-        return f"a list of {len(value)}" if value else "an empty list"
-    return "a table" if isinstance(value, dict) else "a date or time"
+        return say("a list of {count}", count=len(value)) if value else say("an empty list")
+    return say("a table") if isinstance(value, dict) else say("a date or time")

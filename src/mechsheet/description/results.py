@@ -16,6 +16,7 @@ from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.model import ChartRequest, Driver, Quantity, Sketch, Summary, TableRequest
+from mechsheet.said import say
 
 
 def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
@@ -33,16 +34,16 @@ def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
         elif isinstance(value, list):
             if name not in scope.points:
                 hint = suggestion(name, scope.points, "points")
-                scope.report.at(path, f"no link has a point {quoted(name)}", hint)
+                scope.report.at(path, say("no link has a point {name}", name=quoted(name)), hint)
             points[name] = pair(value, path, scope)
         elif value is not BAD and name in scope.variables:
             values[name] = scope.quantity(value, scope.kinds[name], path)
         elif value is not BAD and name in scope.points:
-            scope.report.at(path, f"the point {quoted(name)} is sketched as [x, y]")
+            scope.report.at(path, say("the point {name} is sketched as [x, y]", name=quoted(name)))
         elif value is not BAD and scope.complete:
-            message = f"no point, link angle or displacement is called {quoted(name)}"
+            message = say("no point, link angle or displacement is called {name}", name=quoted(name))
             if name in scope.units or name in scope.outputs:
-                message = f"{quoted(name)} is no point, link angle or displacement"
+                message = say("{name} is no point, link angle or displacement", name=quoted(name))
             names = [*scope.points, *scope.variables]
             scope.report.at(path, message, suggestion(name, names, "allowed"))
     return Sketch(points, values, at)
@@ -66,12 +67,16 @@ def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
     if point not in scope.points:
         hint = suggestion(point, scope.points, "points")
         if point in scope.centers:
-            hint = f"the mass centre is the point {scope.centers[point]}: write {scope.centers[point]}.{axis}"
-        scope.report.at(path, f"{where}no point is called {quoted(point)}", hint)
+            hint = say(
+                "the mass centre is the point {centers}: write {centers}.{axis}",
+                centers=scope.centers[point],
+                axis=axis,
+            )
+        scope.report.at(path, say("{where}no point is called {point}", where=where, point=quoted(point)), hint)
     elif axis not in ("x", "y"):
-        rates = f"; {point}.v, {point}.a for its velocity and acceleration" if scope.moves else ""
-        hint = f"write {point}.x or {point}.y{rates}"
-        scope.report.at(path, f"{where}a point has no {quoted(axis)}", hint)
+        rates = say("; {point}.v, {point}.a for its velocity and acceleration", point=point) if scope.moves else ""
+        hint = say("write {point}.x or {point}.y{rates}", point=point, rates=rates)
+        scope.report.at(path, say("{where}a point has no {axis}", where=where, axis=quoted(axis)), hint)
     return point in scope.points and axis in ("x", "y")
 
 
@@ -88,13 +93,19 @@ def check_column(name: Any, path: Path, scope: Scope) -> None:
         return
     rates = scope.rates if scope.moves else ()
     hint = suggestion(name, [*scope.variables, *scope.outputs, *coordinates(scope), *rates, *scope.forces], "allowed")
-    message = f"no variable or output is called {quoted(name)}"
+    message = say("no variable or output is called {name}", name=quoted(name))
     if name in scope.charted:
-        message, hint = f"{quoted(name)} follows from all rows together: only charts can show it", ""
+        message = say("{name} follows from all rows together: only charts can show it", name=quoted(name))
+        hint = say("")
     if name in scope.motion_outputs:
-        message = f"{quoted(name)} is an output of summaries, one number of the whole motion: it has no value in a row"
+        message = say(
+            "{name} is an output of summaries, one number of the whole motion: it has no value in a row",
+            name=quoted(name),
+        )
     if name in scope.units:
-        message = f"{quoted(name)} is a dimension, the same in every row; a variable or an output is needed"
+        message = say(
+            "{name} is a dimension, the same in every row; a variable or an output is needed", name=quoted(name)
+        )
     scope.report.at(path, message, hint)
 
 
@@ -130,7 +141,7 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
             for number, name in enumerate(names):
                 if name is not BAD and name not in scope.points:
                     hint = suggestion(name, scope.points, "points")
-                    scope.report.at((*path, key, number), f"no point is called {quoted(name)}", hint)
+                    scope.report.at((*path, key, number), say("no point is called {name}", name=quoted(name)), hint)
         for key, names in (("y", y), ("paths", paths), ("hodographs", hodographs)):
             _check_twice(names, (*path, key), scope)
         _check_moves(paths, (*path, "paths"), scope)
@@ -143,26 +154,30 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
 def _check_twice(names: list[Any], path: Path, scope: Scope) -> None:
     for number, name in enumerate(names):
         if name is not BAD and name in names[:number]:
-            scope.report.at((*path, number), f"{quoted(name)} is listed twice")
+            scope.report.at((*path, number), say("{name} is listed twice", name=quoted(name)))
 
 
 def _check_velocities(names: list[Any], path: Path, scope: Scope) -> None:
     """A hodograph needs points that move, and the driver's speed."""
     for number, name in enumerate(names):
         if name in scope.fixed:
-            message = f"{quoted(name)} is a point of the ground: it has no velocity"
+            message = say("{name} is a point of the ground: it has no velocity", name=quoted(name))
             moving = [point for point in scope.points if point not in scope.fixed]
             scope.report.at((*path, number), message, suggestion("", moving, "moving points"))
     if not scope.moves:
-        scope.report.at(path, "a hodograph shows velocities: it needs the driver's speed", "write `speed` in [driver]")
+        scope.report.at(
+            path, say("a hodograph shows velocities: it needs the driver's speed"), say("write `speed` in [driver]")
+        )
 
 
 def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:
     """A chart of paths needs a point that moves; fixed points beside it are marks in the picture."""
     if names and all(name in scope.fixed for name in names):
         moving = [point for point in scope.points if point not in scope.fixed]
-        fixed = f"{listed(names)} {'are points' if len(names) > 1 else 'is a point'} of the ground"
-        scope.report.at(path, f"{fixed}: what does not move has no path", suggestion("", moving, "moving points"))
+        message = say("{points} is a point of the ground: what does not move has no path", points=listed(names))
+        if len(names) > 1:
+            message = say("{points} are points of the ground: what does not move has no path", points=listed(names))
+        scope.report.at(path, message, suggestion("", moving, "moving points"))
 
 
 def tables(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[TableRequest, ...]:
@@ -181,16 +196,19 @@ def tables(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[TableR
             result.append(TableRequest(row, column, values, value, title, row_values))
             continue
         if driver is not None and rows not in (BAD, driver.symbol):
-            message = f"expected the driver's symbol {quoted(driver.symbol)}, found {quoted(rows)}"
+            message = say(
+                "expected the driver's symbol {symbol}, found {found}", symbol=quoted(driver.symbol), found=quoted(rows)
+            )
             hint = ""
             if rows in scope.inputs:
-                hint = f"over two dimensions a table shows a summary: rows = {{ {rows} = […] }}"
+                hint = say("over two dimensions a table shows a summary: rows = {{ {rows} = […] }}", rows=rows)
             scope.report.at((*path, "rows"), message, hint)
         if value is not BAD and value in scope.summaries:
-            message = (
-                f"{quoted(value)} is a summary, one number of the whole sweep: over the driver it has one value only"
+            message = say(
+                "{value} is a summary, one number of the whole sweep: over the driver it has one value only",
+                value=quoted(value),
             )
-            scope.report.at((*path, "value"), message, "give a second input: rows = { a2 = [40, 45, 50] }")
+            scope.report.at((*path, "value"), message, say("give a second input: rows = { a2 = [40, 45, 50] }"))
         else:
             check_column(value, (*path, "value"), scope)
             _check_position(value, (*path, "value"), scope)
@@ -203,22 +221,27 @@ def _check_summary(name: Any, path: Path, driver: Driver | None, scope: Scope) -
     if name is BAD:
         return
     if name not in scope.summaries:
-        message = f"no summary is called {quoted(name)}"
+        message = say("no summary is called {name}", name=quoted(name))
         if name in scope.motion_outputs:
-            message = (
-                f"{quoted(name)} is an output of summaries: in a table over two dimensions each cell is one summary"
+            message = say(
+                "{name} is an output of summaries: in a table over two dimensions each cell is one summary",
+                name=quoted(name),
             )
         if name in scope.variables or name in scope.outputs or "." in name:
-            message = f"{quoted(name)} differs from row to row: over two dimensions the cells hold a summary"
+            message = say(
+                "{name} differs from row to row: over two dimensions the cells hold a summary", name=quoted(name)
+            )
         of_it = [summary for summary, of in scope.summaries.items() if of == name]
         scope.report.at(path, message, suggestion(name, of_it or scope.summaries, "summaries"))
         return
     of = scope.summaries[name]
     if driver is not None and of == driver.symbol:
-        message = f"{quoted(name)} is of the driver, whose values are the same in every cell of the table"
+        message = say(
+            "{name} is of the driver, whose values are the same in every cell of the table", name=quoted(name)
+        )
         scope.report.at(path, message)
     else:
-        _check_position(of, path, scope, "a line of the first sheet shows it")
+        _check_position(of, path, scope, say("a line of the first sheet shows it"))
 
 
 def _check_pairs(
@@ -232,18 +255,29 @@ def _check_pairs(
 ) -> None:
     """Two different inputs, and no more cells than a sheet is good for."""
     if row and row == column:
-        scope.report.at((*path, "columns", column), f"{quoted(row)} goes down already: give another input")
+        scope.report.at((*path, "columns", column), say("{row} goes down already: give another input", row=quoted(row)))
     pairs = len(row_values) * len(values)
     rows = _rows_of(driver, scope) if driver is not None else 0
     if pairs > MOST_PAIRS:
-        message = (
-            f"the table has {len(row_values)} x {len(values)} = {pairs:,} cells; at most {MOST_PAIRS} have a summary"
+        message = say(
+            "the table has {rows} x {columns} = {pairs:,} cells; at most {most} have a summary",
+            rows=len(row_values),
+            columns=len(values),
+            pairs=pairs,
+            most=MOST_PAIRS,
         )
-        scope.report.at((*path, "rows"), message, "give fewer values")
+        scope.report.at((*path, "rows"), message, say("give fewer values"))
     elif pairs * rows > MOST_CELLS:
-        size = f"{len(row_values)} x {len(values)} cells over {rows:,} values of the driver"
-        message = f"{size} are {pairs * rows:,} helper cells; at most {MOST_CELLS:,} are made"
-        scope.report.at((*path, "rows"), message, "give fewer values, or a larger step")
+        message = say(
+            "{rows} x {columns} cells over {values:,} values of the driver are {cells:,} helper cells; "
+            "at most {most:,} are made",
+            rows=len(row_values),
+            columns=len(values),
+            values=rows,
+            cells=pairs * rows,
+            most=MOST_CELLS,
+        )
+        scope.report.at((*path, "rows"), message, say("give fewer values, or a larger step"))
 
 
 def _rows_of(driver: Driver, scope: Scope) -> int:
@@ -259,11 +293,17 @@ def _check_position(name: Any, path: Path, scope: Scope, hint: str = "a summary 
     """A two-way table holds positions, one formula a cell: a rate would need its whole group there."""
     if name is BAD or not (is_rate(name, scope) or name in scope.forces or name in scope.of_rates):
         return
-    what = "reads" if name in scope.of_rates else "is"
-    which = f"a {scope.forces[name]}" if name in scope.forces else "a velocity, an acceleration or a force"
+    what = say("reads") if name in scope.of_rates else say("is")
+    which = (
+        say("a {what}", what=say(scope.forces[name]))
+        if name in scope.forces
+        else say("a velocity, an acceleration or a force")
+    )
     if not scope.forces:
-        which = "a velocity or an acceleration"
-    message = f"{quoted(name)} {what} {which}: two-way tables have positions only"
+        which = say("a velocity or an acceleration")
+    message = say(
+        "{name} {what} {which}: two-way tables have positions only", name=quoted(name), what=what, which=which
+    )
     scope.report.at(path, message, hint)
 
 
@@ -273,11 +313,15 @@ def _values_of_input(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Qu
         return "", ()
     name, values = next(iter(data.items()))
     if name not in scope.units:
-        message = f"no dimension is called {quoted(name)}"
+        message = say("no dimension is called {name}", name=quoted(name))
         scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
     elif name not in scope.inputs:
         part = str(path[-1]).removesuffix("s")
-        message = f"the dimension {quoted(name)} is derived; only an input can differ from {part} to {part}"
+        message = say(
+            "the dimension {name} is derived; only an input can differ from {part} to {part}",
+            name=quoted(name),
+            part=say(part),
+        )
         scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
     elif values is not BAD:
         unit, kind = scope.units[name], scope.kinds[name]

@@ -10,6 +10,7 @@ from mechsheet.description.rewrite import with_value
 from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.source import Source, parse
 from mechsheet.diagnostics import DescriptionError
+from mechsheet.said import say
 
 
 def with_table(source: Source, path: Path, lines: list[str]) -> Source:
@@ -19,11 +20,11 @@ def with_table(source: Source, path: Path, lines: list[str]) -> Source:
     """
     array = isinstance(path[-1], int)
     keys = [key_text(str(key)) for key in path if not isinstance(key, int)]
-    heading = f"[[{'.'.join(keys)}]]" if array else f"[{'.'.join(keys)}]"
+    heading = say("[[{keys}]]", keys=".".join(keys)) if array else say("[{keys}]", keys=".".join(keys))
     around = source.spots.get(path[:-1])
     if around is not None and around.how in ("inline", "value"):
-        hint = f"write them under headings, {heading}, then it can be drawn"
-        raise DescriptionError(source.fault(path[:-1], "stands on one line", hint))
+        hint = say("write them under headings, {heading}, then it can be drawn", heading=heading)
+        raise DescriptionError(source.fault(path[:-1], say("stands on one line"), hint))
     text = "\n".join([heading, *lines])
     headers = _headers(source)
     same = [spot for found, spot in headers if len(path) > 1 and found[: len(path) - 1] == path[:-1]]

@@ -19,12 +19,13 @@ from mechsheet.formula.nodes import Node, Symbol, children, symbols, transform
 from mechsheet.formula.parser import RESERVED, parse_description
 from mechsheet.formula.scalar import evaluate
 from mechsheet.model import Quantity, Words
+from mechsheet.said import Said, reason, say
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
 
 DEEPEST = 200
 """Operators below one another in one expression; a workbook formula of more would not fit a cell anyway."""
 
-_CASE = "names must differ by more than case and the dots of i and ı"
+_CASE = say("names must differ by more than case and the dots of i and ı")
 
 REPORTED = math.nan
 """Stands for a quantity whose fault has been reported. It never leaves: a description with faults makes no model."""
@@ -44,11 +45,22 @@ class Space:
             return
         other, other_what, other_path = owner
         spot = self.report.source.spots.get(other_path)
-        line = f" (line {spot.line})" if spot else ""
-        message = f"the name {quoted(name)} is taken by the {other_what}{line}"
+        line = say(" (line {line})", line=spot.line) if spot else ""
+        message = say(
+            "the name {name} is taken by the {what}{line}",
+            name=quoted(name),
+            what=other_what if isinstance(other_what, Said) else say(other_what),
+            line=line,
+        )
         if other != name:
-            message = f"the name {quoted(name)} differs too little from {quoted(other)}, the {other_what}{line}"
-        self.report.at(path, message, hint or _CASE * (other != name))
+            message = say(
+                "the name {name} differs too little from {other}, the {what}{line}",
+                name=quoted(name),
+                other=quoted(other),
+                what=other_what if isinstance(other_what, Said) else say(other_what),
+                line=line,
+            )
+        self.report.at(path, message, hint or (_CASE if other != name else ""))
 
 
 @dataclass(slots=True)
@@ -111,7 +123,7 @@ class Scope:
         """True when `name` can stand in an expression; reports why not."""
         reason = symbol_fault(name)
         if reason:
-            self.report.at(path, f"the name {quoted(name)} {reason}")
+            self.report.at(path, say("the name {name} {reason}", name=quoted(name), reason=reason))
         return not reason
 
     def cell(self, table: dict[str, Any], path: Path) -> str | None:
@@ -121,7 +133,7 @@ class Scope:
             return None
         reason = name_fault(name)
         if reason:
-            self.report.at(place, f"the cell name {quoted(name)} {reason}")
+            self.report.at(place, say("the cell name {name} {reason}", name=quoted(name), reason=reason))
         self.cells.claim(name, "cell", place)
         return str(name)
 
@@ -133,13 +145,13 @@ class Scope:
             tree = parse_description(text)
         except FormulaError as error:
             if number := typed_number(text):
-                self.report.at(path, f"found {quoted(text)}: {number.why}", number.hint)
+                self.report.at(path, say("found {text}: {why}", text=quoted(text), why=number.why), number.hint)
                 return None
             for fault in error.faults:
-                self.report.at(path, f"in {quoted(text)}: {fault.message}", fault.hint)
+                self.report.at(path, say("in {text}: {message}", text=quoted(text), message=fault.message), fault.hint)
             return None
         if _deeper_than(tree, DEEPEST):
-            self.report.at(path, f"the expression has more than {DEEPEST} operators below one another")
+            self.report.at(path, say("the expression has more than {most} operators below one another", most=DEEPEST))
             return None
         return tree
 
@@ -159,15 +171,16 @@ class Scope:
         for name in others:
             point, dot, _ = name.partition(".")
             if name in self.outputs:
-                message = f"{quoted(name)} is an output; only dimensions are allowed here"
+                message = say("{name} is an output; only dimensions are allowed here", name=quoted(name))
             elif name in self.variables or (dot and point in self.points):
-                message = f"{quoted(name)} differs from row to row; only dimensions are allowed here"
+                message = say("{name} differs from row to row; only dimensions are allowed here", name=quoted(name))
             elif not self.solved:
                 continue  # it may be a step
             else:
-                message = f"{quoted(name)} is not a dimension"
-            where = "" if name == text.strip() else f"in {quoted(text)}: "
-            self.report.at(path, where + message, suggestion(name, self.units, "dimensions"))
+                message = say("{name} is not a dimension", name=quoted(name))
+            if name != text.strip():
+                message = say("in {text}: {message}", text=quoted(text), message=message)
+            self.report.at(path, message, suggestion(name, self.units, "dimensions"))
         return not others
 
     def value(self, tree: Node, path: Path) -> float | None:
@@ -179,7 +192,9 @@ class Scope:
             return evaluate(tree, self.numbers)
         except (ArithmeticError, ValueError) as error:
             used = ", ".join(f"{name} = {self.in_unit(name)}" for name in names)
-            self.report.at(path, f"has no value: {error}", f"with {used}" if used else "")
+            self.report.at(
+                path, say("has no value: {error}", error=reason(error)), say("with {used}", used=used) if used else ""
+            )
             return None
 
     def in_unit(self, dimension: str) -> str:
@@ -193,10 +208,19 @@ class Scope:
         kind = kind_of(tree, self.kinds)
         if ANY in (kind, wanted) or kind == wanted:
             return True
-        hint = "expressions compute in radians: leave degrees() out" if kind == DEGREES and wanted == ANGLE else ""
-        article = "an" if kind == ANGLE else "a"
-        needed = "an angle" if wanted == ANGLE else "a length"
-        self.report.at(path, f"{quoted(text)} is {article} {kind} where {needed} is needed", hint)
+        hint = say("expressions compute in radians: leave degrees() out") if kind == DEGREES and wanted == ANGLE else ""
+        needed = say("an angle") if wanted == ANGLE else say("a length")
+        is_now = say("an angle") if kind == ANGLE else say(f"a {kind}")
+        self.report.at(
+            path,
+            say(
+                "{text} is {kind} where {needed} is needed",
+                text=quoted(text),
+                kind=is_now,
+                needed=needed,
+            ),
+            hint,
+        )
         return False
 
     def quantity(self, value: Any, wanted: str, path: Path, unit: Unit | None = None) -> Quantity:
@@ -232,18 +256,18 @@ class Scope:
         if plain_unit(unit) in choices:
             return unit_of(plain_unit(unit), self.length_unit)
         hint = suggestion(unit, choices, "units")
-        self.report.at((*path, "unit"), f"unknown unit {quoted(unit)}", hint)
+        self.report.at((*path, "unit"), say("unknown unit {unit}", unit=quoted(unit)), hint)
         return NUMBER  # fits everywhere
 
 
 def symbol_fault(name: str) -> str:
     """Why `name` cannot stand in an expression, as the end of a sentence; "" when it can."""
     if not name or not name[0].isalpha() or not all(sign.isalnum() or sign == "_" for sign in name):
-        return "must begin with a letter and go on with letters, digits and _"
+        return say("must begin with a letter and go on with letters, digits and _")
     if len(name) > 60:
-        return "is longer than 60 characters"
+        return say("is longer than 60 characters")
     if name in RESERVED:
-        return "means something else in expressions"
+        return say("means something else in expressions")
     return ""
 
 
@@ -271,11 +295,11 @@ def cycles(edges: Mapping[str, Iterable[str]]) -> tuple[list[str], list[list[str
             return order, circles
 
 
-def circle_message(members: list[str], what: str) -> str:
+def circle_message(members: list[str], what: str) -> Said:
     """`a1, b1 and c1 depend on one another in a circle`."""
     if len(members) == 1:
-        return f"{quoted(members[0])} depends on itself"
-    return f"{what} {listed(members)} depend on one another in a circle"
+        return say("{name} depends on itself", name=quoted(members[0]))
+    return say("{what} {names} depend on one another in a circle", what=say(what), names=listed(members))
 
 
 def _deeper_than(tree: Node, most: int) -> bool:

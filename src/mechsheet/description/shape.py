@@ -28,9 +28,10 @@ from mechsheet.description.index import Path
 from mechsheet.description.kinds import plain_unit
 from mechsheet.description.numbers import typed_number, with_points
 from mechsheet.description.quoting import quoted
-from mechsheet.description.report import BAD, Report, found, listed, suggestion
+from mechsheet.description.report import BAD, Report, alternatives, found, listed, suggestion
 from mechsheet.description.schema import REASONS
 from mechsheet.diagnostics import near_miss
+from mechsheet.said import say
 
 LARGEST, SMALLEST = 1e100, 1e-100
 """Sizes of numbers that can be multiplied a few times without leaving what a spreadsheet can hold."""
@@ -39,7 +40,11 @@ LARGEST, SMALLEST = 1e100, 1e-100
 def fit(value: Any, shape: Shape, path: Path, report: Report) -> Any:
     """`value` as far as it fits `shape`; BAD (and a fault) where it does not."""
     if not _same_type(value, shape):
-        report.at(path, f"expected {allowed(shape)}, found {found(value)}", _type_hint(value, shape, path))
+        report.at(
+            path,
+            say("expected {shape}, found {value}", shape=allowed(shape), value=found(value)),
+            _type_hint(value, shape, path),
+        )
         return BAD
     match shape:
         case Either(shapes):
@@ -88,41 +93,45 @@ def allowed(shape: Shape) -> str:
     """What a shape allows, in words."""
     match shape:
         case Either(shapes):
-            return " or ".join(allowed(one) for one in shapes)
+            return alternatives([allowed(one) for one in shapes])
         case Number():
-            return "a number"
+            return say("a number")
         case Integer(least, most):
-            return f"the whole number {least}" if least == most else f"a whole number from {least} to {most}"
+            return (
+                say("the whole number {least}", least=least)
+                if least == most
+                else say("a whole number from {least} to {most}", least=least, most=most)
+            )
         case YesNo():
-            return "true or false"
+            return say("true or false")
         case Quantity():
-            return "a number or an expression in quotes"
+            return say("a number or an expression in quotes")
         case Text(choices):
-            return listed(choices, "or") if choices else "a text in quotes"
+            return listed(choices, "or") if choices else say("a text in quotes")
         case Words():
-            return 'a text in quotes or { en = "…", tr = "…" }'
+            return say('a text in quotes or { en = "…", tr = "…" }')
         case Items(Table() | Kinds()):
-            return "tables with a heading in double brackets"
+            return say("tables with a heading in double brackets")
         case Items(_, _, _, note):
-            return note or "a list"
+            return say(note) if note else say("a list")
         case _:
-            return "a table"
+            return say("a table")
 
 
 def _type_hint(value: Any, shape: Shape, path: Path) -> str:
     if isinstance(value, str) and _wants_number(shape) and (number := typed_number(value)):
         if number.is_angle and isinstance(shape, Either):
-            return f'write {{ value = {number.text}, unit = "deg" }}'
-        return number.hint + ", without quotes" * (not number.unit)
+            return say('write {{ value = {number}, unit = "deg" }}', number=number.text)
+        return number.hint if number.unit else say("{hint}, without quotes", hint=number.hint)
     match shape:
         case Items(Table() | Kinds()) if isinstance(value, dict):
-            return f"write [[{path[-1]}]] instead of [{path[-1]}]"
+            return say("write [[{key}]] instead of [{key}]", key=path[-1])
         case Either((Number(), Table())) if isinstance(value, str):
-            return 'a derived dimension is written { formula = "…" }'
+            return say('a derived dimension is written { formula = "…" }')
         case Table(keys) if isinstance(value, str) and "formula" in keys:
-            return 'write { formula = "…" }'
+            return say('write { formula = "…" }')
         case Named(_, what) if isinstance(value, list):
-            return f"write one heading for each {what}: [{path[-1]}.name]"
+            return say("write one heading for each {what}: [{key}.name]", what=say(what), key=path[-1])
     return ""
 
 
@@ -133,15 +142,25 @@ def _wants_number(shape: Shape) -> bool:
 
 def _number(value: Any, shape: Number | Quantity | Integer, path: Path, report: Report) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
-        report.at(path, f"expected a finite number, found {value}")
+        report.at(path, say("expected a finite number, found {value}", value=value))
     elif value and not SMALLEST <= abs(value) <= LARGEST:
-        report.at(path, f"{found(value)} is out of range: sizes from {SMALLEST:g} to {LARGEST:g} are allowed")
+        report.at(
+            path,
+            say(
+                "{value} is out of range: sizes from {smallest:g} to {largest:g} are allowed",
+                value=found(value),
+                smallest=SMALLEST,
+                largest=LARGEST,
+            ),
+        )
     elif isinstance(shape, Integer):
         if shape.least <= value <= shape.most:
             return value
-        report.at(path, f"expected {allowed(shape)}, found {value}")
+        report.at(path, say("expected {shape}, found {value}", shape=allowed(shape), value=value))
     elif isinstance(shape, Number) and shape.least is not None and value < shape.least:
-        report.at(path, f"expected a number from {shape.least:g} on, found {found(value)}")
+        report.at(
+            path, say("expected a number from {least:g} on, found {value}", least=shape.least, value=found(value))
+        )
     else:
         return float(value)
     return BAD
@@ -149,16 +168,27 @@ def _number(value: Any, shape: Number | Quantity | Integer, path: Path, report: 
 
 def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
     if value in shape.later:
-        report.at(path, f"{quoted(value)} is not supported yet: it is reserved for a later version")
+        report.at(path, say("{value} is not supported yet: it is reserved for a later version", value=quoted(value)))
     elif shape.choices and value not in shape.choices:
-        report.at(path, f"expected {allowed(shape)}, found {quoted(value)}", _choice_hint(value, shape))
+        report.at(
+            path,
+            say("expected {shape}, found {value}", shape=allowed(shape), value=quoted(value)),
+            _choice_hint(value, shape),
+        )
     elif not value.strip():
-        report.at(path, "the text is empty")
+        report.at(path, say("the text is empty"))
     elif len(value) > shape.longest:
-        report.at(path, f"the text has {len(value)} characters; at most {shape.longest} are allowed")
+        report.at(
+            path,
+            say(
+                "the text has {count} characters; at most {longest} are allowed",
+                count=len(value),
+                longest=shape.longest,
+            ),
+        )
     elif unfit := [sign for sign in value if _unfit(sign) and not (shape.lines and sign == "\n")]:
-        name = "a tab" if unfit[0] == "\t" else "a character that a workbook cannot carry"
-        report.at(path, f"the text holds {name}: U+{ord(unfit[0]):04X}")
+        name = say("a tab") if unfit[0] == "\t" else say("a character that a workbook cannot carry")
+        report.at(path, say("the text holds {name}: U+{unfit:04X}", name=name, unfit=ord(unfit[0])))
     else:
         return value
     return BAD
@@ -166,7 +196,7 @@ def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
 
 def _choice_hint(value: str, shape: Text) -> str:
     plain = plain_unit(value)
-    return f'write "{plain}"' if plain in shape.choices else near_miss(value, shape.choices)
+    return say('write "{plain}"', plain=plain) if plain in shape.choices else near_miss(value, shape.choices)
 
 
 def _unfit(sign: str) -> bool:
@@ -180,18 +210,22 @@ def _words(value: Any, text: Text, path: Path, report: Report) -> Any:
         return BAD if one is BAD else {"en": one, "tr": one}
     for key in value:
         if key not in ("en", "tr"):
-            report.at((*path, key), "unknown language", suggestion(key, ("en", "tr"), "languages"))
+            report.at((*path, key), say("unknown language"), suggestion(key, ("en", "tr"), "languages"))
     if absent := [key for key in ("en", "tr") if key not in value]:
-        report.at(path, f"{listed(absent)} is missing", "one text in quotes serves both languages")
+        report.at(path, say("{keys} is missing", keys=listed(absent)), say("one text in quotes serves both languages"))
         return BAD
     return {key: fit(value[key], text, (*path, key), report) for key in ("en", "tr")}
 
 
 def _items(value: list[Any], shape: Items, path: Path, report: Report) -> Any:
     if not shape.least <= len(value) <= shape.most:
-        count = f"a list of {shape.least}" if value else "at least one item"
-        count = f"at most {shape.most:,} items" if len(value) > shape.most else count
-        report.at(path, f"expected {shape.note or count}, found {found(value)}", _commas_hint(shape, path, report))
+        count = say("a list of {count}", count=shape.least) if value else say("at least one item")
+        count = say("at most {most:,} items", most=shape.most) if len(value) > shape.most else count
+        report.at(
+            path,
+            say("expected {shape}, found {value}", shape=say(shape.note) if shape.note else count, value=found(value)),
+            _commas_hint(shape, path, report),
+        )
         return BAD
     return [fit(item, shape.item, (*path, place), report) for place, item in enumerate(value)]
 
@@ -202,15 +236,24 @@ def _commas_hint(shape: Items, path: Path, report: Report) -> str:
     items = with_points(report.source.text[spot.start : spot.end]) if spot else None
     if items is None or not shape.least <= len(items) <= shape.most:
         return ""
-    return f"the decimal sign is a point: write [{', '.join(items)}]"
+    return say("the decimal sign is a point: write [{items}]", items=", ".join(items))
 
 
 def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> Any:
     if len(value) < shape.least or (shape.most is not None and len(value) > shape.most):
-        count = "exactly" if shape.least == shape.most else "at least"
-        names = f": {listed(value)}" if value else ""
+        count = say("exactly") if shape.least == shape.most else say("at least")
+        names = say(": {value}", value=listed(value)) if value else ""
         report.at(
-            path, f"expected {count} {shape.least} {shape.what}{'s' * (shape.least > 1)}, found {len(value)}{names}"
+            path,
+            say(
+                "expected {count} {least} {what}{part}, found {count2}{names}",
+                count=count,
+                least=shape.least,
+                what=shape.what,
+                part="s" * (shape.least > 1),
+                count2=len(value),
+                names=names,
+            ),
         )
         if shape.most is not None:
             return BAD
@@ -227,12 +270,12 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
             result[key] = fit(item, shape.keys[key].shape, (*path, key), report)
         elif key in shape.later:
             why, hint = REASONS.get(key, ("it is reserved for a later version", ""))
-            report.at((*path, key), f'"{key}" is not supported yet: {why}', hint)
+            report.at((*path, key), say('"{key}" is not supported yet: {why}', key=key, why=say(why)), say(hint))
         else:
-            report.at((*path, key), "unknown key", suggestion(key, shape.keys, "keys"))
+            report.at((*path, key), say("unknown key"), suggestion(key, shape.keys, "keys"))
     for key, rule in shape.keys.items():
         if rule.required and key not in value:
-            report.at((*path, key), f"is missing: {rule.note}")
+            report.at((*path, key), say("is missing: {note}", note=say(rule.note)))
             result[key] = BAD
     for groups in shape.ways:
         _one_way(value, groups, path, report)
@@ -245,19 +288,24 @@ def _one_way(value: dict[str, Any], groups: tuple[tuple[str, ...], ...], path: P
     begun = [group for group, keys in zip(groups, given, strict=True) if keys]
     begun = begun or [group for group in groups if any(key in value for key in group)][:1]
     single = all(len(group) == 1 for group in groups)
-    choice = (" or " if single else ", or ").join(listed(group) for group in groups)
+    choice = alternatives([listed(group) for group in groups], long=not single)
     if not begun:
-        report.at(path, f"is not complete: give {choice}")
+        report.at(path, say("is not complete: give {choice}", choice=choice))
     elif len(begun) > 1:
         both = listed(key for keys in given for key in keys)
-        report.at(path, f"{both} exclude each other: give {choice}")
+        report.at(path, say("{both} exclude each other: give {choice}", both=both, choice=choice))
     elif absent := [key for key in begun[0] if key not in value]:
-        report.at(path, f"{listed(absent)} {'are' if len(absent) > 1 else 'is'} missing: give {choice}")
+        report.at(
+            path,
+            say("{keys} are missing: give {choice}", keys=listed(absent), choice=choice)
+            if len(absent) > 1
+            else say("{keys} is missing: give {choice}", keys=listed(absent), choice=choice),
+        )
 
 
 def _kinds(value: dict[str, Any], shape: Kinds, path: Path, report: Report) -> Any:
     if shape.key not in value:
-        report.at((*path, shape.key), f"is missing: {listed(shape.tables, 'or')}")
+        report.at((*path, shape.key), say("is missing: {note}", note=listed(shape.tables, "or")))
         return BAD
     kind = fit(value[shape.key], Text(tuple(shape.tables), shape.later), (*path, shape.key), report)
     return BAD if kind is BAD else _table(value, shape.tables[kind], path, report)

@@ -14,6 +14,7 @@ from mechsheet.description.index import BARE_KEY, Path, Spot, index
 from mechsheet.description.quoting import printable
 from mechsheet.description.typed import Mistake, mended
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
+from mechsheet.said import say
 
 MAX_BYTES = 1_000_000
 """A description is written by hand; a larger file is something else."""
@@ -82,34 +83,38 @@ def read_text(path: str | FilePath) -> str:
         with FilePath(path).open("rb") as file:
             content = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
-        raise _refusal(name, "there is no such file") from None
+        raise _refusal(name, say("there is no such file")) from None
     except IsADirectoryError:
-        raise _refusal(name, "this is a directory; name a description, a .toml file") from None
+        raise _refusal(name, say("this is a directory; name a description, a .toml file")) from None
     except (OSError, ValueError) as error:  # ValueError: a null character in the path
         if FilePath(path).is_dir():  # Windows answers "permission denied" for a directory
-            raise _refusal(name, "this is a directory; name a description, a .toml file") from None
+            raise _refusal(name, say("this is a directory; name a description, a .toml file")) from None
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise _refusal(name, f"cannot be read: {reason}") from None
+        raise _refusal(name, say("cannot be read: {reason}", reason=reason)) from None
     return text_of(content, name)
 
 
 def text_of(content: bytes, name: str) -> str:
     """The text of a file's first MAX_BYTES + 1 bytes; `name` is what messages call it. Raises DescriptionError."""
     if len(content) > MAX_BYTES:
-        raise _refusal(name, f"larger than {MAX_BYTES:,} bytes: this is no description")
+        raise _refusal(name, say("larger than {max_bytes:,} bytes: this is no description", max_bytes=MAX_BYTES))
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         raise _refusal(
-            name, 'saved as UTF-16 (some editors call it "Unicode")', 'save the file with the encoding "UTF-8"'
+            name,
+            say('saved as UTF-16 (some editors call it "Unicode")'),
+            say('save the file with the encoding "UTF-8"'),
         )
     if b"\0" in content:
-        hint = "a workbook carries its description inside; name the .toml file here" if content[:2] == b"PK" else ""
-        raise _refusal(name, "a binary file, not a description (TOML text)", hint)
+        hint = (
+            say("a workbook carries its description inside; name the .toml file here") if content[:2] == b"PK" else ""
+        )
+        raise _refusal(name, say("a binary file, not a description (TOML text)"), hint)
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
-        message = f"not UTF-8 text: byte {content[error.start]:#04x} fits nowhere"
-        raise _refusal(name, message, 'save the file with the encoding "UTF-8"', line) from None
+        message = say("not UTF-8 text: byte {content:#04x} fits nowhere", content=content[error.start])
+        raise _refusal(name, message, say('save the file with the encoding "UTF-8"'), line) from None
 
 
 def parse(text: str, file: str) -> Source:
@@ -131,16 +136,16 @@ def parse_as_meant(text: str, file: str) -> tuple[Source, list[Fault]]:
     DescriptionError where nobody can say what is meant.
     """
     if len(text) > MAX_BYTES:
-        raise _refusal(file, f"larger than {MAX_BYTES:,} characters: this is no description")
+        raise _refusal(file, say("larger than {max_bytes:,} characters: this is no description", max_bytes=MAX_BYTES))
     text = unicodedata.normalize("NFC", text.removeprefix("\ufeff").replace("\r\n", "\n"))
     if not text.strip():
-        raise _refusal(file, "the description is empty", 'begin with "mechsheet new"')
+        raise _refusal(file, say("the description is empty"), say('begin with "mechsheet new"'))
     lines = tuple(text.split("\n"))
     try:
         text.encode("utf-8")
         return Source(text, file, _data(text, file), index(text), lines), []
     except UnicodeEncodeError as error:
-        raise _refusal(file, "not Unicode text", "", text.count("\n", 0, error.start) + 1) from None
+        raise _refusal(file, say("not Unicode text"), "", text.count("\n", 0, error.start) + 1) from None
     except tomllib.TOMLDecodeError:
         meant = mended(text)
     faults = [_mistake(one, text, file, lines) for one in meant.mistakes[:MOST_TOLD]]
@@ -158,9 +163,9 @@ def _data(text: str, file: str) -> dict[str, Any]:
     except tomllib.TOMLDecodeError:
         raise
     except RecursionError:
-        raise _refusal(file, "lists or tables stand too deep inside one another") from None
+        raise _refusal(file, say("lists or tables stand too deep inside one another")) from None
     except ValueError:  # Python refuses to convert whole numbers of thousands of digits
-        raise _refusal(file, "a number has too many digits") from None
+        raise _refusal(file, say("a number has too many digits")) from None
 
 
 def _mistake(mistake: Mistake, text: str, file: str, lines: tuple[str, ...]) -> Fault:
@@ -173,7 +178,7 @@ def _broken(reason: str, file: str, lines: tuple[str, ...], keys: tuple[Path, ..
     reason = _POSITION.sub("", reason)
     line, column = None, ""
     if found and found[1]:
-        line, column = int(found[1]), f" (column {found[2]})"
+        line, column = int(found[1]), say(" (column {found})", found=found[2])
     elif found:
         line = len(lines)
         while line > 1 and not lines[line - 1].strip():
@@ -184,7 +189,14 @@ def _broken(reason: str, file: str, lines: tuple[str, ...], keys: tuple[Path, ..
         reason = f"the heading [{'.'.join(re.findall(_NAMED, twice[1]))}] is there already"
     reason = _PLAINER.get(reason.lower(), reason[:1].lower() + reason[1:])
     key = dotted(keys[line - 1]) if line and line <= len(keys) else ""
-    return Fault(f"broken TOML: {printable(reason)}{column}", file, line, key, _shortened(shown), hint)
+    return Fault(
+        say("broken TOML: {reason}{column}", reason=printable(reason), column=column),
+        file,
+        line,
+        key,
+        _shortened(shown),
+        hint,
+    )
 
 
 def _refusal(file: str, message: str, hint: str = "", line: int | None = None) -> DescriptionError:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from mechsheet.description.index import BARE_KEY, Path, key_text
 from mechsheet.description.numbers import BLANKS, MINUS, Typed, typed_number
 from mechsheet.description.quoting import quoted
+from mechsheet.said import say
 
 # Quotation marks of word processors.
 _OPEN, _CLOSE = "“”„‟«»", "“”‟«»"
@@ -132,8 +133,8 @@ class _Walk:
         self.keep(word)
 
     def on_odd(self, word: str, begin: int) -> None:
-        message = f"a blank that is no ordinary one stands here: U+{ord(word[0]):04X}"
-        self.mend(begin, " ", message, "it comes from a web page or a word processor; type a space in its place")
+        message = say("a blank that is no ordinary one stands here: U+{code:04X}", code=ord(word[0]))
+        self.mend(begin, " ", message, say("it comes from a web page or a word processor; type a space in its place"))
 
     def on_line(self, word: str, begin: int) -> None:
         self.keep(word)
@@ -142,8 +143,8 @@ class _Walk:
             return
         if self.levels:
             first = next(level for level in self.levels if level.sign == "{")
-            message = "this table in braces does not end on its line"
-            hint = "{ … } stands on one line, commas between its keys"
+            message = say("this table in braces does not end on its line")
+            hint = say("{ … } stands on one line, commas between its keys")
             self.mistakes.append(Mistake(first.offset, first.path, message, hint))
         self.levels.clear()
         self.keys, self.expects = self.table, "key"
@@ -170,14 +171,19 @@ class _Walk:
             self.keep(word)
             return
         if word == ":":
-            self.mend(begin, " =", "a key and its value are joined by =, not by :", 'write "=" in its place')
+            self.mend(begin, " =", say("a key and its value are joined by =, not by :"), say('write "=" in its place'))
         else:
             self.keep(word)
         self.expects = "value"
 
     def on_comma(self, word: str, begin: int) -> None:
         if word == ";" and self.levels:
-            self.mend(begin, ",", "what stands in brackets is separated by commas, not by ;", 'write "," in its place')
+            self.mend(
+                begin,
+                ",",
+                say("what stands in brackets is separated by commas, not by ;"),
+                say('write "," in its place'),
+            )
         else:
             self.keep(word)
         if self.levels:
@@ -201,8 +207,13 @@ class _Walk:
         if self.expects == "key":
             self.keys, behind = (*self.keys, content), "equals"
         signs = " ".join(dict.fromkeys(sign for sign in (word[0], word[-1]) if sign not in "\"'"))
-        message = f"quotation marks of a word processor ({signs}) around {content}"
-        self.mend(begin, new, message, f"write {new}" + ', with the " of the keyboard' * (new[0] == '"'))
+        message = say("quotation marks of a word processor ({signs}) around {content}", signs=signs, content=content)
+        self.mend(
+            begin,
+            new,
+            message,
+            say('write {new}, with the " of the keyboard', new=new) if new[0] == '"' else say("write {new}", new=new),
+        )
         self.expects = behind
 
     def on_other(self, word: str, begin: int) -> None:
@@ -212,7 +223,7 @@ class _Walk:
             return
         new = f'"{found.group().rstrip()}"'
         self.at = begin + 1 + len(found.group().rstrip())
-        self.mend(begin, new, "the text that begins here is not closed", f"write {new}")
+        self.mend(begin, new, say("the text that begins here is not closed"), say("write {new}", new=new))
         self.expects = "rest"
 
     def on_run(self, word: str, begin: int) -> None:
@@ -238,9 +249,19 @@ class _Walk:
         self.table = self.keys = self.counted(names, array)
         new = found[1] + _with_quotes(names) + "]" * len(found[1])
         if not all(_fits(part) for part in _split(found[2])):
-            self.mend(begin, new, f"in {found.group().strip()} a name needs quotes: {_beyond(names)}", f"write {new}")
+            self.mend(
+                begin,
+                new,
+                say("in {heading} a name needs quotes: {why}", heading=found.group().strip(), why=_beyond(names)),
+                say("write {new}", new=new),
+            )
         elif not closed:
-            self.mend(begin, new, f"the heading {found.group().strip()} is not closed", f"write {new}")
+            self.mend(
+                begin,
+                new,
+                say("the heading {heading} is not closed", heading=found.group().strip()),
+                say("write {new}", new=new),
+            )
         else:
             self.keep(found.group())
         self.at = begin + found.end()
@@ -266,7 +287,12 @@ class _Walk:
             self.keep(word)
         elif _EQUALS.match(self.text, self.at):
             new = _with_quotes(names)
-            self.mend(begin, new, f"this key needs quotes: {_beyond(names)}", f"write {new} = …")
+            self.mend(
+                begin,
+                new,
+                say("this key needs quotes: {why}", why=_beyond(names)),
+                say("write {new} = …", new=new),
+            )
         else:
             self.keep(word)
         self.expects = "equals"
@@ -282,8 +308,8 @@ class _Walk:
         """What is open is closed where the last line ended, before its comment."""
         first = self.levels[0]
         end = "]" if first.sign == "[" else "}"
-        message = f"what begins here with {first.sign} is not closed"
-        self.mistakes.append(Mistake(first.offset, first.path, message, f'write "{end}" at its end'))
+        message = say("what begins here with {sign} is not closed", sign=first.sign)
+        self.mistakes.append(Mistake(first.offset, first.path, message, say('write "{end}" at its end', end=end)))
         place = len(self.parts)
         while place and self.parts[place - 1] != "\n":
             place -= 1
@@ -300,29 +326,35 @@ class _Walk:
             self.value(self.text[begin : self.at], begin)
             end = self.text.find("\n", begin)
             self.at = end if end >= 0 else len(self.text)
-            self.mend(slashes.start(), "", "a comment begins with #, not with //", 'write "#" in its place')
+            self.mend(slashes.start(), "", say("a comment begins with #, not with //"), say('write "#" in its place'))
             return
         if _is_value(word):
             self.keep(word)
             return
         number = typed_number(word)
         if number is not None:
-            message = f"found {quoted(word)}: {number.why or 'not the way in which TOML writes numbers'}"
+            message = say(
+                "found {text}: {why}",
+                text=quoted(word),
+                why=number.why or say("not the way in which TOML writes numbers"),
+            )
             self.mend(begin, number.text, message, self.number_hint(number))
             return
         if word[0] == "(" and "," in word and word[-1] == ")":
             new = f"[{word[1:-1]}]"
-            self.mend(begin, new, "a list stands in square brackets, not in round ones", f"write {new}")
+            self.mend(
+                begin, new, say("a list stands in square brackets, not in round ones"), say("write {new}", new=new)
+            )
             return
         new = '"' + word.strip().replace("\\", "\\\\") + '"'
-        hint = f"write {new}"
+        hint = say("write {new}", new=new)
         if self.keys[:1] == ("dimensions",) and len(self.keys) == 2:
-            hint = f"write {{ formula = {new} }}"
-        self.mend(begin, new, f"texts and expressions stand in quotes, found {quoted(word)}", hint)
+            hint = say("write {{ formula = {new} }}", new=new)
+        self.mend(begin, new, say("texts and expressions stand in quotes, found {text}", text=quoted(word)), hint)
 
     def number_hint(self, number: Typed) -> str:
         if number.is_angle and self.keys[:1] == ("dimensions",) and len(self.keys) == 2:
-            return f'write {{ value = {number.text}, unit = "deg" }}'
+            return say('write {{ value = {number}, unit = "deg" }}', number=number.text)
         return number.hint
 
 
@@ -347,8 +379,8 @@ def _beyond(names: list[str]) -> str:
     """Why names do not stand without quotes."""
     odd = [name for name in names if not BARE_KEY.fullmatch(name)]
     signs = "".join(dict.fromkeys(sign for name in odd for sign in name if not BARE_KEY.fullmatch(sign)))
-    shown = "a blank" if not signs.strip() else quoted(signs)
-    return f"without them only a-z, A-Z, 0-9, _ and - are allowed, found {shown}"
+    shown = say("a blank") if not signs.strip() else quoted(signs)
+    return say("without them only a-z, A-Z, 0-9, _ and - are allowed, found {shown}", shown=shown)
 
 
 def _is_value(word: str) -> bool:

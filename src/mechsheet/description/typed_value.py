@@ -22,6 +22,7 @@ from mechsheet.description.shape import fit
 from mechsheet.description.source import Source
 from mechsheet.diagnostics import Fault
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk
+from mechsheet.said import say
 from mechsheet.units import Unit
 
 DIGITS = 15
@@ -70,8 +71,12 @@ def typed_value(text: str, unit: Unit, whose: str, scope: Scope) -> str | None:
         return number.text
     if number is not None or not text.strip() or _looks_like_one(text, scope):
         understood = number is not None and not number.unit and math.isfinite(float(number.text))
-        hint = number.hint if number and understood else f"a plain number in {whose} own unit, or an expression"
-        scope.report.at((), f"expected a number, found {quoted(text.strip())}", hint)
+        hint = (
+            number.hint
+            if number and understood
+            else say("a plain number in {whose} own unit, or an expression", whose=whose)
+        )
+        scope.report.at((), say("expected a number, found {strip}", strip=quoted(text.strip())), hint)
         return None
     tree = scope.parse(text, ())
     value = None if tree is None else _value(tree, text, unit, scope)
@@ -93,7 +98,14 @@ def _value(tree: Node, text: str, unit: Unit, scope: Scope) -> float | None:
     if not scope.only_dimensions(tree, text, ()) or not scope.fits(tree, text, unit_kind(unit), ()):
         return None
     if missing := [name for name in symbols(tree) if name not in scope.numbers]:
-        scope.report.at((), f"has no value: {listed(missing)} {'has' if len(missing) == 1 else 'have'} none")
+        scope.report.at(
+            (),
+            say(
+                "has no value: {missing} {part} none",
+                missing=listed(missing),
+                part=say("has") if len(missing) == 1 else say("have"),
+            ),
+        )
         return None
     value = scope.value(tree, ())
     return None if value is None else unit.to_shown(value)

@@ -43,6 +43,7 @@ from mechsheet.kinematics.vectors import (
     together,
     turned,
 )
+from mechsheet.said import say
 from mechsheet.words.equations import phrase
 
 
@@ -174,8 +175,11 @@ class Reactions:
     def _refuse_crowded(self, dyad: Dyad) -> None:
         for point in dyad.pins:
             if self.joints.bearers[point] not in dyad.whole:
-                message = f"at {point} a driven pair, a link that moves with it and a third are joined: no forces yet"
-                hint = "take masses and loads away, or let the links be joined at two points"
+                message = say(
+                    "at {point} a driven pair, a link that moves with it and a third are joined: no forces yet",
+                    point=point,
+                )
+                hint = say("take masses and loads away, or let the links be joined at two points")
                 raise MechanismError(Fault(message, key="dynamics", hint=hint))
 
     def _rrp(self, dyad: Dyad, pin: Pin, inner: Pin, slide: Slide, det: Node) -> None:
@@ -238,12 +242,12 @@ class Reactions:
 
     def _refuse_shared_pin(self, group: Dyad | Chain, drive: Drive) -> None:
         if isinstance(drive.joint, Pin) and drive.joint.point in group.pins:
-            message = (
-                f"the driver turns two moving links about {drive.joint.point}, where a third one is joined: "
-                "no forces there yet"
+            message = say(
+                "the driver turns two moving links about {point}, where a third one is joined: no forces there yet",
+                point=drive.joint.point,
             )
             raise MechanismError(
-                Fault(message, key="driver.link", hint="take masses and loads away, or drive another link")
+                Fault(message, key="driver.link", hint=say("take masses and loads away, or drive another link"))
             )
 
     def _effort(self, drive: Drive, on_known: bool) -> str:

@@ -6,6 +6,7 @@ import re
 from typing import NamedTuple
 
 from ..diagnostics import Fault, FormulaError
+from ..said import say
 from .tables import BRACKETS
 
 
@@ -79,7 +80,9 @@ PATTERNS = {"description": _DESCRIPTION, "excel": _EXCEL, "openformula": _OPENFO
 
 def fail(text: str, column: int, message: str, hint: str = "") -> FormulaError:
     """The error that refuses `text` and says where."""
-    return FormulaError(Fault(f"{message} at column {column}", source=text, hint=hint))
+    return FormulaError(
+        Fault(say("{message} at column {column}", message=message, column=column), source=text, hint=hint)
+    )
 
 
 def tokenise(text: str, dialect: str) -> list[Token]:
@@ -98,18 +101,20 @@ def tokenise(text: str, dialect: str) -> list[Token]:
 def _refusal(text: str, position: int, dialect: str) -> FormulaError:
     character = text[position]
     if character == '"' and dialect != "description":
-        return fail(text, position + 1, "a text without its closing quotation mark")
-    return fail(text, position + 1, f'unexpected character "{character}"', _HINTS.get(character, ""))
+        return fail(text, position + 1, say("a text without its closing quotation mark"))
+    return fail(
+        text, position + 1, say('unexpected character "{character}"', character=character), _HINTS.get(character, "")
+    )
 
 
 _HINTS = {
-    "°": 'angles are in radians here; write "radians(30)" for 30 degrees',
-    "×": 'multiply with "*"',
-    "·": 'multiply with "*"',
-    "÷": 'divide with "/"',
-    "−": 'write the minus sign "-"',
-    "–": 'write the minus sign "-"',
-    "√": 'write "sqrt(...)"',
-    "[": "use round parentheses",
-    "{": "use round parentheses",
+    "°": say('angles are in radians here; write "radians(30)" for 30 degrees'),
+    "×": say('multiply with "*"'),
+    "·": say('multiply with "*"'),
+    "÷": say('divide with "/"'),
+    "−": say('write the minus sign "-"'),
+    "–": say('write the minus sign "-"'),
+    "√": say('write "sqrt(...)"'),
+    "[": say("use round parentheses"),
+    "{": say("use round parentheses"),
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import Fault, FormulaError, near_miss
+from ..said import say
 from .dialects import DESCRIPTION, DIALECTS, Dialect
 from .functions import MANY
 from .lexer import Token
@@ -60,11 +61,11 @@ class _DescriptionParser(Parser):
     def unexpected(self, expected: str, hint: str = "") -> FormulaError:
         token, before = self.next, self.tokens[self.place - 1] if self.place else None
         if token.text == "*" and before is not None and before.text == "*":
-            hint = 'write "^" for a power'
+            hint = say('write "^" for a power')
         elif token.kind == "separator" and self.depth == 0:
-            hint = 'the decimal sign is "."; "," stands between arguments only'
+            hint = say('the decimal sign is "."; "," stands between arguments only')
         elif token.kind in ("name", "number", "open") and expected.startswith("an operator"):
-            hint = 'a product is written with "*"'
+            hint = say('a product is written with "*"')
         return super().unexpected(expected, hint)
 
     def operand(self) -> Node:
@@ -78,14 +79,14 @@ class _DescriptionParser(Parser):
             self.close()
             return inside
         if token.kind != "name":
-            raise self.unexpected('a number, a name, a function or "("')
+            raise self.unexpected(say('a number, a name, a function or "("'))
         self.take()
         if self.next.kind == "open":
             return self.function(token)
         if token.text == "pi":
             return Call("PI")
         if token.text in _ALLOWED:
-            raise self.unexpected(f'"(" after the function {token.text}')
+            raise self.unexpected(say('"(" after the function {text}', text=token.text))
         return Symbol(token.text)
 
     def function(self, name: Token) -> Node:
@@ -114,13 +115,20 @@ class _DescriptionParser(Parser):
 
     def unknown(self, name: Token) -> None:
         if name.text == "pi":
-            hint = 'pi is a number: write it without parentheses, "2*pi"'
+            hint = say('pi is a number: write it without parentheses, "2*pi"')
         else:
-            hint = near_miss(name.text.lower(), _ALLOWED) or f"functions: {' '.join(_ALLOWED)}"
-        message = f"unknown function {name.text} at column {name.column}"
+            hint = near_miss(name.text.lower(), _ALLOWED) or say("functions: {allowed}", allowed=" ".join(_ALLOWED))
+        message = say("unknown function {text} at column {column}", text=name.text, column=name.column)
         self.faults.append(Fault(message, source=self.text, hint=hint))
 
     def arity(self, name: Token, count: int, least: int, most: int) -> None:
-        takes = "at least 1 argument" if most == MANY else f"{least} argument{'s' * (least > 1)}"
-        message = f"{name.text} takes {takes}, found {count}, at column {name.column}"
+        takes = say("1 argument") if most == 1 else say("{least} arguments", least=least)
+        takes = say("at least 1 argument") if most == MANY else takes
+        message = say(
+            "{text} takes {takes}, found {count}, at column {column}",
+            text=name.text,
+            takes=takes,
+            count=count,
+            column=name.column,
+        )
         self.faults.append(Fault(message, source=self.text))

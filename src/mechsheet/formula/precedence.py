@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from typing import ClassVar
 
 from ..diagnostics import FormulaError
+from ..said import say
 from .dialects import MAX_NESTING, Dialect
 from .lexer import Token, fail, tokenise
 from .nodes import Binary, Node, Unary
@@ -39,17 +40,19 @@ class Parser(ABC):
         """The tree of the whole text."""
         self.skip_space()
         if self.next.kind == "end":
-            raise fail(self.text, 1, "expected a formula, found nothing")
+            raise fail(self.text, 1, say("expected a formula, found nothing"))
         node = self.expression(0)
         if self.next.kind != "end":
-            raise self.unexpected("an operator or the end")
+            raise self.unexpected(say("an operator or the end"))
         return node
 
     def unexpected(self, expected: str, hint: str = "") -> FormulaError:
         """The error that says what stands here and what should."""
         token = self.next
-        found = f'"{token.text}"' if token.kind != "end" else "the end"
-        return fail(self.text, token.column, f"expected {expected}, found {found}", hint)
+        found = say('"{text}"', text=token.text) if token.kind != "end" else say("the end")
+        return fail(
+            self.text, token.column, say("expected {expected}, found {found}", expected=expected, found=found), hint
+        )
 
     def expression(self, minimum: int) -> Node:
         """An operand, and every operator after it that binds at least as strongly as `minimum`."""
@@ -63,7 +66,11 @@ class Parser(ABC):
                 left = Unary("%", left)
                 signs += 1
                 if self.depth + signs > MAX_NESTING:
-                    raise fail(self.text, self.next.column, f"nested deeper than {MAX_NESTING} levels")
+                    raise fail(
+                        self.text,
+                        self.next.column,
+                        say("nested deeper than {max_nesting} levels", max_nesting=MAX_NESTING),
+                    )
                 continue
             power = self.dialect.infix[op]
             if power < minimum:
@@ -119,13 +126,15 @@ class Parser(ABC):
         """One level of nesting more, up to the limit."""
         self.depth += 1
         if self.depth > MAX_NESTING:
-            raise fail(self.text, self.next.column, f"nested deeper than {MAX_NESTING} levels")
+            raise fail(
+                self.text, self.next.column, say("nested deeper than {max_nesting} levels", max_nesting=MAX_NESTING)
+            )
 
     def close(self) -> None:
         """Pass a closing parenthesis: one level less."""
         self.skip_space()
         if self.next.kind != "close":
-            raise self.unexpected('an operator or ")"')
+            raise self.unexpected(say('an operator or ")"'))
         self.take()
         self.depth -= 1
 
@@ -134,5 +143,5 @@ def number_value(text: str, token: Token) -> float:
     """The value of a number as written."""
     value = float(token.text)
     if value == float("inf"):
-        raise fail(text, token.column, f"{token.text} is too large a number")
+        raise fail(text, token.column, say("{text} is too large a number", text=token.text))
     return value

@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 
 from mechsheet import portable
 from mechsheet.formula.nodes import Binary, Boolean, Call, Node, Number, Previous, Symbol, Unary
+from mechsheet.said import say
 
 
 def evaluate(node: Node, values: Mapping[str, float]) -> float:
@@ -23,7 +24,7 @@ def evaluate(node: Node, values: Mapping[str, float]) -> float:
     """
     result = _value(node, values)
     if not math.isfinite(result):
-        raise OverflowError("the result is not a finite number")
+        raise OverflowError(say("the result is not a finite number"))
     return result
 
 
@@ -59,32 +60,34 @@ def _call(name: str, args: list[float]) -> float:
 
 def _divide(left: float, right: float) -> float:
     if right == 0:
-        raise ZeroDivisionError("division by zero")
+        raise ZeroDivisionError(say("division by zero"))
     return left / right
 
 
 def _power(base: float, exponent: float) -> float:
     if base == 0 and exponent < 0:
-        raise ZeroDivisionError(f"zero to the power of {exponent:g} is a division by zero")
+        raise ZeroDivisionError(say("zero to the power of {exponent:g} is a division by zero", exponent=exponent))
     if base == 0 and exponent == 0:
-        raise ValueError("zero to the power of zero is not defined")  # spreadsheets answer #NUM!
+        raise ValueError(say("zero to the power of zero is not defined"))  # spreadsheets answer #NUM!
     if base < 0 and not exponent.is_integer():
-        raise ValueError(f"{base:g} to the power of {exponent:g} is not a real number")
+        raise ValueError(
+            say("{base:g} to the power of {exponent:g} is not a real number", base=base, exponent=exponent)
+        )
     found: float = base * base if exponent == 2 else portable.power(base, exponent)
     if math.isinf(found):
-        raise OverflowError(f"{base:g} to the power of {exponent:g} is too large")
+        raise OverflowError(say("{base:g} to the power of {exponent:g} is too large", base=base, exponent=exponent))
     return found
 
 
 def _square_root(x: float) -> float:
     if x < 0:
-        raise ValueError(f"the square root of {x:g} is not a real number")
+        raise ValueError(say("the square root of {x:g} is not a real number", x=x))
     return math.sqrt(x)
 
 
 def _logarithm(x: float) -> float:
     if x <= 0:
-        raise ValueError(f"the logarithm of {x:g} is not a real number")
+        raise ValueError(say("the logarithm of {x:g} is not a real number", x=x))
     found: float = portable.log(x)
     return found
 
@@ -92,7 +95,9 @@ def _logarithm(x: float) -> float:
 def _arc(function: Callable[[float], float], word: str) -> Callable[[float], float]:
     def checked(x: float) -> float:
         if abs(x) > 1:
-            raise ValueError(f"the {word} of {x:g} does not exist: it must lie between -1 and 1")
+            raise ValueError(
+                say("the {function} of {x:g} does not exist: it must lie between -1 and 1", function=say(word), x=x)
+            )
         return function(x)
 
     return checked
@@ -100,7 +105,7 @@ def _arc(function: Callable[[float], float], word: str) -> Callable[[float], flo
 
 def _atan2(x: float, y: float) -> float:
     if x == 0 and y == 0:
-        raise ValueError("the direction of the point (0, 0) is not defined")
+        raise ValueError(say("the direction of the point (0, 0) is not defined"))
     found: float = portable.arctan2(y, x)
     return found
 
@@ -108,18 +113,18 @@ def _atan2(x: float, y: float) -> float:
 def _exponential(x: float) -> float:
     found: float = portable.exp(x)
     if math.isinf(found):
-        raise OverflowError(f"exp({x:g}) is too large")
+        raise OverflowError(say("exp({x:g}) is too large", x=x))
     return found
 
 
 def _modulo(x: float, divisor: float) -> float:
     if divisor == 0:
-        raise ZeroDivisionError("division by zero")
+        raise ZeroDivisionError(say("division by zero"))
     return x - divisor * math.floor(x / divisor)
 
 
 def _nothing() -> float:
-    raise ValueError("there is none")
+    raise ValueError(say("there is none"))
 
 
 def _rounded(x: float, digits: float) -> float:

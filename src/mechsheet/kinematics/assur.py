@@ -18,6 +18,7 @@ from mechsheet.kinematics.mobility import listed_names, stiff_faults
 from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
 from mechsheet.kinematics.ties import Tied, next_tied
 from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack
+from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,9 +223,11 @@ def _assemblies(graph: Graph, pairs: list[Bodies], solved: set[str]) -> list[Bod
     grouped = [body for pair in pairs for body in pair]
     twice = [body for body in grouped if grouped.count(body) > 1]
     if twice:
-        message = f'"{twice[0]}" is driven against two links that move with it: such a chain is not supported yet'
+        message = say(
+            '"{twice}" is driven against two links that move with it: such a chain is not supported yet', twice=twice[0]
+        )
         raise MechanismError(
-            Fault(message, key="drivers", hint="let one of the driven joints be on a link that is known")
+            Fault(message, key="drivers", hint=say("let one of the driven joints be on a link that is known"))
         )
     found = [*pairs, *((body,) for body in graph.bodies if body not in solved and body not in grouped)]
     return sorted(found, key=lambda bodies: -1 if len(bodies) > 2 else graph.bodies.index(bodies[0]))
@@ -239,9 +242,13 @@ def _tied_too_deep(graph: Graph, steps: list[Step], known: set[str] | None = Non
     if not left:
         return []
     names = listed_names(graph.tied(left[0]))
-    kind = "rack" if isinstance(left[0], Rack) else left[0].kind
-    message = f"the {kind} between {names} ties links of a group that must be solved all at once: not supported yet"
-    hint = "a gear is solved where all but one of the angles that it ties are known"
+    kind = say("rack") if isinstance(left[0], Rack) else say(left[0].kind)
+    message = say(
+        "the {kind} between {names} ties links of a group that must be solved all at once: not supported yet",
+        kind=kind,
+        names=names,
+    )
+    hint = say("a gear is solved where all but one of the angles that it ties are known")
     return [Fault(message, key=f"joints.{left[0].order}", hint=hint)]
 
 
@@ -267,10 +274,17 @@ def _no_pivot(driver: Driver | FurtherDriver, graph: Graph) -> Fault:
         if body != driver.link and body not in graph.blocks and set(graph.points[body]) & set(graph.points[driver.link])
     ]
     return Fault(
-        f'link "{driver.link}" and link "{driver.relative_to}" share no point: '
-        "a link can only be turned about a revolute joint",
+        say(
+            'link "{link}" and link "{relative_to}" share no point: a link can only be turned about a revolute joint',
+            link=driver.link,
+            relative_to=driver.relative_to,
+        ),
         key="driver.link" if isinstance(driver, Driver) else f"drivers.{driver.order}.link",
-        hint=f'"{driver.link}" is joined to {", ".join(neighbours) or "no link"}: name one of them as relative_to',
+        hint=say(
+            '"{link}" is joined to {others}: name one of them as relative_to',
+            link=driver.link,
+            others=", ".join(neighbours) or say("no link"),
+        ),
     )
 
 
@@ -332,11 +346,17 @@ def _dyad(
     if letters not in kinds:
         raise MechanismError(
             Fault(
-                f"links {_names(first)} and {_names(second)} are held by sliders alone "
-                f"({_joint(outer_first)}, {_joint(inner)}, {_joint(outer_second)}): "
-                "their angles are fixed and their position is not",
+                say(
+                    "links {first} and {second} are held by sliders alone ({outer_first}, {inner}, "
+                    "{outer_second}): their angles are fixed and their position is not",
+                    first=_names(first),
+                    second=_names(second),
+                    outer_first=_joint(outer_first),
+                    inner=_joint(inner),
+                    outer_second=_joint(outer_second),
+                ),
                 key="joints",
-                hint="one of the three joints must be a revolute joint",
+                hint=say("one of the three joints must be a revolute joint"),
             )
         )
     return Dyad(kinds[letters], first, second, (outer_first, outer_second), inner)
@@ -353,7 +373,11 @@ def _names(bodies: tuple[str, ...]) -> str:
 def _too_large(assemblies: Sequence[tuple[str, ...]]) -> Fault:
     names = ", ".join(_names(bodies) for bodies in assemblies)
     return Fault(
-        f"links {names} form a group that must be solved all at once, and takes more than {MOST_UNKNOWNS} unknowns",
+        say(
+            "links {names} form a group that must be solved all at once, and takes more than {most_unknowns} unknowns",
+            names=names,
+            most_unknowns=MOST_UNKNOWNS,
+        ),
         key="links",
-        hint="driving another link often helps",
+        hint=say("driving another link often helps"),
     )

@@ -21,6 +21,7 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Guide, Poses
+from mechsheet.said import say
 from mechsheet.units import LENGTH, NUMBER
 from mechsheet.words.equations import phrase
 
@@ -43,9 +44,13 @@ def meet(
     if fixed is not None and abs(fixed) < PARALLEL:
         raise MechanismError(
             Fault(
-                f"the lines of {names[0]} and {names[1]} are parallel in every position: they never meet",
+                say(
+                    "the lines of {names} and {names2} are parallel in every position: they never meet",
+                    names=names[0],
+                    names2=names[1],
+                ),
                 key="joints",
-                hint="change the angle of one of them",
+                hint=say("change the angle of one of them"),
             )
         )
     if fixed is not None:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph
 from mechsheet.model import Gear, Mechanism
+from mechsheet.said import say
 
 LARGEST_PART = 5
 """Parts of up to this many bodies are searched for joints too many: larger rigid parts are rare and slow to find."""
@@ -40,17 +41,17 @@ def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
     if count > drivers:
         faults += [
             Fault(
-                f'the link "{each.link.name}" is marked as redundant, but may hold the others',
+                say('the link "{name}" is marked as redundant, but may hold the others', name=each.link.name),
                 key=f"links.{each.link.name}.redundant",
-                hint="without the mark both its joints count",
+                hint=say("without the mark both its joints count"),
             )
             for each in mechanism.redundant
         ]
     faults += [
         Fault(
-            f'"{body}" is loose: it has too few joints to be held by the rest',
+            say('"{body}" is loose: it has too few joints to be held by the rest', body=body),
             key=_key(graph, body),
-            hint="every link but the ground needs at least two joints",
+            hint=say("every link but the ground needs at least two joints"),
         )
         for body in _loose(graph)
     ]
@@ -68,25 +69,35 @@ def _count_message(mechanism: Mechanism, graph: Graph, count: int) -> str:
     prismatic = sum(joint.kind == "prismatic" for joint in mechanism.joints)
     slots = len(mechanism.joints) - prismatic
     revolute -= slots  # the block's own pin is part of the pin-slot joint
-    terms = f"3 x ({links} - 1) - 2 x {revolute} revolute - 2 x {prismatic} prismatic - {slots} pin-slot"
-    terms += f" - {len(graph.relations)} gear, belt or rack" if graph.relations else ""
+    terms = say(
+        "3 x ({links} - 1) - 2 x {revolute} revolute - 2 x {prismatic} prismatic - {slots} pin-slot",
+        links=links,
+        revolute=revolute,
+        prismatic=prismatic,
+        slots=slots,
+    )
+    if graph.relations:
+        terms = say("{terms} - {count} gear, belt or rack", terms=terms, count=len(graph.relations))
     drivers = 1 + len(mechanism.drivers)
-    need = "one driver needs 1" if drivers == 1 else f"{drivers} drivers need {drivers}"
-    return f"the mobility is {count}, but {need}: {terms} = {count}"
+    need = say("one driver needs 1") if drivers == 1 else say("{drivers} drivers need {drivers}", drivers=drivers)
+    return say("the mobility is {count}, but {need}: {terms} = {count}", count=count, need=need, terms=terms)
 
 
 def _count_hint(count: int, drivers: int) -> str:
     if count > drivers:
-        given = "one is given" if drivers == 1 else f"{drivers} are given"
-        return (
-            f"{count} drivers would be needed, {given}: join the loose links, remove {count - drivers} of the freedoms, "
-            "or add [[drivers]]"
+        given = say("one is given") if drivers == 1 else say("{drivers} are given", drivers=drivers)
+        return say(
+            "{count} drivers would be needed, {given}: join the loose links, remove {part} of the "
+            "freedoms, or add [[drivers]]",
+            count=count,
+            given=given,
+            part=count - drivers,
         )
     if 0 < count < drivers:
-        return f"one driver too many: take {drivers - count} of the drivers away"
+        return say("one driver too many: take {part} of the drivers away", part=drivers - count)
     if count == 0:
-        return "it is a structure: nothing can move. Remove a joint, or a link with two joints"
-    return (
+        return say("it is a structure: nothing can move. Remove a joint, or a link with two joints")
+    return say(
         "there are more joints than a movable chain can have: remove some, or make two links that never move apart one"
     )
 
@@ -122,11 +133,13 @@ def _driven_twice(mechanism: Mechanism) -> list[Fault]:
     for relation in mechanism.relations:
         both = [name for name in relation.turning if name in driven]
         if isinstance(relation, Gear) and {*relation.turning} <= driven | {mechanism.ground.name} and both:
-            message = (
-                f"a {relation.kind} ties {listed_names(tuple(both))}, and each of them is driven: they cannot all be"
+            message = say(
+                "a {kind} ties {both}, and each of them is driven: they cannot all be",
+                kind=say(relation.kind),
+                both=listed_names(tuple(both)),
             )
             faults.append(
-                Fault(message, key=f"joints.{relation.order}", hint="take the gear or one of the drivers away")
+                Fault(message, key=f"joints.{relation.order}", hint=say("take the gear or one of the drivers away"))
             )
     return faults
 
@@ -141,8 +154,13 @@ def _stiff_message(graph: Graph, bodies: tuple[str, ...]) -> str:
     surplus = mobility(graph, bodies)
     joints = [point for point, at in graph.pins if sum(body in bodies for body in at) > 1]
     joints += [slide.joint.symbol for slide in graph.slides if slide.body in bodies and slide.on in bodies]
-    state = "cannot move against each other" if surplus == 0 else "are over-constrained"
-    return f"{listed_names(bodies)} {state} (joints {', '.join(joints)}): describe them as one link, or remove a joint"
+    named = {"bodies": listed_names(bodies), "joints": ", ".join(joints)}
+    if surplus == 0:
+        return say(
+            "{bodies} cannot move against each other (joints {joints}): describe them as one link, or remove a joint",
+            **named,
+        )
+    return say("{bodies} are over-constrained (joints {joints}): describe them as one link, or remove a joint", **named)
 
 
 def _loose(graph: Graph) -> tuple[str, ...]:
@@ -155,4 +173,6 @@ def _loose(graph: Graph) -> tuple[str, ...]:
 def listed_names(names: tuple[str, ...]) -> str:
     """`"crank", "coupler" and "rocker"`."""
     quoted = [f'"{name}"' for name in names]
-    return quoted[0] if len(quoted) == 1 else ", ".join(quoted[:-1]) + " and " + quoted[-1]
+    if len(quoted) == 1:
+        return quoted[0]
+    return say("{first} and {last}", first=", ".join(quoted[:-1]), last=quoted[-1])

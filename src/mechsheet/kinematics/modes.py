@@ -13,7 +13,8 @@ from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
-from mechsheet.model import Mechanism
+from mechsheet.model import Mechanism, Words
+from mechsheet.said import say
 
 BETWEEN = 0.1
 """A sketch whose distances to the two assemblies differ by less than this part of their separation lies between them."""
@@ -29,12 +30,12 @@ class BetweenModesError(MechanismError):
 class NeverClosesError(MechanismError):
     """A group of links cannot be joined in any row; `links` names them and their joints."""
 
-    def __init__(self, links: str) -> None:
+    def __init__(self, links: Words) -> None:
         self.links = links
         fault = Fault(
-            f"the links cannot be joined at any value of the driver: {links}",
+            say("the links cannot be joined at any value of the driver: {links}", links=links),
             key="dimensions",
-            hint="check the lengths of these links and the distance of their outer joints",
+            hint=say("check the lengths of these links and the distance of their outer joints"),
         )
         super().__init__(fault)
 
@@ -54,7 +55,7 @@ def pick_mode(
     """
     first = ledger.first_number(solved.closes)
     if first is None:
-        raise NeverClosesError(solved.label.en)
+        raise NeverClosesError(solved.label)
     if not solved.mode:
         return 1, False
     if given is not None:
@@ -138,7 +139,11 @@ def _between(entries: list[Entry], positions: dict[int, list[float]], solved: So
         return ", ".join(f"{name} = {math.degrees(x) if scale == 0 else x:.4g}" for (name, _, scale), x in pairs)
 
     return Fault(
-        f"the sketch lies between the two assemblies of {solved.label.en}",
+        say("the sketch lies between the two assemblies of {group}", group=solved.label),
         key="assembly",
-        hint=f"+1 is at {shown(1)}; -1 is at {shown(-1)}: sketch a point nearer to the one that is meant",
+        hint=say(
+            "+1 is at {shown}; -1 is at {shown2}: sketch a point nearer to the one that is meant",
+            shown=shown(1),
+            shown2=shown(-1),
+        ),
     )

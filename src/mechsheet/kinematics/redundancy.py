@@ -26,6 +26,7 @@ from mechsheet.kinematics.sketched import assemblies
 from mechsheet.kinematics.solve import dimension_values, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Rack, Sketch
+from mechsheet.said import say
 
 HOLDS = 1e-7
 """A condition that is met within this part of the size, in every position, is met by itself."""
@@ -207,14 +208,21 @@ def _name(part: Part) -> str:
 
 
 def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
-    what = "link" if isinstance(part, Link) else "sliding joint"
+    what = say("link") if isinstance(part, Link) else say("sliding joint")
     key = f"links.{part.name}" if isinstance(part, Link) else f"joints.{_place_in_file(mechanism, part)}"
     together = "".join(f' together with "{other}"' for other in others)
-    hint = "leave it out of the description (its points can be points of another link, its forces are another matter)"
+    hint = say(
+        "leave it out of the description (its points can be points of another link, its forces are another matter)"
+    )
     if isinstance(part, Link):
-        hint = "write `redundant = true` under it: it follows the others, and its length is checked in every row"
+        hint = say("write `redundant = true` under it: it follows the others, and its length is checked in every row")
     return Fault(
-        f'the {what} "{part.name}" is redundant and may be left out{together}: the rest moves in the same way without it',
+        say(
+            'the {what} "{name}" is redundant and may be left out{together}: the rest moves in the same way without it',
+            what=what,
+            name=part.name,
+            together=together,
+        ),
         key=key,
         hint=hint,
     )

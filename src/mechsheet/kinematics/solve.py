@@ -39,7 +39,8 @@ from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
 from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.within import member, sketched_mode, solve_within
-from mechsheet.model import Cartesian, Dimension, Distances, FurtherDriver, Mechanism, Polar, Quantity
+from mechsheet.model import Cartesian, Dimension, Distances, FurtherDriver, Mechanism, Polar, Quantity, Words
+from mechsheet.said import say
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import phrase, same
 
@@ -211,7 +212,7 @@ def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
         found = redundancy_faults(mechanism, missing) if missing > 0 else []
         if not found:
             raise
-        hint = "it moves all the same: some of its links or joints say what others say already"
+        hint = say("it moves all the same: some of its links or joints say what others say already")
         raise MechanismError([replace(error.faults[0], hint=hint), *found]) from error
 
 
@@ -224,8 +225,8 @@ def _check_solved(mechanism: Mechanism) -> None:
     if all(math.isfinite(values[symbol]) for symbol in task.taken):
         return
     why = next((words for symbol, words in task.reasons if not math.isfinite(values[symbol])), None)
-    message = "the task has no solution" if why is None else why.en
-    raise MechanismError(Fault(message, key="synthesis", hint="give it another one"))
+    message = say("the task has no solution") if why is None else say("{why}", why=why)
+    raise MechanismError(Fault(message, key="synthesis", hint=say("give it another one")))
 
 
 def _mode_of_task(mechanism: Mechanism, solved: Solved) -> Node | None:
@@ -257,8 +258,8 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     try:
         return _solve(there, {}).groups
     except NeverClosesError as error:
-        message = f"the sketch cannot show this position: there {error.links} cannot be joined"
-        hint = "check `at`, which is in the driver's unit, and the lengths of these links"
+        message = say("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
+        hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
         raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
 
 
@@ -378,7 +379,7 @@ def _solve_chain(
     mode, at = given.get(solution.system.mode), mechanism.sketch.at
 
     def near(home: float) -> Mapping[str, float]:
-        return _traced(mechanism, number(at or 0.0, dimensions), home, solution.system.variables, solution.label.en)
+        return _traced(mechanism, number(at or 0.0, dimensions), home, solution.system.variables, solution.label)
 
     shown = near if at is not None and not unpicked else None
     system, assembly, is_open = pick_assembly(
@@ -393,7 +394,9 @@ def _solve_chain(
     return solved, assembly, is_open
 
 
-def _traced(mechanism: Mechanism, at: float, home: float, variables: Sequence[str], links: str) -> Mapping[str, float]:
+def _traced(
+    mechanism: Mechanism, at: float, home: float, variables: Sequence[str], links: Words
+) -> Mapping[str, float]:
     """Values at the driver's value `home` of the position that the sketch shows at `at`, followed in small steps."""
     from mechsheet.kinematics.sweep import sweep  # which needs this module
 
@@ -470,7 +473,9 @@ def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:
         if unknown and mechanism.dynamics is not None and not whole:
             continue
         if unknown:
-            faults.append(Fault(f'"{unknown[0]}" is not known here', key=f"outputs.{output.symbol}.formula"))
+            faults.append(
+                Fault(say('"{unknown}" is not known here', unknown=unknown[0]), key=f"outputs.{output.symbol}.formula")
+            )
             continue
         label = output.label or same(output.symbol)
         ledger.define(output.symbol, output.formula, output.unit, label, "output")

@@ -49,8 +49,13 @@ def _node(value: Node | float | str) -> Node:
 
 
 def joined(*parts: Node | str) -> Node:
-    """Texts one after another: `a & "b" & c`; empty ones are left out."""
-    nodes = [_node(part) for part in parts if part != ""]
+    """Texts one after another: `a & "b" & c`; empty ones are left out, constants side by side are one."""
+    nodes: list[Node] = []
+    for part in (_node(part) for part in parts if part != ""):
+        if nodes and isinstance(part, Text) and isinstance(before := nodes[-1], Text):
+            nodes[-1] = Text(before.value + part.value)
+        else:
+            nodes.append(part)
     if not nodes:
         return Text("")
     result = nodes[0]

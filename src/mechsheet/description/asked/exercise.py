@@ -12,6 +12,7 @@ from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.formula.nodes import symbols
 from mechsheet.model import Exercise, Need, Vary
+from mechsheet.said import say
 
 ALL_ROWS = "all rows"
 _COMPARED = re.compile(r"(.+?)(<=|>=|<|>)(.+)", re.DOTALL)
@@ -28,7 +29,9 @@ def read(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Scope) ->
     for key, value in (("tolerance", tolerance), ("not_live", not_live)):
         if value is not BAD and not 0 <= value <= (1 if key == "not_live" else 0.1):
             most = 1 if key == "not_live" else 0.1
-            scope.report.at(("exercise", key), f"must lie between 0 and {most}, not {value:g}")
+            scope.report.at(
+                ("exercise", key), say("must lie between 0 and {most}, not {value:g}", most=most, value=value)
+            )
     return Exercise(
         asked=asked,
         vary=_varied(data.get("vary", {}), scope),
@@ -46,9 +49,9 @@ def _asked(data: Any, summaries: Mapping[str, Any], scope: Scope) -> dict[str, f
     known = [*scope.variables, *coordinates, *scope.outputs, *scope.rates, *summaries]
     for symbol, marks in ({} if data is BAD else data).items():
         if symbol not in known and scope.complete:
-            message = f"no variable, coordinate, output or summary is called {quoted(symbol)}"
+            message = say("no variable, coordinate, output or summary is called {symbol}", symbol=quoted(symbol))
             if symbol in scope.motion_outputs:
-                message = f"{quoted(symbol)} follows from summaries: ask for these"
+                message = say("{symbol} follows from summaries: ask for these", symbol=quoted(symbol))
             scope.report.at(("exercise", "asked", symbol), message, suggestion(symbol, known, "allowed"))
         elif marks is not BAD:
             found[symbol] = float(marks)
@@ -62,14 +65,14 @@ def _varied(data: Any, scope: Scope) -> tuple[Vary, ...]:
         path: Path = ("exercise", "vary", symbol)
         if symbol not in scope.units:
             hint = suggestion(symbol, scope.inputs, "inputs")
-            scope.report.at(path, f"no dimension is called {quoted(symbol)}", hint)
+            scope.report.at(path, say("no dimension is called {symbol}", symbol=quoted(symbol)), hint)
         elif symbol not in scope.inputs:
-            message = f"the dimension {quoted(symbol)} is derived; only an input can vary"
+            message = say("the dimension {symbol} is derived; only an input can vary", symbol=quoted(symbol))
             scope.report.at(path, message, suggestion(symbol, scope.inputs, "inputs"))
         elif span is not BAD and BAD not in span:
             low, high, step = map(float, span)
             if not (step > 0 and low <= high and (high - low) / step < MOST_STEPS):
-                scope.report.at(path, "expected [from, to, step] with from <= to and a step above 0")
+                scope.report.at(path, say("expected [from, to, step] with from <= to and a step above 0"))
             found.append(Vary(symbol, low, high, step))
     return tuple(found)
 
@@ -84,15 +87,15 @@ def _needs(text: Any, summaries: Mapping[str, Any], scope: Scope) -> tuple[Need,
             continue
         compared = _COMPARED.fullmatch(part)
         if compared is None:
-            hint = f'"{ALL_ROWS}", or a comparison such as "mu_min > 30"'
-            scope.report.at(path, f"{quoted(part.strip())} is no condition", hint)
+            hint = say('"{all_rows}", or a comparison such as "mu_min > 30"', all_rows=ALL_ROWS)
+            scope.report.at(path, say("{strip} is no condition", strip=quoted(part.strip())), hint)
             continue
         sides = [scope.condition_side(side.strip(), path) for side in (compared[1], compared[3])]
         known = [*summaries, *scope.units]
         for side in sides:
             for name in symbols(side) if side is not None else ():
                 if name not in known:
-                    message = f"{quoted(name)} is no summary and no dimension"
+                    message = say("{name} is no summary and no dimension", name=quoted(name))
                     scope.report.at(path, message, suggestion(name, known, "allowed"))
         if sides[0] is not None and sides[1] is not None:
             found.append(Need(sides[0], compared[2], sides[1], part.strip()))

@@ -13,6 +13,7 @@ from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.model import EXTREME, POINT_RATES, Condition, Objective, Range, Study
+from mechsheet.said import say
 
 MOST_OBJECTIVES = 3
 MOST_DESIGNS = 10**12
@@ -37,12 +38,16 @@ def read(
     count = data.get("count", 0)
     vary = _varied(data.get("vary", {}), sample, scope)
     if sample == "sobol" and not count:
-        scope.report.at(("study",), "a Sobol sample needs its number of designs", "for example count = 100_000")
+        scope.report.at(
+            ("study",), say("a Sobol sample needs its number of designs"), say("for example count = 100_000")
+        )
     if sample == "grid" and "vary" in data and scope.report.sound("study"):
         _check_size(vary, scope)
     for key in ("count", "seed"):
         if sample == "grid" and key in data:
-            scope.report.at(("study", key), "belongs to a Sobol sample; a grid is all combinations", 'sample = "sobol"')
+            scope.report.at(
+                ("study", key), say("belongs to a Sobol sample; a grid is all combinations"), say('sample = "sobol"')
+            )
     texts = enumerate([] if data.get("keep", BAD) is BAD else data["keep"])
     keep = [_condition(text, ("study", "keep", at), bodies, summaries, scope) for at, text in texts if text is not BAD]
     return Study(
@@ -66,10 +71,12 @@ def _varied(data: Any, sample: str, scope: Scope) -> tuple[Range, ...]:
         path: Path = ("study", "vary", symbol)
         if symbol not in scope.units:
             scope.report.at(
-                path, f"no dimension is called {quoted(symbol)}", suggestion(symbol, scope.inputs, "inputs")
+                path,
+                say("no dimension is called {symbol}", symbol=quoted(symbol)),
+                suggestion(symbol, scope.inputs, "inputs"),
             )
         elif symbol not in scope.inputs:
-            message = f"the dimension {quoted(symbol)} is derived; only an input can vary"
+            message = say("the dimension {symbol} is derived; only an input can vary", symbol=quoted(symbol))
             scope.report.at(path, message, suggestion(symbol, scope.inputs, "inputs"))
         elif given is not BAD and (one := _range(symbol, given, sample, path, scope)) is not None:
             found.append(one)
@@ -82,7 +89,7 @@ def _range(symbol: str, given: Any, sample: str, path: Path, scope: Scope) -> Ra
         if values is BAD or BAD in values:
             return None
         if sample == "sobol":
-            scope.report.at(path, "a Sobol sample varies between two ends, not over a list", "[from, to]")
+            scope.report.at(path, say("a Sobol sample varies between two ends, not over a list"), say("[from, to]"))
             return None
         return Range(symbol, values=tuple(map(float, values)))
     ends = [given.get(key) for key in ("from", "to", "by")] if isinstance(given, Mapping) else [*given, None][:3]
@@ -91,16 +98,20 @@ def _range(symbol: str, given: Any, sample: str, path: Path, scope: Scope) -> Ra
         return None  # which has been reported
     if sample == "sobol":
         if step is not None:
-            scope.report.at(path, "a Sobol sample has no step: any number between the ends", "[from, to]")
+            scope.report.at(path, say("a Sobol sample has no step: any number between the ends"), say("[from, to]"))
         elif not low < high:
-            scope.report.at(path, f"from {low:g} to {high:g} is no range", "[from, to] with from < to")
+            scope.report.at(
+                path,
+                say("from {low:g} to {high:g} is no range", low=low, high=high),
+                say("[from, to] with from < to"),
+            )
         else:
             return Range(symbol, float(low), float(high))
     elif step is None:
-        hint = '[from, to, step]; without a step: sample = "sobol" and count'
-        scope.report.at(path, "a grid needs a step", hint)
+        hint = say('[from, to, step]; without a step: sample = "sobol" and count')
+        scope.report.at(path, say("a grid needs a step"), hint)
     elif not (step > 0 and low <= high):
-        scope.report.at(path, "expected [from, to, step] with from <= to and a step above 0")
+        scope.report.at(path, say("expected [from, to, step] with from <= to and a step above 0"))
     else:
         return Range(symbol, float(low), float(high), float(step))
     return None
@@ -112,10 +123,17 @@ def _check_size(vary: tuple[Range, ...], scope: Scope) -> None:
     if total <= MOST_DESIGNS:
         return
     days = total / RATE / 86_400
-    took = f"{days:,.0f} days" if days < 10_000 else f"{days / 365.25:,.3g} years"
+    took = say("{days:,.0f} days", days=days) if days < 10_000 else say("{part:,.3g} years", part=days / 365.25)
     parts = " · ".join(f"{one.count:,}" for one in vary)
-    message = f"{parts} = {total:,.4g} designs, at {RATE:,} a second {took}: the most are {MOST_DESIGNS:,}"
-    hint = 'sample = "sobol" with count = 1_000_000 first; then a grid around what it finds'
+    message = say(
+        "{parts} = {total:,.4g} designs, at {rate:,} a second {took}: the most are {most_designs:,}",
+        parts=parts,
+        total=total,
+        rate=RATE,
+        took=took,
+        most_designs=MOST_DESIGNS,
+    )
+    hint = say('sample = "sobol" with count = 1_000_000 first; then a grid around what it finds')
     scope.report.at(("study", "vary"), message, hint)
 
 
@@ -132,19 +150,21 @@ def _condition(
         name = (word[2] or "").strip()
         if word[1] == "closes":
             if word[2] is not None:
-                scope.report.at(path, "closes has no argument: it asks for all rows", '"closes"')
+                scope.report.at(path, say("closes has no argument: it asks for all rows"), say('"closes"'))
             return Condition(plain, "closes", other=bool(other))
         if word[1] == "crank":
             if name not in bodies:
                 links = suggestion(name, bodies, "links")
-                scope.report.at(path, f"in {quoted(plain)}: no link is called {quoted(name)}", links)
+                scope.report.at(
+                    path, say("in {plain}: no link is called {name}", plain=quoted(plain), name=quoted(name)), links
+                )
             return Condition(plain, "crank", name, bool(other))
         if not name:
-            scope.report.at(path, "grashof asks of a loop", '"grashof(A0ABB0)": the loop by its pins')
+            scope.report.at(path, say("grashof asks of a loop"), say('"grashof(A0ABB0)": the loop by its pins'))
         return Condition(plain, "grashof", name, bool(other))
     parts = _COMPARED.split(rest)
     if len(parts) not in (3, 5) or not all(part.strip() for part in parts):
-        scope.report.at(path, f"{quoted(plain)} is no condition", _EXAMPLES)
+        scope.report.at(path, say("{plain} is no condition", plain=quoted(plain)), _EXAMPLES)
         return None
     sides = [_value(side.strip(), path, summaries, scope) for side in parts[::2]]
     if any(side is None for side in sides):
@@ -163,11 +183,15 @@ def _objectives(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Sc
                 found.append(Objective(" ".join(text.split()), node, key == "maximize"))
     if len(found) > MOST_OBJECTIVES:
         key = "maximize" if data.get("maximize") else "minimize"
-        message = f"{len(found)} objectives: a front of more than {MOST_OBJECTIVES} tells nobody anything"
-        scope.report.at(("study", key), message, "make conditions of the others")
+        message = say(
+            "{count} objectives: a front of more than {most_objectives} tells nobody anything",
+            count=len(found),
+            most_objectives=MOST_OBJECTIVES,
+        )
+        scope.report.at(("study", key), message, say("make conditions of the others"))
     twice = [each.text for at, each in enumerate(found) if each.text in [other.text for other in found[:at]]]
     for text in twice:
-        scope.report.at(("study",), f"{quoted(text)} is an objective twice")
+        scope.report.at(("study",), say("{text} is an objective twice", text=quoted(text)))
     return tuple(found)
 
 
@@ -195,11 +219,18 @@ def _value(text: str, path: Path, summaries: Mapping[str, Any], scope: Scope) ->
         fine = False
         if name in rowwise:
             message, hint = (
-                f"{quoted(name)} has a value in every row",
-                f"min({name}) or max({name}), or a summary of it",
+                say("{name} has a value in every row", name=quoted(name)),
+                say("min({name}) or max({name}), or a summary of it", name=name),
             )
         else:
-            message, hint = f"{quoted(name)} is no summary and no dimension", suggestion(name, known, "allowed")
+            message, hint = (
+                say("{name} is no summary and no dimension", name=quoted(name)),
+                suggestion(name, known, "allowed"),
+            )
         if scope.complete or name in rowwise:
-            scope.report.at(path, message if name == text.strip() else f"in {quoted(text)}: {message}", hint)
+            scope.report.at(
+                path,
+                message if name == text.strip() else say("in {text}: {message}", text=quoted(text), message=message),
+                hint,
+            )
     return tree if fine else None

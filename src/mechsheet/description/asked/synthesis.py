@@ -16,6 +16,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
 from mechsheet.model import Dimension, Synthesis, TaskPlace
+from mechsheet.said import reason, say
 from mechsheet.synthesis.kind import Kind
 from mechsheet.synthesis.kinds import KINDS, written
 from mechsheet.synthesis.writing import Task, Units, Writer
@@ -54,7 +55,7 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
     scope.solved = data is None
     if not isinstance(data, dict) or not data:
         for symbol in taken if data is None else ():
-            message = "there is no part [synthesis] whose result it could be"
+            message = say("there is no part [synthesis] whose result it could be")
             scope.report.at(("dimensions", symbol, "synthesis"), message)
         return Found()
     task = _task(data, given, scope)
@@ -98,12 +99,12 @@ def _task(data: dict[str, Any], given: Mapping[str, Any], scope: Scope) -> Task 
     numbers = _numbers(data, kind, scope)
     for place, value in numbers.items():
         if place[0] in (*kind.positive, "round") and value <= 0:
-            scope.report.at(("synthesis", *place), f"must be greater than 0, not {value:g}")
+            scope.report.at(("synthesis", *place), say("must be greater than 0, not {value:g}", value=value))
     if data.get("best") is False:
-        scope.report.at(("synthesis", "best"), "is true, or left out with another key in its place")
+        scope.report.at(("synthesis", "best"), say("is true, or left out with another key in its place"))
     for key in kind.own:
         if key not in data and not _is_plain(given.get(key)):
-            scope.report.at(("synthesis", key), "is missing: give it here, or as a number in [dimensions]")
+            scope.report.at(("synthesis", key), say("is missing: give it here, or as a number in [dimensions]"))
     chosen: dict[str, str] = {}
     function: Node | None = None
     if kind.pairs:
@@ -154,23 +155,30 @@ def _function(
     if "f" not in data:
         for key in ("x", "points"):
             if key in data:
-                report.at(("synthesis", key), "goes with `f`: the function of x that is to be generated")
+                report.at(("synthesis", key), say("goes with `f`: the function of x that is to be generated"))
         if theta is BAD or psi is BAD:
             return None
         if len(theta) != len(psi):
-            report.at(("synthesis", "psi"), f"has {len(psi)} angles for {len(theta)} of theta")
+            report.at(
+                ("synthesis", "psi"),
+                say("has {count} angles for {count2} of theta", count=len(psi), count2=len(theta)),
+            )
         for key, angles in (("theta", theta), ("psi", psi)):
             if len(angles) < 3:
-                report.at(("synthesis", key), f"has {len(angles)} angles: three precision points are the least")
+                report.at(
+                    ("synthesis", key),
+                    say("has {count} angles: three precision points are the least", count=len(angles)),
+                )
         chosen["points"] = str(len(theta))
         return None
     for key, angles in (("theta", theta), ("psi", psi)):
         if angles is not BAD and len(angles) != 2:
             report.at(
-                ("synthesis", key), f"of a function `f` has two angles, the first and the last; found {len(angles)}"
+                ("synthesis", key),
+                say("of a function `f` has two angles, the first and the last; found {count}", count=len(angles)),
             )
     if "x" not in data:
-        report.at(("synthesis", "x"), "is missing: the range of the function, [first, last]")
+        report.at(("synthesis", "x"), say("is missing: the range of the function, [first, last]"))
     points = data.get("points", 3)
     chosen["points"] = str(points)
     text = data["f"]
@@ -178,7 +186,10 @@ def _function(
         return None
     unknown = [name for name in symbols(tree) if name != "x"]
     for name in unknown:
-        report.at(("synthesis", "f"), f"in {quoted(text)}: {quoted(name)} is not known; a function of x alone")
+        report.at(
+            ("synthesis", "f"),
+            say("in {text}: {name} is not known; a function of x alone", text=quoted(text), name=quoted(name)),
+        )
     if not unknown and ("x", 1) in numbers and "x" in data:
         _check_function(tree, text, numbers["x", 0], numbers["x", 1], scope)
     return tree
@@ -191,7 +202,7 @@ SAMPLES = 81
 def _check_function(tree: Node, text: str, first: float, last: float, scope: Scope) -> None:
     """Report a function that has no value somewhere, or that turns back: an angle cannot be read off backwards."""
     if first == last:
-        scope.report.at(("synthesis", "x"), "the range has no length")
+        scope.report.at(("synthesis", "x"), say("the range has no length"))
         return
     values: list[float] = []
     for index in range(SAMPLES):
@@ -199,15 +210,27 @@ def _check_function(tree: Node, text: str, first: float, last: float, scope: Sco
         try:
             values.append(evaluate(tree, {"x": x}))
         except (ArithmeticError, ValueError) as error:
-            scope.report.at(("synthesis", "f"), f"{quoted(text)} has no value at x = {x:.6g}: {error}")
+            scope.report.at(
+                ("synthesis", "f"),
+                say("{text} has no value at x = {x:.6g}: {error}", text=quoted(text), x=x, error=reason(error)),
+            )
             return
         if len(values) > 2 and (values[-1] - values[-2]) * (values[-2] - values[-3]) < 0:
             scope.report.at(
-                ("synthesis", "f"), f"{quoted(text)} turns back near x = {x:.6g}: it must rise or fall throughout"
+                ("synthesis", "f"),
+                say("{text} turns back near x = {x:.6g}: it must rise or fall throughout", text=quoted(text), x=x),
             )
             return
     if abs(values[-1] - values[0]) <= STEEPEST * max(map(abs, values)):
-        scope.report.at(("synthesis", "f"), f"{quoted(text)} does not change between x = {first:.6g} and {last:.6g}")
+        scope.report.at(
+            ("synthesis", "f"),
+            say(
+                "{text} does not change between x = {first:.6g} and {last:.6g}",
+                text=quoted(text),
+                first=first,
+                last=last,
+            ),
+        )
 
 
 # --- results -------------------------------------------------------------------------------------------------------
@@ -224,13 +247,15 @@ def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], scop
     for symbol, name in taken.items():
         path: Path = ("dimensions", symbol, "synthesis")
         if name not in writer.results:
-            message = f"a synthesis of kind {quoted(kind)} gives no {quoted(name)}"
+            message = say("a synthesis of kind {kind} gives no {name}", kind=quoted(kind), name=quoted(name))
             scope.report.at(path, message, suggestion(name, writer.results, "results"))
         elif symbol in writer.results and symbol != name:
-            message = (
-                f"{quoted(symbol)} is another result of this synthesis: {quoted(name)} under this name would mislead"
+            message = say(
+                "{symbol} is another result of this synthesis: {name} under this name would mislead",
+                symbol=quoted(symbol),
+                name=quoted(name),
             )
-            scope.report.at(path, message, "name the dimension otherwise")
+            scope.report.at(path, message, say("name the dimension otherwise"))
         else:
             exact = writer.results[name]
             unit = by_symbol[exact].unit if exact in by_symbol else writer.units.length
@@ -265,14 +290,20 @@ def with_modes(task: Synthesis | None, sketch: Mapping[str, Any], scope: Scope) 
         result = entry.get("synthesis", BAD)
         if not _MODE.fullmatch(name):
             scope.report.at(
-                path, "only an assembly mode is a result of a synthesis", "mode_1 is that of the first group"
+                path,
+                say("only an assembly mode is a result of a synthesis"),
+                say("mode_1 is that of the first group"),
             )
         elif task is None and not scope.solved:
             continue
         elif task is None:
-            scope.report.at(path, "there is no part [synthesis] whose result it could be")
+            scope.report.at(path, say("there is no part [synthesis] whose result it could be"))
         elif result is not BAD and (result != "mode" or result not in task.results):
-            message = f"{quoted(result)} is no assembly that a synthesis of kind {quoted(task.kind)} gives"
+            message = say(
+                "{result} is no assembly that a synthesis of kind {kind} gives",
+                result=quoted(result),
+                kind=quoted(task.kind),
+            )
             allowed = [one for one in task.results if one == "mode"]
             scope.report.at((*path, "synthesis"), message, suggestion(result, allowed, "results"))
         else:

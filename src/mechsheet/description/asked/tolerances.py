@@ -13,6 +13,7 @@ from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.results import check_column
 from mechsheet.description.scope import Scope
 from mechsheet.model import Dimension, Driver, FurtherDriver, Tolerances
+from mechsheet.said import say
 
 _PATH: Path = ("tolerance",)
 
@@ -35,8 +36,8 @@ def read(
     if named is None:
         found = [name for name in (*scope.outputs, *scope.summaries) if _has_positions(name, given, scope)]
         if not found:
-            message = "there is no output and no summary of positions to give a band to"
-            scope.report.at(_PATH, message, f'name what is wanted: of = ["{_example(given, scope)}"]')
+            message = say("there is no output and no summary of positions to give a band to")
+            scope.report.at(_PATH, message, say('name what is wanted: of = ["{given}"]', given=_example(given, scope)))
     else:
         for number, name in enumerate(named):
             _check(name, named[:number], given, (*_PATH, "of", number), scope)
@@ -48,18 +49,24 @@ def read(
 
 def _check_dimensions(dimensions: tuple[Dimension, ...], layout: str, scope: Scope) -> None:
     if layout == "page":
-        message = "bands need a sheet of their own, which the layout page does not have"
-        scope.report.at(_PATH, message, 'write layout = "sheets"')
+        message = say("bands need a sheet of their own, which the layout page does not have")
+        scope.report.at(_PATH, message, say('write layout = "sheets"'))
     own = [dim for dim in dimensions if dim.tolerance and not dim.place]
     for dim in own:
         if dim.derived:
-            message = f"{quoted(dim.symbol)} follows from other dimensions: its tolerance follows from theirs"
-            scope.report.at(("dimensions", dim.symbol, "tolerance"), message, "give those tolerances")
+            message = say(
+                "{symbol} follows from other dimensions: its tolerance follows from theirs", symbol=quoted(dim.symbol)
+            )
+            scope.report.at(("dimensions", dim.symbol, "tolerance"), message, say("give those tolerances"))
     if not any(not dim.derived for dim in own):
         inputs = [dim for dim in dimensions if not dim.derived and not dim.place and dim.shown is not None]
-        example = f"{inputs[0].symbol} = {{ value = {inputs[0].shown:.12g}" if inputs else "a2 = { value = 40"
-        message = "no dimension has a tolerance: there is nothing that could spread"
-        scope.report.at(_PATH, message, f"write for example {example}, tolerance = 0.1 }}")
+        example = (
+            say("{symbol} = {{ value = {shown:.12g}", symbol=inputs[0].symbol, shown=inputs[0].shown)
+            if inputs
+            else say("a2 = { value = 40")
+        )
+        message = say("no dimension has a tolerance: there is nothing that could spread")
+        scope.report.at(_PATH, message, say("write for example {example}, tolerance = 0.1 }}", example=example))
 
 
 def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Scope) -> None:
@@ -67,7 +74,7 @@ def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Sco
     if name is BAD:
         return
     if name in before:
-        scope.report.at(path, f"{quoted(name)} is listed twice")
+        scope.report.at(path, say("{name} is listed twice", name=quoted(name)))
         return
     of = scope.summaries.get(name, name)
     if of is BAD:
@@ -78,14 +85,17 @@ def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Sco
     if name not in scope.summaries:
         check_column(name, path, scope)
     if _reads_rates(of, scope):
-        message = (
-            f"{quoted(name)} is, or reads, a velocity, an acceleration or a force: bands are found of positions only"
+        message = say(
+            "{name} is, or reads, a velocity, an acceleration or a force: bands are found of positions only",
+            name=quoted(name),
         )
         scope.report.at(path, message)
     elif of in given:
-        scope.report.at(path, f"{quoted(name)} is driven: no dimension changes it")
+        scope.report.at(path, say("{name} is driven: no dimension changes it", name=quoted(name)))
     elif of.partition(".")[0] in scope.fixed:
-        scope.report.at(path, f"{quoted(name)} is of a point of the ground, which has no column of its own")
+        scope.report.at(
+            path, say("{name} is of a point of the ground, which has no column of its own", name=quoted(name))
+        )
 
 
 def _known(name: str, scope: Scope) -> bool:
@@ -97,9 +107,9 @@ def _known(name: str, scope: Scope) -> bool:
 def _report_unknown(name: str, path: Path, scope: Scope) -> None:
     if scope.complete:
         known = [*scope.outputs, *scope.summaries, *scope.variables]
-        message = f"no output, variable or summary is called {quoted(name)}"
+        message = say("no output, variable or summary is called {name}", name=quoted(name))
         if name in scope.motion_outputs:
-            message = f"{quoted(name)} follows from summaries: bands are found of these"
+            message = say("{name} follows from summaries: bands are found of these", name=quoted(name))
         scope.report.at(path, message, suggestion(name, known, "allowed"))
 
 

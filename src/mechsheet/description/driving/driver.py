@@ -13,6 +13,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, found, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.model import Driver, Joint, Link, Quantity
+from mechsheet.said import say
 from mechsheet.units import Unit, unit_of
 
 LANDS = 1e-9
@@ -59,19 +60,19 @@ def kind_and_unit(data: dict[str, Any], scope: Scope) -> tuple[str, Unit]:
 
 def _sliding(data: dict[str, Any], place: Path, joints: tuple[Joint, ...], scope: Scope) -> Driven | None:
     if "relative_to" in data:
-        message = "goes with `link`; a driven joint has its two links already"
+        message = say("goes with `link`; a driven joint has its two links already")
         scope.report.at((*place, "relative_to"), message)
     name = data["joint"]
     joint = next((one for one in joints if one.name == name), None)
     if joint is None:
         if name is not BAD and scope.complete:
             hint = suggestion(name, [one.name for one in joints], "sliding joints")
-            scope.report.at((*place, "joint"), f"no sliding joint is called {quoted(name)}", hint)
+            scope.report.at((*place, "joint"), say("no sliding joint is called {name}", name=quoted(name)), hint)
         return None
     symbol = data.get("symbol", joint.symbol)
     if symbol not in (BAD, joint.symbol):
-        message = f"the driven displacement is called {quoted(joint.symbol)} already"
-        hint = "leave it out here, or give the same symbol to the joint"
+        message = say("the driven displacement is called {symbol} already", symbol=quoted(joint.symbol))
+        hint = say("leave it out here, or give the same symbol to the joint")
         scope.report.at((*place, "symbol"), message, hint)
     return joint.symbol, "", "", joint.name
 
@@ -84,12 +85,14 @@ def _turning(data: dict[str, Any], place: Path, links: tuple[Link, ...], ends: E
     if not known:
         return None
     if link == other:
-        message = "it is the ground" if link == ground else "it is `relative_to` as well"
-        scope.report.at((*place, "link"), f"the link {quoted(link)} cannot turn: {message}")
+        message = say("it is the ground") if link == ground else say("it is `relative_to` as well")
+        scope.report.at(
+            (*place, "link"), say("the link {link} cannot turn: {message}", link=quoted(link), message=message)
+        )
         return None
     if link == ground:
-        message = f"the link {quoted(link)} is the ground"
-        hint = f'drive the other one: link = "{other}", with the opposite sign of the values'
+        message = say("the link {link} is the ground", link=quoted(link))
+        hint = say('drive the other one: link = "{other}", with the opposite sign of the values', other=other)
         scope.report.at((*place, "link"), message, hint)
         return None
     own = next(one.angle_symbol for one in links if one.name == link)
@@ -121,16 +124,26 @@ def check_sweep(start: float, stop: float, step: float, data: dict[str, Any], sc
     """Report a step of zero or with the wrong sign, and too many rows; `data` has the three as they are written."""
     path: Path = ("driver", "step")
     if step == 0:
-        scope.report.at(path, "the step is zero")
+        scope.report.at(path, say("the step is zero"))
     elif not all(math.isfinite(value) for value in (start, stop, step)):
         return
     elif (stop - start) * step < 0:
-        sign = "positive" if stop > start else "negative"
+        sign = say("positive") if stop > start else say("negative")
         shown = [_as_written(data[key]) for key in ("start", "stop", "step")]
-        message = f"a step of {shown[2]} never leads from {shown[0]} to {shown[1]}: it must be {sign}"
+        message = say(
+            "a step of {shown} never leads from {shown2} to {shown3}: it must be {sign}",
+            shown=shown[2],
+            shown2=shown[0],
+            shown3=shown[1],
+            sign=sign,
+        )
         scope.report.at(path, message)
     elif (rows := math.floor((stop - start) / step + LANDS) + 1) > MOST_ROWS:
-        message = f"the sweep has {rows:,} rows; a sheet holds at most {MOST_ROWS:,} below its headings"
+        message = say(
+            "the sweep has {rows:,} rows; a sheet holds at most {most_rows:,} below its headings",
+            rows=rows,
+            most_rows=MOST_ROWS,
+        )
         scope.report.at(path, message)
 
 

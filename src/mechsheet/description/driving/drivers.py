@@ -16,6 +16,7 @@ from mechsheet.description.scope import Scope, circle_message, cycles
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import Dimension, Driver, FurtherDriver, Joint, Link, TableRequest
+from mechsheet.said import say
 
 
 def read(
@@ -45,8 +46,8 @@ def _check_apart(first: Driver | None, drivers: list[FurtherDriver], scope: Scop
         other = taken.setdefault(_what(driver), f"number {driver.order + 1} of [[drivers]]")
         if other != f"number {driver.order + 1} of [[drivers]]":
             key = "joint" if driver.joint else "link"
-            message = f"{quoted(driver.joint or driver.link)} is driven already, by {other}"
-            scope.report.at(("drivers", driver.order, key), message, "drive another joint")
+            message = say("{name} is driven already, by {other}", name=quoted(driver.joint or driver.link), other=other)
+            scope.report.at(("drivers", driver.order, key), message, say("drive another joint"))
 
 
 def _what(driver: Driver | FurtherDriver) -> frozenset[str]:
@@ -85,7 +86,9 @@ def _with_values(
     values = tuple(scope.quantity(value, kind, (*path, "values", index)) for index, value in enumerate(given))
     rows = _rows(first, scope)
     if rows is not None and rows != len(values):
-        message = f"{len(values)} values, where [driver] has {rows} rows: one is needed for each"
+        message = say(
+            "{count} values, where [driver] has {rows} rows: one is needed for each", count=len(values), rows=rows
+        )
         scope.report.at((*path, "values"), message)
     return replace(driver, values=values)
 
@@ -109,9 +112,11 @@ def _follows(text: Any, kind: str, path: Path, names: dict[str, None], scope: Sc
         return None
     wrong = [name for name in symbols(tree) if name not in scope.units and name not in names]
     for name in wrong:
-        what = "is not driven" if name in scope.variables else "is neither a dimension nor a driver"
+        message = say("in {text}: {name} is neither a dimension nor a driver", text=quoted(text), name=quoted(name))
+        if name in scope.variables:
+            message = say("in {text}: {name} is not driven", text=quoted(text), name=quoted(name))
         hint = suggestion(name, [*names, *scope.units], "allowed")
-        scope.report.at(path, f"in {quoted(text)}: {quoted(name)} {what}", hint)
+        scope.report.at(path, message, hint)
     return None if wrong or not scope.fits(tree, text, kind, path) else tree
 
 
@@ -145,8 +150,8 @@ def check_speeds(first: Driver | None, further: tuple[FurtherDriver, ...], scope
     """Where the driver has a speed, each other must say by a formula how it moves."""
     for driver in further:
         if scope.moves and driver.values and first is not None:
-            message = f"{quoted(driver.symbol)} is a list of values, which says nothing of its speed"
-            hint = "write `follows` in place of `values`, or take `speed` out of [driver]"
+            message = say("{symbol} is a list of values, which says nothing of its speed", symbol=quoted(driver.symbol))
+            hint = say("write `follows` in place of `values`, or take `speed` out of [driver]")
             scope.report.at(("drivers", driver.order, "values"), message, hint)
 
 
@@ -154,6 +159,8 @@ def check_tables(further: tuple[FurtherDriver, ...], tables: tuple[TableRequest,
     """A two-way table computes its own rows: what is listed row by row has no value there."""
     for driver in further:
         if driver.values and tables:
-            message = f"two-way tables have no value of {quoted(driver.symbol)}, which is listed row by row"
-            hint = "write `follows` or `value` in place of `values`, or take the tables away"
+            message = say(
+                "two-way tables have no value of {symbol}, which is listed row by row", symbol=quoted(driver.symbol)
+            )
+            hint = say("write `follows` or `value` in place of `values`, or take the tables away")
             scope.report.at(("drivers", driver.order, "values"), message, hint)

@@ -24,6 +24,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import LAWS, TIME, Dimension, Driver, Law, Quantity
+from mechsheet.said import say
 from mechsheet.units import SECONDS, Unit
 
 START, STOP, DURATION = "start", "stop", "duration"
@@ -75,11 +76,16 @@ def declare(data: dict[str, Any], scope: Scope) -> None:
     path: Path = ("driver", "motion")
     for name in (TIME, START, STOP, DURATION):
         what = "time" if name == TIME else name
-        scope.symbols.claim(name, f"{what} of the driver's motion", path, "rename it: the driver has a motion law")
+        scope.symbols.claim(
+            name,
+            say("{what} of the driver's motion", what=say(what)),
+            path,
+            say("rename it: the driver has a motion law"),
+        )
     for key in ("speed", "acceleration"):
         if key in data:
-            message = f"goes with `step` or `values`: here the {key} follows from the motion law"
-            scope.report.at(("driver", key), message, f"leave out {key}, or motion")
+            message = say("goes with `step` or `values`: here the {key} follows from the motion law", key=key)
+            scope.report.at(("driver", key), message, say("leave out {key}, or motion", key=key))
     scope.rates[TIME] = None
 
 
@@ -95,7 +101,7 @@ def read(
     duration = _duration(given, (*path, DURATION), scope)
     first, last = scope.number(driver.start), scope.number(driver.stop)
     if first == last:
-        scope.report.at(("driver", STOP), "start and stop are the same: the driver does not move")
+        scope.report.at(("driver", STOP), say("start and stop are the same: the driver does not move"))
     law, rows = given["law"], given.get("rows", ROWS)
     if duration is None or BAD in (law, rows):
         return None
@@ -136,6 +142,6 @@ def _duration(given: dict[str, Any], path: Path, scope: Scope) -> Quantity | Non
     quantity = scope.quantity(duration, ANY, path)
     seconds = scope.number(quantity)
     if seconds <= 0:
-        scope.report.at(path, f"the motion takes {seconds:g} s: it must take more than 0")
+        scope.report.at(path, say("the motion takes {seconds:g} s: it must take more than 0", seconds=seconds))
         return None
     return quantity if seconds == seconds else None

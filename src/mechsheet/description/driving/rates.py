@@ -16,6 +16,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk
 from mechsheet.model import POINT_RATES, Dimension, Driver, Joint, Law, Link, Quantity, rate_symbols
+from mechsheet.said import reason, say
 from mechsheet.units import RAD, Unit
 
 _SIXTIETH = al.div(al.PI, al.number(30.0))
@@ -53,11 +54,16 @@ def declare(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver |
     if "motion" in data:
         motion_laws.declare(data, scope)
     for name, of in names.items():
-        scope.symbols.claim(name, f"rate of {of}", ("driver", "speed"), "rename it: the driver has a speed")
+        scope.symbols.claim(
+            name, say("rate of {of}", of=say(of)), ("driver", "speed"), say("rename it: the driver has a speed")
+        )
     for joint in joints:
         for link in scope.points.get(joint.symbol, ())[:1]:
-            message = f"the point has the name of a displacement: {joint.symbol}.v would be the velocity of either"
-            scope.report.at(("links", link, "points", joint.symbol), message, "rename one of them")
+            message = say(
+                "the point has the name of a displacement: {symbol}.v would be the velocity of either",
+                symbol=joint.symbol,
+            )
+            scope.report.at(("links", link, "points", joint.symbol), message, say("rename one of them"))
 
 
 def _names(links: tuple[Link, ...], driver: Driver) -> tuple[str, str]:
@@ -70,7 +76,7 @@ def motion(data: dict[str, Any], links: tuple[Link, ...], driver: Driver, scope:
     """The driver's speed and acceleration, when it has a speed and no fault hides it."""
     if not scope.moves:
         if "acceleration" in data:
-            scope.report.at(("driver", "acceleration"), "goes with `speed`", "a driver at rest has speed = 0")
+            scope.report.at(("driver", "acceleration"), say("goes with `speed`"), say("a driver at rest has speed = 0"))
         return None
     names = _names(links, driver)
     if "motion" in data:
@@ -100,10 +106,14 @@ def _listed(key: str, given: Any, data: dict[str, Any], scope: Scope) -> tuple[Q
     path: Path = ("driver", key)
     values = data.get("values", BAD)
     if "values" not in data:
-        scope.report.at(path, f"a list of them goes with `values`: one {key} for each", "or give one for all rows")
+        scope.report.at(
+            path,
+            say("a list of them goes with `values`: one {key} for each", key=key),
+            say("or give one for all rows"),
+        )
     elif values is not BAD and len(values) != len(given):
-        message = f"has {len(given)} numbers for {len(values)} values of the driver"
-        scope.report.at(path, message, f"give one {key} for each of `values`")
+        message = say("has {count} numbers for {rows} values of the driver", count=len(given), rows=len(values))
+        scope.report.at(path, message, say("give one {key} for each of `values`", key=key))
     return tuple(scope.quantity(each, ANY, (*path, place)) for place, each in enumerate(given))
 
 
@@ -152,8 +162,8 @@ def _in_unit(
     allowed = [plain] if driver.joint else [plain, *turning]
     word = unit.strip().replace("°", "deg").replace("²", "^2")
     if word not in allowed:
-        what = "a displacement" if driver.joint else "an angle"
-        message = f"{quoted(unit)} is no unit of this {key}: the driver is {what}"
+        what = say("a displacement") if driver.joint else say("an angle")
+        message = say("{unit} is no unit of this {key}: the driver is {what}", unit=quoted(unit), key=key, what=what)
         scope.report.at(("driver", key, "unit"), message, suggestion(unit, allowed, "units"))
         return None, ()
     if word == plain:
@@ -173,20 +183,28 @@ def _as_speed_changes(speed: Node, text: str, symbol: str, scope: Scope) -> Node
     path: Path = ("driver", "speed")
     corners = [part.name.lower() for part in walk(speed) if isinstance(part, Call) and part.name in _WITH_CORNERS]
     if corners:
-        message = f"{quoted(text)} depends on the driver and has no derivative where {corners[0]} has a corner"
-        scope.report.at(path, message, "give the driver an `acceleration`")
+        message = say(
+            "{text} depends on the driver and has no derivative where {corners} has a corner",
+            text=quoted(text),
+            corners=corners[0],
+        )
+        scope.report.at(path, message, say("give the driver an `acceleration`"))
         return None
     try:
         return al.mul(speed, derivative(speed, symbol))
     except ValueError as error:
-        scope.report.at(path, f"{quoted(text)} depends on the driver: {error}", "give the driver an `acceleration`")
+        scope.report.at(
+            path,
+            say("{text} depends on the driver: {error}", text=quoted(text), error=reason(error)),
+            say("give the driver an `acceleration`"),
+        )
         return None
 
 
 def points(data: dict[str, Any], scope: Scope) -> tuple[str, ...] | None:
     """The points whose rates are wanted; None where the description does not say."""
     if data and not scope.moves:
-        scope.report.at(("rates",), "needs the driver's speed", "write `speed` in [driver]")
+        scope.report.at(("rates",), say("needs the driver's speed"), say("write `speed` in [driver]"))
     if "points" not in data or data["points"] is BAD:
         return None
     found = []
@@ -195,13 +213,15 @@ def points(data: dict[str, Any], scope: Scope) -> tuple[str, ...] | None:
         if name is BAD:
             continue
         if name not in scope.points:
-            scope.report.at(path, f"no point is called {quoted(name)}", suggestion(name, scope.points, "points"))
+            scope.report.at(
+                path, say("no point is called {name}", name=quoted(name)), suggestion(name, scope.points, "points")
+            )
         elif name in scope.fixed:
             moving = [point for point in scope.points if point not in scope.fixed]
-            message = f"{quoted(name)} is a point of the ground: it does not move"
+            message = say("{name} is a point of the ground: it does not move", name=quoted(name))
             scope.report.at(path, message, suggestion("", moving, "moving points"))
         elif name in found:
-            scope.report.at(path, f"{quoted(name)} is listed twice")
+            scope.report.at(path, say("{name} is listed twice", name=quoted(name)))
         found.append(name)
     return tuple(found)
 
@@ -220,8 +240,10 @@ def known(name: str, path: Path, scope: Scope) -> bool:
     """True for a rate or a force; reports one that needs a speed of the driver where it has none."""
     if name in scope.forces:
         if not scope.moves and scope.forces[name] in OF_MOTION:
-            message = f"{quoted(name)} is a {scope.forces[name]}: it needs the driver's speed"
-            scope.report.at(path, message, "write `speed` in [driver]")
+            message = say(
+                "{name} is a {forces}: it needs the driver's speed", name=quoted(name), forces=scope.forces[name]
+            )
+            scope.report.at(path, message, say("write `speed` in [driver]"))
         return True
     if not is_rate(name, scope) or name in scope.units or name in scope.outputs:
         return False
@@ -232,5 +254,9 @@ def known(name: str, path: Path, scope: Scope) -> bool:
 def check_speed(name: str, path: Path, scope: Scope, where: str = "") -> None:
     """Report a rate that needs a speed of the driver where it has none; coefficients need none."""
     if not scope.moves and not name.endswith((".d", ".dd")):
-        message = f"{where}{quoted(name)} is a velocity or an acceleration: it needs the driver's speed"
-        scope.report.at(path, message, "write `speed` in [driver]")
+        message = say(
+            "{where}{name} is a velocity or an acceleration: it needs the driver's speed",
+            where=where,
+            name=quoted(name),
+        )
+        scope.report.at(path, message, say("write `speed` in [driver]"))

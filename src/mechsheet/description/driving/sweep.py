@@ -18,6 +18,7 @@ from mechsheet.description.shape import fit
 from mechsheet.description.source import Source
 from mechsheet.description.typed_value import DIGITS, scope_for, table_of, typed_value
 from mechsheet.diagnostics import Fault
+from mechsheet.said import say
 from mechsheet.units import DEG, Unit
 
 LEAST_ROWS = 2
@@ -35,8 +36,8 @@ def with_sweep(source: Source, rows: str | None, step: str | None) -> tuple[Sour
     if not isinstance(driver, dict) or (rows is None and step is None):
         return source, []
     if "values" in driver:
-        message = "the driver's values are listed one by one: there is no sweep to change"
-        hint = "give [driver] start, stop and step in place of `values`"
+        message = say("the driver's values are listed one by one: there is no sweep to change")
+        hint = say("give [driver] start, stop and step in place of `values`")
         options = [option for option, given in (("step", step), ("rows", rows)) if given is not None]
         return source, [Fault(message, source.file, key=option, hint=hint) for option in options]
     if "motion" in driver:
@@ -59,8 +60,8 @@ def _with_rows_of_motion(source: Source, rows: str | None, step: str | None) -> 
     """The source with another number of rows of its motion law."""
     count, faults = (None, []) if rows is None else _count(rows, source.file)
     if step is not None:
-        message = "the driver moves by a motion law: its rows are equally spaced in time, there is no step"
-        faults.append(Fault(message, source.file, key="step", hint="--rows says how many there are"))
+        message = say("the driver moves by a motion law: its rows are equally spaced in time, there is no step")
+        faults.append(Fault(message, source.file, key="step", hint=say("--rows says how many there are")))
     if faults or count is None:
         return source, faults
     return with_value(source, ("driver", "motion", "rows"), str(count)), faults
@@ -95,12 +96,26 @@ def _count(rows: str, file: str) -> tuple[int | None, list[Fault]]:
     number = typed_number(rows)
     if number is None or number.unit or number.why or not float(number.text).is_integer():
         hint = number.hint if number and number.why and not number.unit else ""
-        return None, [Fault(f"expected a whole number, found {quoted(rows.strip())}", file, key="rows", hint=hint)]
+        return None, [
+            Fault(
+                say("expected a whole number, found {strip}", strip=quoted(rows.strip())), file, key="rows", hint=hint
+            )
+        ]
     count = float(number.text)
     if count < LEAST_ROWS:
-        return None, [Fault(f"a sweep has at least {LEAST_ROWS} rows, not {count:.15g}", file, key="rows")]
+        return None, [
+            Fault(
+                say("a sweep has at least {least_rows} rows, not {count:.15g}", least_rows=LEAST_ROWS, count=count),
+                file,
+                key="rows",
+            )
+        ]
     if count > MOST_ROWS:
-        message = f"a sheet holds at most {MOST_ROWS:,} rows below its headings, not {count:,.15g}"
+        message = say(
+            "a sheet holds at most {most_rows:,} rows below its headings, not {count:,.15g}",
+            most_rows=MOST_ROWS,
+            count=count,
+        )
         return None, [Fault(message, file, key="rows")]
     return int(count), []
 
@@ -113,7 +128,7 @@ def _changed(sweep: _Sweep, rows: int | None, step: str | None) -> dict[str, str
     if step is None:
         assert rows is not None
         if first == last:
-            message = f"start and stop are the same: no step makes {rows} rows"
+            message = say("start and stop are the same: no step makes {rows} rows", rows=rows)
             report.faults.append(Fault(message, report.source.file, key="rows"))
             return {}
         return {} if math.isnan(last - first) else {"step": _step(sweep, start, stop, rows)}

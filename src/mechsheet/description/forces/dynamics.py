@@ -33,6 +33,7 @@ from mechsheet.model import (
     center_symbol,
     torque_unit,
 )
+from mechsheet.said import say
 from mechsheet.units import Unit, unit_of
 
 METRES = {"mm": 0.001, "cm": 0.01, "dm": 0.1, "m": 1.0}
@@ -45,8 +46,8 @@ def read(
     """Masses and loads, and the dimensions that they bring; None where there are none."""
     if first_key(bodies, loads) is None or not links:
         if given:
-            message = "no link has a mass and nothing is loaded: there are no forces"
-            scope.report.at(("dynamics",), message, "give links a `mass`, or [[loads]]")
+            message = say("no link has a mass and nothing is loaded: there are no forces")
+            scope.report.at(("dynamics",), message, say("give links a `mass`, or [[loads]]"))
         return None, ()
     return _Reader(given, links, scope).read(bodies, loads)
 
@@ -78,15 +79,19 @@ class _Reader:
         for key, metric in (("force_unit", "N"), ("mass_unit", "kg")):
             word = self.given.get(key, metric if self.metre else "")
             if self.metre and word not in (BAD, metric):
-                message = f"with lengths in {self.scope.length_unit} forces are in N and masses in kg"
-                self.scope.report.at(("dynamics", key), message, "take it away")
+                message = say(
+                    "with lengths in {length_unit} forces are in N and masses in kg", length_unit=self.scope.length_unit
+                )
+                self.scope.report.at(("dynamics", key), message, say("take it away"))
             weighs = any(isinstance(entry, dict) and "mass" in entry for entry in bodies.values())
             if word == "" and (key == "force_unit" or weighs):
-                message = f"is missing: with lengths in {quoted(self.scope.length_unit)} no unit goes without saying"
-                hint = f"a force must be a mass times {self.scope.length_unit}/s²"
-                self.scope.report.at(
-                    ("dynamics", key) if key in self.given else ("dynamics",), f"{key} {message}", hint
+                message = say(
+                    "{key} is missing: with lengths in {length_unit} no unit goes without saying",
+                    key=key,
+                    length_unit=quoted(self.scope.length_unit),
                 )
+                hint = say("a force must be a mass times {length_unit}/s²", length_unit=self.scope.length_unit)
+                self.scope.report.at(("dynamics", key) if key in self.given else ("dynamics",), message, hint)
             found.append(metric if word is BAD else str(word))
         return found[0], found[1]
 
@@ -110,8 +115,8 @@ class _Reader:
         else:
             value = number = float(given)
         if number is not None and number < least:
-            scope.report.at(path, f"a {what} is not negative: {number:.6g}")
-        hint = f"rename it: this {what} has a cell of that name"
+            scope.report.at(path, say("a {what} is not negative: {number:.6g}", what=say(what), number=number))
+        hint = say("rename it: this {what} has a cell of that name", what=say(what))
         scope.symbols.claim(symbol, what, path, hint)
         shown = value if isinstance(value, float) else None
         written = given if isinstance(given, str) else ""
@@ -135,8 +140,8 @@ class _Reader:
         return found
 
     def _no_point(self, point: str, path: Path, link: Link) -> None:
-        message = f"the link {quoted(link.name)} has no point {quoted(point)}"
-        self.scope.report.at(path, message, suggestion(point, link.points, f"points of {link.name}"))
+        message = say("the link {link} has no point {point}", link=quoted(link.name), point=quoted(point))
+        self.scope.report.at(path, message, suggestion(point, link.points, say("points of {link}", link=link.name)))
 
     def _spot(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> str | Place:
         """A point of the link by name, or a place in its frame."""
@@ -151,11 +156,11 @@ class _Reader:
     def _has_mass(self, link: Link, bodies: dict[str, Any]) -> bool:
         keys = keys_of(bodies, link.name)
         if keys and link is self.links[0]:
-            message = "the ground does not move: its mass changes nothing"
-            self.scope.report.at(("links", link.name, keys[0]), message, "take it away")
+            message = say("the ground does not move: its mass changes nothing")
+            self.scope.report.at(("links", link.name, keys[0]), message, say("take it away"))
             return False
         if keys == ["center"]:
-            self.scope.report.at(("links", link.name, "center"), "goes with `mass`")
+            self.scope.report.at(("links", link.name, "center"), say("goes with `mass`"))
             return False
         return bool(keys)
 
@@ -175,8 +180,12 @@ class _Reader:
         else:
             center = next(iter(link.points), "")
             if "mass" in entry and len(link.points) != 1:
-                message = f"the link {quoted(link.name)} has {len(link.points)} points: its mass needs a `center`"
-                self.scope.report.at((*path, "mass"), message, 'write center = "…" or center = [x, y]')
+                message = say(
+                    "the link {name} has {count} points: its mass needs a `center`",
+                    name=quoted(link.name),
+                    count=len(link.points),
+                )
+                self.scope.report.at((*path, "mass"), message, say('write center = "…" or center = [x, y]'))
         return Mass(link.name, mass, center, inertia)
 
     def _gravity(self) -> tuple[Node, Node]:
@@ -202,29 +211,29 @@ class _Reader:
         name = entry.get("name", f"L{number + 1}")
         if name is BAD or (reason := symbol_fault(name)):
             if name is not BAD:
-                scope.report.at((*path, "name"), f"the name {quoted(name)} {reason}")
+                scope.report.at((*path, "name"), say("the name {name} {reason}", name=quoted(name), reason=reason))
             name = f"L{number + 1}"
         if "between" in entry:
             return self._spring(name, number, entry)
         for key in ("stiffness", "free_length", "damping"):
             if key in entry:
-                scope.report.at((*path, key), "goes with `between`: the two points that a spring joins")
+                scope.report.at((*path, key), say("goes with `between`: the two points that a spring joins"))
         if "link" not in entry:
-            scope.report.at((*path, "link"), "is missing: the link that is loaded")
+            scope.report.at((*path, "link"), say("is missing: the link that is loaded"))
         link = next((one for one in self.links if one.name == entry.get("link", BAD)), None)
         if link is None:
             if entry.get("link", BAD) is not BAD:
                 hint = suggestion(entry["link"], [one.name for one in self.links[1:]], "moving links")
-                scope.report.at((*path, "link"), f"no link is called {quoted(entry['link'])}", hint)
+                scope.report.at((*path, "link"), say("no link is called {entry}", entry=quoted(entry["link"])), hint)
             return None
         if link is self.links[0]:
-            message = f"{quoted(link.name)} is the ground: a load on it changes nothing"
-            scope.report.at((*path, "link"), message, "load a moving link, or take it away")
+            message = say("{name} is the ground: a load on it changes nothing", name=quoted(link.name))
+            scope.report.at((*path, "link"), message, say("load a moving link, or take it away"))
             return None
         if "torque" in entry:
             for key in ("point", "frame"):
                 if key in entry:
-                    scope.report.at((*path, key), "goes with `force`: a torque is the same wherever it acts")
+                    scope.report.at((*path, key), say("goes with `force`: a torque is the same wherever it acts"))
             torque = self._effort(name, entry["torque"], self.torque, (*path, "torque"))
             return None if torque is None else Load(name, number, link.name, torque=torque)
         if "force" not in entry:
@@ -246,19 +255,23 @@ class _Reader:
         scope = self.scope
         for key in ("link", "point", "frame"):
             if key in entry:
-                scope.report.at((*path, key), "goes with a force: a spring has its two points in `between`")
+                scope.report.at((*path, key), say("goes with a force: a spring has its two points in `between`"))
         points = entry["between"] if entry["between"] is not BAD else []
         ends = []
         for place, point in enumerate(points):
             owner = next((link.name for link in self.links if point in link.points), None)
             if owner is None and point is not BAD:
                 hint = suggestion(point, scope.points, "points")
-                scope.report.at((*path, "between", place), f"no point is called {quoted(point)}", hint)
+                scope.report.at((*path, "between", place), say("no point is called {point}", point=quoted(point)), hint)
             elif owner is not None:
                 ends.append((owner, point))
         if len(ends) == 2 and ends[0][0] == ends[1][0]:
-            message = f"both points belong to the link {quoted(ends[0][0])}: the spring never changes its length"
-            scope.report.at((*path, "between"), message, "each point belongs to the first link, in the file's order")
+            message = say(
+                "both points belong to the link {ends}: the spring never changes its length", ends=quoted(ends[0][0])
+            )
+            scope.report.at(
+                (*path, "between"), message, say("each point belongs to the first link, in the file's order")
+            )
         length = scope.length_unit
         units = {
             "stiffness": Unit("label", f"{self.force_unit}/{length}"),
@@ -280,8 +293,12 @@ class _Reader:
         if "point" in entry:
             return self._spot(entry["point"], (f"x_{name}", f"y_{name}"), (*path, "point"), link)
         if len(link.points) != 1:
-            message = f"the link {quoted(link.name)} has {len(link.points)} points: the force needs a `point`"
-            self.scope.report.at(path, message, suggestion("", link.points, f"points of {link.name}"))
+            message = say(
+                "the link {name} has {count} points: the force needs a `point`",
+                name=quoted(link.name),
+                count=len(link.points),
+            )
+            self.scope.report.at(path, message, suggestion("", link.points, say("points of {link}", link=link.name)))
         return next(iter(link.points), "")
 
     def _effort(self, symbol: str, given: Any, unit: Unit, path: Path) -> Node | None:
@@ -304,7 +321,7 @@ class _Reader:
         """True for a dimension, a position or a rate; reports what else it is."""
         scope = self.scope
         point, dot, axis = name.partition(".")
-        where = "" if name == text.strip() else f"in {quoted(text)}: "
+        where = "" if name == text.strip() else say("in {text}: ", text=quoted(text))
         if name in scope.units or name in scope.variables or (dot and point in scope.points and axis in ("x", "y")):
             return True
         if is_rate(name, scope):
@@ -312,12 +329,28 @@ class _Reader:
             return True
         if name in scope.forces:
             what = scope.forces[name]
-            scope.report.at(path, f"{where}{quoted(name)} is a {what}: loads may read positions and rates, no forces",
-                            "give the link a point there" * (what == CENTER))  # fmt: skip
+            message = say(
+                "{where}{name} is a {what}: loads may read positions and rates, no forces",
+                where=where,
+                name=quoted(name),
+                what=say(what),
+            )
+            scope.report.at(path, message, say("give the link a point there") if what == CENTER else "")
         elif name in scope.outputs:
-            scope.report.at(path, f"{where}{quoted(name)} is an output; loads read positions, rates and dimensions")
+            scope.report.at(
+                path,
+                say(
+                    "{where}{name} is an output; loads read positions, rates and dimensions",
+                    where=where,
+                    name=quoted(name),
+                ),
+            )
         else:
             rates = scope.rates if scope.moves else ()
             hint = suggestion(name, [*scope.variables, *scope.units, *rates], "allowed")
-            scope.report.at(path, f"{where}{quoted(name)} is not a position, a rate or a dimension", hint)
+            scope.report.at(
+                path,
+                say("{where}{name} is not a position, a rate or a dimension", where=where, name=quoted(name)),
+                hint,
+            )
         return False

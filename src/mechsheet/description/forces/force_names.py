@@ -21,6 +21,7 @@ from mechsheet.model import (
     center_symbol,
     pair_symbol,
 )
+from mechsheet.said import Said, say
 
 WEIGHTS = ("mass", "center", "inertia")
 """Keys of a link that has a mass."""
@@ -57,8 +58,12 @@ def declare(
         scope.forces[name] = what
         scope.kinds[name] = ANY
         if "." not in name:
-            scope.symbols.claim(name, what, path, "rename it: the description has masses or loads")
-            _no_point(name, f"the point has the name of a joint force: {name}.x would be a part of either", scope)
+            scope.symbols.claim(name, what, path, say("rename it: the description has masses or loads"))
+            _no_point(
+                name,
+                say("the point has the name of a joint force: {name}.x would be a part of either", name=name),
+                scope,
+            )
     if driver is not None and "power" not in (
         *scope.units,
         *scope.outputs,
@@ -74,7 +79,9 @@ def _declare_masses(bodies: dict[str, Any], links: Collection[Link], scope: Scop
     if any({"mass", "inertia"} & {*keys_of(bodies, link.name)} for link in weighed):
         scope.forces |= dict.fromkeys(SHAKING, SHAKES)
         scope.kinds |= dict.fromkeys(SHAKING, ANY)
-        _no_point("shaking", "the point has the name of the shaking force: shaking.x would be a part of either", scope)
+        _no_point(
+            "shaking", say("the point has the name of the shaking force: shaking.x would be a part of either"), scope
+        )
     for link in weighed:
         center = bodies[link.name].get("center")
         name = center_symbol(link.number)
@@ -88,13 +95,18 @@ def _declare_masses(bodies: dict[str, Any], links: Collection[Link], scope: Scop
         for part in ("x", "y", *POINT_RATES):
             scope.forces[f"{name}.{part}"] = CENTER if part in ("x", "y") else CENTER_MOVES
             scope.kinds[f"{name}.{part}"] = LENGTH if part in ("x", "y") else ANY
-        other = f"the point has the name of the mass centre of {quoted(link.name)}: {name}.x would be a part of either"
-        _no_point(name, other, scope, f'rename it, or write center = "{name}" where it is the mass centre')
+        other = say(
+            "the point has the name of the mass centre of {link}: {name}.x would be a part of either",
+            link=quoted(link.name),
+            name=name,
+        )
+        hint = say('rename it, or write center = "{name}" where it is the mass centre', name=name)
+        _no_point(name, other, scope, hint)
 
 
-def _no_point(name: str, message: str, scope: Scope, hint: str = "rename it") -> None:
+def _no_point(name: str, message: Said, scope: Scope, hint: str = "") -> None:
     for link in scope.points.get(name, ())[:1]:
-        scope.report.at(("links", link, "points", name), message, hint)
+        scope.report.at(("links", link, "points", name), message, hint or say("rename it"))
 
 
 def _of_joints(

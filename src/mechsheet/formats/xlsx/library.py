@@ -39,6 +39,10 @@ _BUILTIN_STYLES = {
 """Styles that Excel has under these names (ECMA-376-1, 18.8.7): redefining one must give its number."""
 
 
+SHOWN_DIGITS = 6
+"""Digits of the copy of its values that a chart keeps, for programs that draw without reading cells."""
+
+
 class DataWorksheet(Worksheet):  # type: ignore[misc]
     """A worksheet whose cells come from `data` and whose scroll bars and spin buttons are `controls`.
 
@@ -131,7 +135,7 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
 
     _write_lang, _write_disp_blanks_as, _write_plot_vis_only, _write_c_smooth, _write_number_format, _write_d_lbls
                                          elements that are said in full
-    _write_num_ref                       leaves the copy of the values out where there is none, and writes all digits
+    _write_num_ref                       leaves the copy of the values out where there is none; a picture needs few digits
     _write_axis_font                     the font of labels
     """
 
@@ -171,7 +175,8 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
     def _write_num_ref(self, formula: str, data: Sequence[float | None], ref_type: str) -> None:
         copy = ""
         if data:
-            points = [f'<c:pt idx="{i}"><c:v>{number(v)}</c:v></c:pt>' for i, v in enumerate(data) if v is not None]
+            shown = [(i, float(f"{v:.{SHOWN_DIGITS}g}")) for i, v in enumerate(data) if v is not None]
+            points = [f'<c:pt idx="{i}"><c:v>{number(v)}</c:v></c:pt>' for i, v in shown]
             count = f'<c:formatCode>General</c:formatCode><c:ptCount val="{len(data)}"/>'
             copy = f"<c:numCache>{count}{''.join(points)}</c:numCache>"
         self.fh.write(f"<c:numRef><c:f>{ooxml_escaped(formula.removeprefix('='))}</c:f>{copy}</c:numRef>")

@@ -20,6 +20,7 @@ from mechsheet.kinematics.newton.starts import assemblies_in
 from mechsheet.kinematics.newton.system import refined
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Mechanism, Words
+from mechsheet.said import say
 from mechsheet.units import Unit
 
 NEARLY = 0.05
@@ -56,7 +57,7 @@ def pick_assembly(
     size = ledger.number(ledger.tolerance) / CLOSING
     row, found = _first_position(system, ledger, turning, size)
     if row is None:
-        raise NeverClosesError(solution.label.en)
+        raise NeverClosesError(solution.label)
     unit = mechanism.angle_unit
     starts = tuple(
         tuple(_rounded(x, turns, size, unit) for x, turns in zip(state, turning, strict=True)) for state in found
@@ -174,9 +175,9 @@ def _refuse_dead(system: System, ledger: Ledger, row: int, found: list[Array], s
         ):
             raise DeadStartError(
                 Fault(
-                    f"two assemblies of {solution.label.en} meet in the first position",
+                    say("two assemblies of {group} meet in the first position", group=solution.label),
                     key="driver",
-                    hint="begin the sweep at another value of the driver, or walk it the other way",
+                    hint=say("begin the sweep at another value of the driver, or walk it the other way"),
                 )
             )
 
@@ -211,9 +212,13 @@ def _nearest(entries: list[tuple[str, float, float]], places: list[list[float]],
         )
         raise BetweenModesError(
             Fault(
-                f"the sketch lies between two of the {len(places)} assemblies of {solution.label.en}",
+                say(
+                    "the sketch lies between two of the {count} assemblies of {group}",
+                    count=len(places),
+                    group=solution.label,
+                ),
                 key="assembly",
-                hint=f"{shown}: sketch a point nearer to the one that is meant",
+                hint=say("{shown}: sketch a point nearer to the one that is meant", shown=shown),
             )
         )
     return best

@@ -13,6 +13,7 @@ from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
 from mechsheet.kinematics.numeric import Array, interpolated
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 FINER = (2, 4, 8)
 """Parts into which the steps are divided."""
@@ -107,7 +108,9 @@ def settled(mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sw
         raise ValueError("no number of passes")
     if worst.elsewhere.any():
         row = int(np.argmax(worst.elsewhere))
-        raise MechanismError(_too_far(mechanism, driver, row, working_step(steps, best), "lands on another assembly"))
+        raise MechanismError(
+            _too_far(mechanism, driver, row, working_step(steps, best), say("lands on another assembly"))
+        )
     return best
 
 
@@ -120,7 +123,7 @@ def step_doubts(mechanism: Mechanism, equations: Equations, driver: Array, sweep
     if not trial.lost.any():
         return []
     row = int(np.argmax(trial.lost))
-    return [_too_far(mechanism, driver, row, working_step(steps, equations), "loses the links")]
+    return [_too_far(mechanism, driver, row, working_step(steps, equations), say("loses the links"))]
 
 
 def working_step(steps: Steps, equations: Equations) -> int:
@@ -132,11 +135,16 @@ def working_step(steps: Steps, equations: Equations) -> int:
 def _too_far(mechanism: Mechanism, driver: Array, row: int, parts: int, what: str) -> Fault:
     unit = mechanism.driver.unit
     there, before = float(unit.to_shown(driver[row])), float(unit.to_shown(driver[max(row - 1, 0)]))
-    hint = "take a much smaller step, or end the sweep before"
+    hint = say("take a much smaller step, or end the sweep before")
     if parts > 1:
-        hint = f"a step of {abs(there - before) / parts:.4g} works"
+        hint = say("a step of {part:.4g} works", part=abs(there - before) / parts)
     return Fault(
-        f"the step to {mechanism.driver.symbol} = {there:.6g} is too large: Newton's method {what}",
+        say(
+            "the step to {symbol} = {there:.6g} is too large: Newton's method {what}",
+            symbol=mechanism.driver.symbol,
+            there=there,
+            what=what,
+        ),
         key="driver.values" if mechanism.driver.values else "driver.step",
         hint=hint,
     )

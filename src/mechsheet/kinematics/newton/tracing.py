@@ -8,6 +8,8 @@ import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.numeric import Array
+from mechsheet.model import Words
+from mechsheet.said import say
 
 STEP = math.radians(1.0)
 FEWEST, MOST = 24, 390
@@ -20,12 +22,16 @@ def way(start: float, end: float, turns: bool) -> Array:
     return np.linspace(start, end, min(max(count, FEWEST), MOST) + 1)
 
 
-def cannot_follow(links: str) -> MechanismError:
+def cannot_follow(links: Words) -> MechanismError:
     """The mechanism comes apart on the way."""
     return MechanismError(
         Fault(
-            f"from the position that the sketch shows {links} cannot be followed to the first one: they come apart between",
+            say(
+                "from the position that the sketch shows {links} cannot be followed to the first one: they "
+                "come apart between",
+                links=links,
+            ),
             key="assembly.at",
-            hint="sketch a position of the same stretch, or begin the sweep in it",
+            hint=say("sketch a position of the same stretch, or begin the sweep in it"),
         )
     )

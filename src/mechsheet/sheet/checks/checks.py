@@ -291,7 +291,7 @@ def typed_over(plan: Plan) -> Node:
 
 def _without_formula(area: RangeRef) -> Node:
     # 0 in programs that do not ask a whole range
-    return formula("IFERROR(ROWS(area)*COLUMNS(area)-SUMPRODUCT(ISFORMULA(area)*1),0)", area=area)
+    return formula("IFERROR(SUMPRODUCT(1-ISFORMULA(area)),0)", area=area)
 
 
 def _least_nearby(margin: str, tolerance: str, plan: Plan) -> Node:

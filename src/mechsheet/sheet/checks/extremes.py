@@ -25,6 +25,7 @@ from mechsheet.sheet.checks import turning
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
@@ -92,6 +93,7 @@ class Extremes:
         spots["#whole"] = Spot(title, whole.row, whole.col)
         spots["#fine"] = Spot(title, whole.row, whole.col + 1)
         spots["#there"] = Spot(title, whole.row, whole.col + 2)
+        spots["#worst_group"] = Spot(title, whole.row, whole.col + 3)
         for (symbol, way), block in self.blocks.items():
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
@@ -124,6 +126,10 @@ class Extremes:
         probes.work(self.whole_row, 2, "fine", fine=self._inputs_are_fine())
         there = "SUMPRODUCT((numbers=_position)*ISNUMBER(_position))=1"
         probes.work(self.whole_row, 3, there, numbers=Symbol(f"{ALL}#number"))
+        if len(plan.found.transmission) > 1:
+            rows = [plan.blocks["verdicts"].rows[f"transmission_{group.number}"] for group in plan.found.transmission]
+            least = RangeRef(*(CellRef(row, FIRST_SHEET_VALUE, True, True, plan.main) for row in (rows[0], rows[-1])))
+            probes.work(self.whole_row, 4, "MATCH(MIN(least),least,0)", least=least)
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)
@@ -397,8 +403,10 @@ class Extremes:
             points = [
                 (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
             ]
-            near = formula("MAX(middle-1,MIN(middle+1,vertex))", middle=middle, vertex=vertex_of(points))
-            place = formula("IF(wraps>0,near,MAX(low,MIN(high,near)))", wraps=wraps, near=near, low=low, high=high)
+            place = formula(
+                "MAX(IF(wraps>0,middle-1,MAX(low,middle-1)),MIN(IF(wraps>0,middle+1,MIN(high,middle+1)),vertex))",
+                wraps=wraps, middle=middle, vertex=vertex_of(points), low=low, high=high,
+            )  # fmt: skip
             probes.work(row + probe, AT, "IFERROR(place,middle)", place=place, middle=middle)
 
     def _result(self, symbol: str, way: Way, block: Block) -> None:
@@ -485,9 +493,17 @@ def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
     if plan.newton:
         return Text(plan.text("verdict.rows.only"))
-    unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
-    return formula('IF(_stretches>1,rows,IF(IFERROR(OR(_unsettled,unsettled),FALSE),about,""))', unsettled=unsettled,
-                   about=plan.text("verdict.about"), rows=plan.text("verdict.rows.only"))  # fmt: skip
+    return formula("IF(_stretches>1,rows,one)", rows=plan.text("verdict.rows.only"),
+                   one=about_one_stretch(plan, symbol, ways))  # fmt: skip
+
+
+def about_one_stretch(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
+    """The same, where it has been asked whether there are several stretches."""
+    if plan.newton:
+        return Text(plan.text("verdict.rows.only"))
+    unsettled = tuple(Symbol(f"#{way}_about_{symbol}") for way in ways)
+    return formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=Call("OR", (Symbol("#unsettled"), *unsettled)),
+                   about=plan.text("verdict.about"))  # fmt: skip
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:
@@ -509,6 +525,6 @@ def banded_extremes(plan: Plan) -> list[tuple[str, Way]]:
 
 def quantities_of(plan: Plan) -> tuple[str, ...]:
     """Symbols whose extremes are asked for: by the lines of the first sheet, and by the description's summaries."""
-    wanted = [summary.of for summary in plan.mechanism.summaries if summary.extremes]
+    wanted = [each.of for each in plan.mechanism.summaries if each.extremes and same_angle(plan, each.of) is None]
     driver = plan.mechanism.driver.symbol
     return tuple(dict.fromkeys(name for name in [*plan.found.extremes, *wanted] if name != driver))

@@ -82,6 +82,10 @@ def distance(link: Link, start: str, end: str, known: Known = NOTHING_KNOWN) -> 
                 return length_node(given.first_distance)
             if given.second == other:
                 return length_node(given.second_distance)
+    for point, other in ((start, end), (end, start)):
+        given = link.points[point]
+        if isinstance(given, Polar) and _known_place(link, other, known) == (al.ZERO, al.ZERO):
+            return Call("ABS", (length_node(given.r),))
     (u0, v0), (u1, v1) = (_known_place(link, point, known) for point in (start, end))
     return al.sqrt(al.add(al.square(al.sub(u1, u0)), al.square(al.sub(v1, v0))))
 
@@ -99,7 +103,7 @@ def length_in_cells(link: Link, start: str, end: str, poses: Mapping[str, LinkPo
 
 def largest_length(equations: Assignments) -> Node:
     """The largest length given, over cells: that of which the tolerance is a part (`CLOSING`)."""
-    return al.mul(al.number(round(1 / CLOSING)), Symbol(equations.tolerance))
+    return al.div(Symbol(equations.tolerance), al.number(CLOSING))
 
 
 def measured_pairs(link: Link) -> tuple[tuple[str, str], ...]:

@@ -31,6 +31,9 @@ DIRECTIONS = (45, 135, 90, 0, 180, 315, 225, 270)
 PREFERENCE = 1e-4
 """What each direction's score is raised by over that of the one before."""
 
+FEW = 3
+"""Of a point with more neighbours the distances stand in cells of their own: its score stays short enough to be read."""
+
 REACH, BLOCK_REACH = 0.085, 0.125
 """How far from its point a name stands: from a joint, and from a sliding block."""
 
@@ -57,7 +60,13 @@ def place_names(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Gu
     for name in labelled_points(mechanism):
         here = cells[name]
         page.put(NAME, rich(name), styles.SYMBOL)
-        terms = [_cosine(here, cells[other], c, s) for other in _neighbours(mechanism, name)]
+        neighbours = [cells[other] for other in _neighbours(mechanism, name)]
+        lengths = [_distance(here, other) for other in neighbours]
+        if len(lengths) > FEW:
+            lengths = [page.formula(FIRST + n, length) for n, length in enumerate(lengths)]
+            page.row += 1
+            page.put(NAME, rich(name), styles.SYMBOL)
+        terms = [_cosine(here, other, length, c, s) for other, length in zip(neighbours, lengths, strict=True)]
         at_block = [guide for guide in guides if block_point(mechanism, guide.joint) == name]
         for guide in at_block:
             along = al.add(al.mul(guide.cosine, c), al.mul(guide.sine, s))
@@ -88,12 +97,16 @@ def _neighbours(mechanism: Mechanism, name: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(point for link in links for point in link.points if point != name))
 
 
-def _cosine(here: PointCells, other: PointCells, c: Node, s: Node) -> Node:
-    """Cosine of the angle between the direction (c, s) and the way to another point."""
+def _distance(here: PointCells, other: PointCells) -> Node:
+    """How far another point is, not quite 0."""
     dx, dy = al.sub(other.chart_x, here.chart_x), al.sub(other.chart_y, here.chart_y)
-    length = Call("SQRT", (al.add(al.square(dx), al.square(dy)),))
-    along = al.add(al.mul(dx, c), al.mul(dy, s))
-    return al.div(along, Call("MAX", (Number(1e-9), length)))
+    return Call("MAX", (Number(1e-9), Call("SQRT", (al.add(al.square(dx), al.square(dy)),))))
+
+
+def _cosine(here: PointCells, other: PointCells, length: Node, c: Node, s: Node) -> Node:
+    """Cosine of the angle between the direction (c, s) and the way to another point, which is so far."""
+    dx, dy = al.sub(other.chart_x, here.chart_x), al.sub(other.chart_y, here.chart_y)
+    return al.div(al.add(al.mul(dx, c), al.mul(dy, s)), length)
 
 
 def _fixed(direction: float, c: Node, s: Node) -> Node:

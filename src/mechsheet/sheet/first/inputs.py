@@ -85,14 +85,11 @@ def inputs_of(plan: Plan) -> list[Input]:
 
 
 def first_wrong(plan: Plan) -> Node:
-    """The number of the first input that cannot be, 0 where all can."""
+    """The number of the first input that cannot be, 0 where all can: where the first 0 is in 111...10, a digit an input."""
     found = inputs_of(plan)
-    none = 10.0 ** len(str(len(found) + 1)) - 1  # more than there are
-    numbers: list[Node] = [al.number(none)]
-    for number, each in enumerate(found, 1):
-        can_be = each.can_be(plan.at.cell(each.key, plan.main, None))
-        numbers.append(formula("number+none*can_be", number=number, none=none, can_be=can_be))
-    return formula("MOD(first,none)", first=al.smallest(numbers), none=none)
+    each_can = (each.can_be(plan.at.cell(each.key, plan.main, None)) for each in found)
+    digits = joined(*(formula("can_be*1", can_be=can_be) for can_be in each_can), "0")
+    return formula('MOD(FIND("0",digits),beyond)', digits=digits, beyond=len(found) + 1)
 
 
 def words(plan: Plan, wrong: Node, position: Node, otherwise: Node) -> Node:

@@ -8,6 +8,7 @@ from mechsheet.model import Output, Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import about
 from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
@@ -33,7 +34,11 @@ def _write(writer: Writer, summary: Summary) -> None:
     row = plan.blocks["summary"].rows[summary.symbol]
     words = _with_part(plan, summary_words(plan, summary))
     if summary.extremes and summary.of != plan.mechanism.driver.symbol:
-        words = plan.at.bind(joined(words, about(plan, summary.of, summary.extremes)), plan.main)
+        same = same_angle(plan, summary.of)
+        doubts = about(
+            plan, same.group.transmission if same else summary.of, ("min", "max") if same else summary.extremes
+        )
+        words = plan.at.bind(joined(words, doubts), plan.main)
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
@@ -113,6 +118,11 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
     column, drivers = Symbol(ALL + summary.of), Symbol(ALL + driver)
     extremes: dict[str, Node] = {way: Symbol(f"#{way}_{summary.of}") for way in ("min", "max")}
     at: dict[str, Node] = {way: Symbol(f"#{way}_at_{summary.of}") for way in ("min", "max")}
+    same = same_angle(plan, summary.of) if summary.extremes else None
+    if same is not None:
+        found = {way: same.extreme(way) for way in summary.extremes}
+        extremes |= {way: value for way, (value, _) in found.items()}
+        at |= {way: where for way, (_, where) in found.items()}
     if summary.of == driver and summary.extremes:
         extremes = {way: formula(f"{way.upper()}(drivers)", drivers=drivers) for way in ("min", "max")}
         at = extremes

@@ -16,7 +16,7 @@ from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.efforts import AGREES
-from mechsheet.sheet.checks.extremes import Extremes, about
+from mechsheet.sheet.checks.extremes import Extremes, about, about_one_stretch
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
@@ -309,7 +309,7 @@ class _Block:
             both=named("both"), crank=named("one", loop.first), rockers=named("coupler"), follower=named("one", loop.last),
         )  # fmt: skip
         words = formula(
-            'IFERROR(loop&": "&IF(2*MAX(lengths)-SUM(lengths)>rounding,open,'
+            'IFERROR(loop&": "&IF(excess-2*MIN(lengths)>rounding,open,'
             "IF(ABS(excess)<=rounding,change,IF(excess>0,none,which))),\"\")",
             lengths=lengths, rounding=self._rounding(), excess=cell, which=which, loop=loop.name,
             open=named("open"), change=named("change"), none=named("none"),
@@ -346,7 +346,7 @@ class _Block:
         node = self.bound("IF(_stretches<>1,NA(),IFERROR(value,NA()))", value=value)
         said = self.bound(
             'IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
-            about=self.about(symbol), several=self.text("swing.several"), unsure=self.text("unsure"),
+            about=about_one_stretch(self.plan, symbol), several=self.text("swing.several"), unsure=self.text("unsure"),
         )  # fmt: skip
         self.line(key, rich(symbol), unit, node, places(self.plan, kind), said)
 
@@ -568,13 +568,13 @@ class _Block:
         if len(keys) == 1:
             return formula('IF(ISNUMBER(value),what&words,"")', value=self.value(keys[0]), what=what,
                            words=self.words(keys[0]))  # fmt: skip
-        symbols, values, said = (
+        symbols, said = (
             RangeRef(*(CellRef(self.rows[key], col, True, True) for key in (keys[0], keys[-1])))
-            for col in (SYMBOL, VALUE, MEANING)
+            for col in (SYMBOL, MEANING)
         )
         return formula(
-            'IFERROR(what&INDEX(symbols,MATCH(MIN(values),values,0))&" "&INDEX(said,MATCH(MIN(values),values,0)),"")',
-            what=what, symbols=symbols, values=values, said=said,
+            'IFERROR(what&INDEX(symbols,_worst_group)&" "&INDEX(said,_worst_group),"")', what=what, symbols=symbols,
+            said=said,
         )  # fmt: skip
 
 

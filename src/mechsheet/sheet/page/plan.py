@@ -14,6 +14,7 @@ from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.kinematics.solve import dimension_order, dimension_values
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.drawing.charts import remarkable_points
@@ -82,7 +83,9 @@ class PagePlan(Plan):
 
 def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     """The plan of a mechanism's page."""
-    need_closed_form(equations, "the layout page cannot hold this", "workbook.layout", 'layout = "sheets" does')
+    need_closed_form(
+        equations, say("the layout page cannot hold this"), "workbook.layout", say('layout = "sheets" does')
+    )
     _need_short_task(mechanism)
     language, drawn = mechanism.language, mechanism.drawn
     titles = dict.fromkeys(SHEETS, words(language, "sheet.mechanism"))

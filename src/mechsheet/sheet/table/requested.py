@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import TableRequest
+from mechsheet.said import say
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.summary_table import SummaryTable
 from mechsheet.sheet.table.two_way import Table
@@ -18,7 +19,9 @@ def table_sheets(plan: Plan) -> tuple[Sheet, ...]:
 def tables_of(plan: Plan) -> list[Table]:
     """The tables, each with its sheet's title. MechanismError where a cell would need the row above."""
     if plan.mechanism.tables:
-        need_closed_form(plan.equations.equations, "a two-way table cannot hold this", "tables", "leave the table out")
+        need_closed_form(
+            plan.equations.equations, say("a two-way table cannot hold this"), "tables", say("leave the table out")
+        )
     taken = {title.casefold() for title in plan.at.titles.values()}
     found = []
     for request in plan.mechanism.tables:
