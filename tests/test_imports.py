@@ -11,7 +11,7 @@ EVERYBODY = {"diagnostics", "extras", "arguments.numbers", "said"}
 ALLOWED = {
     "diagnostics": set(),
     "said": set(),
-    "extras": set(),
+    "extras": {"said"},
     "arguments": {"formula", "formats.archive"},
     "units": set(),
     "portable": set(),

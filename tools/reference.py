@@ -46,7 +46,8 @@ def command_line() -> str:
         "# The command line\n",
         "Exit codes: 0 done and all agree, 1 something differs, 2 the input cannot be read or used. "
         "What can be piped goes to standard output, everything else to standard error. "
-        "Where a description is read, `-` is standard input.\n",
+        "Where a description is read, `-` is standard input. Long work shows how far it is, on a terminal only. Nothing is "
+        "printed in colour, so there is nothing for `NO_COLOR` to take away.\n",
         "The shell completes commands, options and templates after "
         '`eval "$(_MECHSHEET_COMPLETE=bash_source mechsheet)"` '
         "(`zsh_source` for zsh, `_MECHSHEET_COMPLETE=fish_source mechsheet | source` for fish).\n",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 
 from mechsheet.diagnostics import Fault, MissingProgramError
+from mechsheet.said import say
 
 EXTRAS = {
     "plot": (("matplotlib",), "pictures and animations: mechsheet plot, .png and .gif"),
@@ -39,10 +40,12 @@ def how_to_get(program: str) -> str:
 
 def missing_package(package: str, extra: str, use: str = "") -> MissingProgramError:
     """The error that says that a package is not installed, what it is used for, and which extra brings it."""
-    message = f"{package} is not installed" + (f": {use}" if use else "")
+    message = say("{package} is not installed", package=package)
+    if use:
+        message = say("{package} is not installed: {use}", package=package, use=use)
     return MissingProgramError(Fault(message, hint=command_for(extra)))
 
 
 def missing_program(program: str) -> MissingProgramError:
     """The error that says that LibreOffice or gnumeric is not installed, and how to get it here."""
-    return MissingProgramError(Fault(f"{program} is not installed", hint=how_to_get(program)))
+    return MissingProgramError(Fault(say("{package} is not installed", package=program), hint=how_to_get(program)))

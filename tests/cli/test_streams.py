@@ -155,3 +155,22 @@ def test_the_words_for_signs_are_letters():
     from mechsheet.cli.streams import _WORDS
 
     assert all(re.fullmatch(r"[\x20-\x7e]+", word) for word in _WORDS.values())
+
+
+@POSIX
+@pytest.mark.parametrize("page", ["utf-8", "cp857"])
+def test_long_work_shows_a_bar_on_a_terminal_and_no_colour(tmp_path, page):
+    import pty
+
+    (tmp_path / "class.csv").write_text("id\n1\n2\n", encoding="utf-8")
+    (tmp_path / "mine.toml").write_text(CRANK, encoding="utf-8")
+    screen, terminal = pty.openpty()
+    subprocess.run(
+        [*COMMAND, "exercise", "mine.toml", "class.csv", "-o", "week"],
+        cwd=tmp_path, stderr=terminal, stdout=subprocess.DEVNULL, check=True, env=os.environ | {"PYTHONIOENCODING": page},
+    )  # fmt: skip
+    os.close(terminal)
+    shown = os.read(screen, 100_000).decode(page)
+    os.close(screen)
+    assert "############............ student 1 of 2" in shown
+    assert "\033[3" not in shown

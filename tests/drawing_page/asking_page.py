@@ -14,7 +14,7 @@ class Drawing:
 
     def ask(self, name, **more):
         places = self.places() if self.look else {}
-        question = {"text": self.text, "at": self.at, "places": places, "language": self.language}
+        question = {"text": self.text, "at": self.at, "places": places, "spoken": self.language}
         return self.studio.answer(name, question | more)
 
     def take(self, look):

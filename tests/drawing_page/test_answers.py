@@ -99,3 +99,31 @@ def test_a_file_of_what_cannot_be_solved_is_refused_with_its_line():
     with pytest.raises(MechsheetError) as told:
         Studio(None).answer("file", {"text": TEXT.replace("value = 62.3,", "value = 1,"), "kind": "xlsx"})
     assert told.value.faults[0].line
+
+
+def test_faults_are_told_in_the_language_of_the_page():
+    broken = TEXT.replace('link = "crank"', 'link = "crnk"', 1)
+    studio = Studio()
+    (english,), (turkish,) = (
+        studio.answer("look", {"text": broken, "spoken": language})["faults"] for language in ("en", "tr")
+    )
+    assert english["message"] == 'no link is called "crnk"'
+    assert turkish["message"] == '"crnk" adlı uzuv yok'
+    assert turkish["hint"].startswith('"crank" mi demek istediniz? uzuvlar: ground, crank')
+    assert turkish["line"] == english["line"]
+
+
+def test_what_cannot_be_joined_is_told_in_turkish_with_the_links_in_turkish():
+    apart = TEXT.replace("a1 = { value = 70,", "a1 = { value = 700,", 1)
+    faults = Studio().answer("look", {"text": apart, "spoken": "tr"})["faults"]
+    assert faults[0]["message"].startswith("uzuvlar tahrikin hiçbir değerinde birleşemiyor: ")
+    assert "links" not in faults[0]["message"]
+    assert faults[0]["links"] == ["coupler", "rocker"]
+
+
+def test_the_check_is_told_in_the_language_of_the_page(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text(TEXT, encoding="utf-8")
+    lines = Studio(path).answer("check", {"text": TEXT, "language": "tr", "spoken": "tr"})["lines"]
+    assert lines[1] == "mine.xlsx: hepsi uyuşuyor"
+    assert all("uyuşuyor" in line for line in lines[2:])

@@ -48,3 +48,17 @@ def test_edges_lie_on_the_closing_side(starts):
     assert exists(found)
     (row,) = edges(places, exists(places), exists, 0)
     assert row == (3 if starts else 2)
+
+
+@pytest.mark.parametrize("start", [-40, 7.5, 90, 200])
+def test_a_rack_goes_as_far_as_its_pinion_turns_wherever_the_sweep_begins(start):
+    """s = r theta14 + phase: between the rows, too, theta14 is counted on from the rows and not from elsewhere."""
+    text = (
+        template_text("rack-slider")
+        .replace("start = 0", f"start = {start}")
+        .replace("stop = 360", f"stop = {start + 360}")
+    )
+    search = searched(text.replace("value = 20,", "value = 30,"))
+    slider, rocker = search.extremes("s15"), search.extremes("theta14")
+    assert (slider[1], slider[3]) == pytest.approx((rocker[1], rocker[3]), abs=1e-4)
+    assert slider[2] - slider[0] == pytest.approx(25 * (rocker[2] - rocker[0]), rel=1e-9)

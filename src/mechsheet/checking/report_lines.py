@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mechsheet.checking.remark_lines import remark_lines, stored_lines
+from mechsheet.said import say
 
 LONG = 100
 """Longer formulas are shown around the place in which they differ; with --json in full."""
@@ -19,10 +20,12 @@ EDITS = 40
 def report_lines(report: Any) -> list[str]:
     """A check: a line for each judge, the edits, the remarks."""
     lines: list[str] = []
-    lines.append(f"{report.file}: {'all agree' if report.agrees else _verdict(report)}")
+    lines.append(_verdict(report))
     for item in report.comparisons:
-        verdict = "agrees " if item.agrees else "DIFFERS"
-        lines.append(f"  {item.judge:<14} {verdict} {item.worst:6.0e} in {item.cells:>6} values  {item.where}")
+        pattern = "  {judge:<14} DIFFERS {worst:6.0e} in {cells:>6} values  {where}"
+        if item.agrees:
+            pattern = "  {judge:<14} agrees  {worst:6.0e} in {cells:>6} values  {where}"
+        lines.append(say(pattern, judge=item.judge, worst=item.worst, cells=item.cells, where=item.where))
         if not item.agrees:
             lines.append(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
         if report.stored is not None and item is report.comparisons[0]:
@@ -38,9 +41,9 @@ def report_lines(report: Any) -> list[str]:
     if len(report.edits) > EDITS:
         lines.append(f"  edited: {len(report.edits) - EDITS} more places (all with --json)")
     for remark in [*report.remarks, *(remark_lines(report.stored.remarks) if report.stored is not None else ())]:
-        lines.append(f"  note: {remark}")
+        lines.append(say("  note: {remark}", remark=remark))
     for fault in report.missing:
-        lines.append(f"  note: {fault.message}: skipped")
+        lines.append(say("  note: {message}: skipped", message=fault.message))
     return lines
 
 
@@ -59,9 +62,13 @@ _WORDS = {
 
 
 def _verdict(report: Any) -> str:
+    if report.agrees:
+        return say("{file}: all agree", file=report.file)
     if all(item.agrees for item in report.comparisons):
-        return "EDITED, all values agree"
-    return "EDITED, AND SOMETHING DIFFERS" if report.edits else "SOMETHING DIFFERS"
+        return say("{file}: EDITED, all values agree", file=report.file)
+    if report.edits:
+        return say("{file}: EDITED, AND SOMETHING DIFFERS", file=report.file)
+    return say("{file}: SOMETHING DIFFERS", file=report.file)
 
 
 def focused(was: str, now: str) -> tuple[str, str]:

@@ -27,6 +27,9 @@ ROUNDED = 1e-8
 POLE = 1e3
 """A quantity whose range is so many times that of its rows has a pole between them, and no largest value."""
 
+GROWN = 3.0
+"""And one that the sheet says to grow without bound goes beyond the rows by more than so many of their ranges."""
+
 SAME = 1e-9
 """As a part of itself an output of summaries may be off what its formula makes of the summaries shown."""
 
@@ -60,13 +63,24 @@ def _judge(values: Any, judged: SearchedVerdicts, tally: Tally, summary: Summary
     if not judged.search.count:
         tally.note(math.inf if math.isfinite(number) else 0.0, where, number, "no number")
         return
+    spot = plan.at.spots[f"#summary {summary.symbol}"]
+    words = values.get(spot.sheet, spot.row, MEANING)
+    if math.isnan(number) and isinstance(words, str) and plan.text("verdict.boundless") in words:
+        tally.note(0.0 if _grows(judged, summary) else math.inf, where, "grows without bound", "an extreme")
+        return
     expected = expected_of(judged, summary)
     if expected is None or not expected.sure:
         return
-    spot = plan.at.spots[f"#summary {summary.symbol}"]
-    words = values.get(spot.sheet, spot.row, MEANING)
     settled = not (isinstance(words, str) and plan.text("verdict.about") in words)
     tally.note(expected.apart(number, settled) * tally.tolerance, where, number, expected.value)
+
+
+def _grows(judged: SearchedVerdicts, summary: Summary) -> bool:
+    """Whether the search, too, finds values far beyond the rows."""
+    inner, outer = (judged.search.extremes(summary.of, rows_only=rows_only) for rows_only in (True, False))
+    if inner is None or outer is None:
+        return False
+    return not outer[2] - outer[0] < GROWN * (inner[2] - inner[0])
 
 
 def _judge_output(

@@ -79,15 +79,29 @@ def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
             warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
 
 
+_COUNTED = re.compile(r"\b(\d+) of (\d+)$")
+
+WIDTH = 24
+"""Signs of a progress bar."""
+
+
+def bar_of(done: int, whole: int) -> str:
+    """`########........`: how much is done."""
+    filled = WIDTH * done // max(whole, 1)
+    return "#" * filled + "." * (WIDTH - filled)  # signs of every code page
+
+
 @contextlib.contextmanager
 def progress(label: str) -> Iterator[Callable[[str], None]]:
-    """Say on a terminal what is being done; nothing in a pipe."""
+    """Say on a terminal what is being done, `set 3 of 100` with a bar; nothing in a pipe."""
     if not sys.stderr.isatty():
         yield lambda _: None
         return
 
     def say(what: str) -> None:
-        click.echo(f"\r\033[K{label}: {what} …", nl=False, err=True)
+        counted = _COUNTED.search(what)
+        bar = f"{bar_of(int(counted[1]), int(counted[2]))} " if counted else ""
+        click.echo(f"\r\033[K{label}: {bar}{what} …", nl=False, err=True)
 
     try:
         yield say

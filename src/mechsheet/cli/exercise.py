@@ -31,7 +31,7 @@ def exercise(description: Path, class_list: Path, output: Path, seed: int, langu
     mechanism = described(description, Changes(), language)
     with at_lines_of(mechanism, description), progress(class_list.name) as say:
         say("drawing dimensions")
-        found = write_all(mechanism, class_list, output, seed)
+        found = write_all(mechanism, class_list, output, seed, say)
     for remark in found.remarks:
         click.echo(f"note: {remark}", err=True)
     say_written(list(found.files))

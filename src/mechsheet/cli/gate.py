@@ -122,8 +122,10 @@ def of_each(
 ) -> list[Found]:
     """What `judge` finds in each file; a file that cannot be judged does not keep the others from it."""
     found = []
-    for file in files:
+    for number, file in enumerate(files, 1):
         with progress(file.name) as say:
+            if len(files) > 1:
+                say(f"{number} of {len(files)}")
             try:
                 found.append(judge(file, say))
             except MechsheetError as error:

@@ -8,7 +8,7 @@ import click
 
 from mechsheet.arguments.outputs import folder_ready
 
-from .common import STANDARD_OUTPUT, output_file, output_option, refuse_existing, same_file
+from .common import STANDARD_OUTPUT, output_file, output_option, progress, refuse_existing, same_file
 from .helping import Explained
 from .streams import print_file
 
@@ -32,7 +32,9 @@ def pull(workbook: Path, output: str | None, into: Path | None) -> None:
     file = None if output in (None, STANDARD_OUTPUT) else output_file(output, f"{workbook.stem}.toml", (workbook,))
     if file is not None and not (into is not None and same_file(file, into)):
         refuse_existing(file, "choose another name, or name the same file with --into")
-    result = pulled_from(workbook, into)
+    with progress(workbook.name) as say:
+        say("comparing")
+        result = pulled_from(workbook, into)
     for change in result.changes:
         click.echo(change, err=True)
     if not result.changes:

@@ -9,7 +9,7 @@ import click
 
 from mechsheet.diagnostics import readable_name
 
-from .common import JSON, Changes, at_lines_of, change_options, described
+from .common import JSON, Changes, at_lines_of, change_options, described, progress
 from .helping import Explained
 from .streams import print_file
 
@@ -54,7 +54,8 @@ def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **cha
     from mechsheet.library import show as shows
 
     mechanism = described(description, Changes(**changes))
-    with at_lines_of(mechanism, description):
+    with at_lines_of(mechanism, description), progress(description.name) as say:
+        say("solving")
         if what == "equations":
             text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
         elif what == "cells":

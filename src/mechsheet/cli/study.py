@@ -13,13 +13,11 @@ import click
 
 from mechsheet.diagnostics import Fault, MechanismError
 
-from .common import FORMATS_COMPLETED, Changes, at_lines_of, change_options, described
+from .common import FORMATS_COMPLETED, Changes, at_lines_of, bar_of, change_options, described
 from .helping import Explained
 
 if TYPE_CHECKING:
     from mechsheet.studies.run import Progress, Studied
-
-WIDTH = 24
 
 
 @click.command(cls=Explained, short_help="Try millions of designs and keep the good ones.")
@@ -115,8 +113,7 @@ def _bar() -> Iterator[Callable[[Progress], None]]:
     def say(progress: Progress) -> None:
         passed = max(time.monotonic() - begun, 1e-9)
         rate = (progress.done - progress.earlier) / passed
-        filled = WIDTH * progress.done // progress.all
-        words = f"{'█' * filled}{'░' * (WIDTH - filled)} {progress.done:,} of {progress.all:,} designs"
+        words = f"{bar_of(progress.done, progress.all)} {progress.done:,} of {progress.all:,} designs"
         if progress.done:
             words += f", {100 * progress.kept / progress.done:.3g} % kept"
         if rate:

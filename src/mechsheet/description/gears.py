@@ -143,7 +143,9 @@ class _Reader:
             for link in self.links
             if link.name not in wheels and all(self._pivot(link.name, wheel) for wheel in wheels)
         ]
-        return f"write arm = {quoted(good[0])}" if good else f"no link shares a point with both {listed(wheels)}"
+        if good:
+            return say("write arm = {name}", name=quoted(good[0]))
+        return say("no link shares a point with both {wheels}", wheels=listed(wheels))
 
     # --- racks --------------------------------------------------------------------------------------------------
 
@@ -153,7 +155,7 @@ class _Reader:
         if slide is None and entry["joint"] is not BAD:
             hint = suggestion(entry["joint"], [slide.name for slide in self.slides], "sliding joints")
             self.scope.report.at(
-                (*path, "joint"), say("no sliding joint is called {entry}", entry=quoted(entry["joint"])), hint
+                (*path, "joint"), say("no sliding joint is called {name}", name=quoted(entry["joint"])), hint
             )
         known = self.ends.has_link(entry["link"], (*path, "link"))
         radius, pressure = self._ratio(entry, order, entry["link"] if known else None)

@@ -147,12 +147,12 @@ def _symbol(entry: dict[str, Any], link: str, path: Path, ends: Ends, scope: Sco
         owners = [name for name in scope.points.get(entry["point"], ()) if name != entry["on"]]
         if entry["type"] == "pin-slot" and len(owners) > 1:
             message = say(
-                "is missing: the point {entry} belongs to {owners}", entry=quoted(entry["point"]), owners=listed(owners)
+                "is missing: the point {point} belongs to {owners}", point=quoted(entry["point"]), owners=listed(owners)
             )
             scope.report.at((*path, "symbol"), message, say("no default fits; name the displacement"))
             return None
         symbol = ends.pair_symbol("s", entry["on"], link)
-        hint = "this is the default; give the joint a `symbol` of its own"
+        hint = say("this is the default; give the joint a `symbol` of its own")
     else:
         place = (*path, "symbol")
         if not scope.symbol_is_good(symbol, place):

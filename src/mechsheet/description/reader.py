@@ -127,8 +127,8 @@ def _check_format(source: Source) -> None:
             source.fault(
                 ("format",),
                 say(
-                    "format {lower} is not known: this program reads format {format}",
-                    lower=str(version).lower(),
+                    "format {given} is not known: this program reads format {format}",
+                    given=str(version).lower(),
                     format=FORMAT,
                 ),
             )

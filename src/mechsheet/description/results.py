@@ -68,14 +68,17 @@ def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
         hint = suggestion(point, scope.points, "points")
         if point in scope.centers:
             hint = say(
-                "the mass centre is the point {centers}: write {centers}.{axis}",
-                centers=scope.centers[point],
+                "the mass centre is the point {center}: write {center}.{axis}",
+                center=scope.centers[point],
                 axis=axis,
             )
         scope.report.at(path, say("{where}no point is called {point}", where=where, point=quoted(point)), hint)
     elif axis not in ("x", "y"):
-        rates = say("; {point}.v, {point}.a for its velocity and acceleration", point=point) if scope.moves else ""
-        hint = say("write {point}.x or {point}.y{rates}", point=point, rates=rates)
+        hint = say("write {point}.x or {point}.y", point=point)
+        if scope.moves:
+            hint = say(
+                "write {point}.x or {point}.y; {point}.v, {point}.a for its velocity and acceleration", point=point
+            )
         scope.report.at(path, say("{where}a point has no {axis}", where=where, axis=quoted(axis)), hint)
     return point in scope.points and axis in ("x", "y")
 
@@ -289,22 +292,27 @@ def _rows_of(driver: Driver, scope: Scope) -> int:
     return math.floor(steps + LANDS) + 1 if math.isfinite(steps) else 0
 
 
-def _check_position(name: Any, path: Path, scope: Scope, hint: str = "a summary or a chart can show it") -> None:
+def _check_position(name: Any, path: Path, scope: Scope, hint: str = "") -> None:
     """A two-way table holds positions, one formula a cell: a rate would need its whole group there."""
     if name is BAD or not (is_rate(name, scope) or name in scope.forces or name in scope.of_rates):
         return
-    what = say("reads") if name in scope.of_rates else say("is")
-    which = (
-        say("a {what}", what=say(scope.forces[name]))
-        if name in scope.forces
-        else say("a velocity, an acceleration or a force")
-    )
-    if not scope.forces:
-        which = say("a velocity or an acceleration")
     message = say(
-        "{name} {what} {which}: two-way tables have positions only", name=quoted(name), what=what, which=which
+        "{name} is a velocity, an acceleration or a force: two-way tables have positions only", name=quoted(name)
     )
-    scope.report.at(path, message, hint)
+    if name in scope.forces:
+        what = say(scope.forces[name])
+        message = say("{name} is a {what}: two-way tables have positions only", name=quoted(name), what=what)
+    elif name in scope.of_rates and scope.forces:
+        message = say(
+            "{name} reads a velocity, an acceleration or a force: two-way tables have positions only", name=quoted(name)
+        )
+    elif name in scope.of_rates:
+        message = say(
+            "{name} reads a velocity or an acceleration: two-way tables have positions only", name=quoted(name)
+        )
+    elif not scope.forces:
+        message = say("{name} is a velocity or an acceleration: two-way tables have positions only", name=quoted(name))
+    scope.report.at(path, message, hint or say("a summary or a chart can show it"))
 
 
 def _values_of_input(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Quantity, ...]]:
@@ -316,12 +324,11 @@ def _values_of_input(data: Any, path: Path, scope: Scope) -> tuple[str, tuple[Qu
         message = say("no dimension is called {name}", name=quoted(name))
         scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
     elif name not in scope.inputs:
-        part = str(path[-1]).removesuffix("s")
-        message = say(
-            "the dimension {name} is derived; only an input can differ from {part} to {part}",
-            name=quoted(name),
-            part=say(part),
-        )
+        message = say("the dimension {name} is derived; only an input can differ from row to row", name=quoted(name))
+        if path[-1] == "columns":
+            message = say(
+                "the dimension {name} is derived; only an input can differ from column to column", name=quoted(name)
+            )
         scope.report.at((*path, name), message, suggestion(name, scope.inputs, "inputs"))
     elif values is not BAD:
         unit, kind = scope.units[name], scope.kinds[name]

@@ -20,7 +20,7 @@ def with_table(source: Source, path: Path, lines: list[str]) -> Source:
     """
     array = isinstance(path[-1], int)
     keys = [key_text(str(key)) for key in path if not isinstance(key, int)]
-    heading = say("[[{keys}]]", keys=".".join(keys)) if array else say("[{keys}]", keys=".".join(keys))
+    heading = f"[[{'.'.join(keys)}]]" if array else f"[{'.'.join(keys)}]"
     around = source.spots.get(path[:-1])
     if around is not None and around.how in ("inline", "value"):
         hint = say("write them under headings, {heading}, then it can be drawn", heading=heading)

@@ -188,7 +188,7 @@ def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
         )
     elif unfit := [sign for sign in value if _unfit(sign) and not (shape.lines and sign == "\n")]:
         name = say("a tab") if unfit[0] == "\t" else say("a character that a workbook cannot carry")
-        report.at(path, say("the text holds {name}: U+{unfit:04X}", name=name, unfit=ord(unfit[0])))
+        report.at(path, say("the text holds {name}: U+{code:04X}", name=name, code=ord(unfit[0])))
     else:
         return value
     return BAD
@@ -241,20 +241,12 @@ def _commas_hint(shape: Items, path: Path, report: Report) -> str:
 
 def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> Any:
     if len(value) < shape.least or (shape.most is not None and len(value) > shape.most):
-        count = say("exactly") if shape.least == shape.most else say("at least")
-        names = say(": {value}", value=listed(value)) if value else ""
-        report.at(
-            path,
-            say(
-                "expected {count} {least} {what}{part}, found {count2}{names}",
-                count=count,
-                least=shape.least,
-                what=shape.what,
-                part="s" * (shape.least > 1),
-                count2=len(value),
-                names=names,
-            ),
-        )
+        pattern = "expected at least {least} {what}, found {found}"
+        if shape.least == shape.most:
+            pattern = "expected exactly {least} {what}, found {found}"
+        pattern = pattern.replace("{what}", "{what}s") if shape.least > 1 else pattern
+        given = say("{count}: {names}", count=len(value), names=listed(value)) if value else len(value)
+        report.at(path, say(pattern, least=shape.least, what=say(shape.what), found=given))
         if shape.most is not None:
             return BAD
     return {

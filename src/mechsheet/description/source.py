@@ -24,19 +24,19 @@ MOST_TOLD = 100
 
 _POSITION = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
 _PLAINER = {
-    r"illegal character '\n'": "the line ends inside a text",
-    "expected newline or end of document after a statement": "the line goes on behind its value",
-    "expected '=' after a key in a key/value pair": "a line is a [heading] or key = value",
-    "invalid statement": "a line is a [heading] or key = value",
-    "cannot overwrite a value": "this key is there already",
+    r"illegal character '\n'": say("the line ends inside a text"),
+    "expected newline or end of document after a statement": say("the line goes on behind its value"),
+    "expected '=' after a key in a key/value pair": say("a line is a [heading] or key = value"),
+    "invalid statement": say("a line is a [heading] or key = value"),
+    "cannot overwrite a value": say("this key is there already"),
 }
 _TWICE = re.compile(r"Cannot declare \((.*)\) twice")
 _NAMED = r"'([^']*)'"
 _HINTS = {
-    r"illegal character '\n'": "a quotation mark is missing",
-    "invalid value": "texts and expressions stand in quotes",
-    "unclosed array": 'the list is not closed: write "]"',
-    "expected ']' at the end of a table declaration": 'the heading is not closed: write "]"',
+    r"illegal character '\n'": say("a quotation mark is missing"),
+    "invalid value": say("texts and expressions stand in quotes"),
+    "unclosed array": say('the list is not closed: write "]"'),
+    "expected ']' at the end of a table declaration": say('the heading is not closed: write "]"'),
 }
 """By what the standard reader says, in small letters."""
 
@@ -97,7 +97,7 @@ def read_text(path: str | FilePath) -> str:
 def text_of(content: bytes, name: str) -> str:
     """The text of a file's first MAX_BYTES + 1 bytes; `name` is what messages call it. Raises DescriptionError."""
     if len(content) > MAX_BYTES:
-        raise _refusal(name, say("larger than {max_bytes:,} bytes: this is no description", max_bytes=MAX_BYTES))
+        raise _refusal(name, say("larger than {most:,} bytes: this is no description", most=MAX_BYTES))
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         raise _refusal(
             name,
@@ -113,7 +113,7 @@ def text_of(content: bytes, name: str) -> str:
         return content.decode("utf-8")
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
-        message = say("not UTF-8 text: byte {content:#04x} fits nowhere", content=content[error.start])
+        message = say("not UTF-8 text: byte {byte:#04x} fits nowhere", byte=content[error.start])
         raise _refusal(name, message, say('save the file with the encoding "UTF-8"'), line) from None
 
 
@@ -136,7 +136,7 @@ def parse_as_meant(text: str, file: str) -> tuple[Source, list[Fault]]:
     DescriptionError where nobody can say what is meant.
     """
     if len(text) > MAX_BYTES:
-        raise _refusal(file, say("larger than {max_bytes:,} characters: this is no description", max_bytes=MAX_BYTES))
+        raise _refusal(file, say("larger than {most:,} characters: this is no description", most=MAX_BYTES))
     text = unicodedata.normalize("NFC", text.removeprefix("\ufeff").replace("\r\n", "\n"))
     if not text.strip():
         raise _refusal(file, say("the description is empty"), say('begin with "mechsheet new"'))
@@ -178,19 +178,20 @@ def _broken(reason: str, file: str, lines: tuple[str, ...], keys: tuple[Path, ..
     reason = _POSITION.sub("", reason)
     line, column = None, ""
     if found and found[1]:
-        line, column = int(found[1]), say(" (column {found})", found=found[2])
+        line, column = int(found[1]), say(" (column {column})", column=found[2])
     elif found:
         line = len(lines)
         while line > 1 and not lines[line - 1].strip():
             line -= 1
     shown = lines[line - 1] if line else ""
     hint = _HINTS.get(reason.lower(), "")
+    plain: str = _PLAINER.get(reason.lower(), say("")) or printable(reason[:1].lower() + reason[1:])
     if twice := _TWICE.fullmatch(reason):
-        reason = f"the heading [{'.'.join(re.findall(_NAMED, twice[1]))}] is there already"
-    reason = _PLAINER.get(reason.lower(), reason[:1].lower() + reason[1:])
+        heading = printable(".".join(re.findall(_NAMED, twice[1])))
+        plain = say("the heading [{heading}] is there already", heading=heading)
     key = dotted(keys[line - 1]) if line and line <= len(keys) else ""
     return Fault(
-        say("broken TOML: {reason}{column}", reason=printable(reason), column=column),
+        say("broken TOML: {reason}{column}", reason=plain, column=column),
         file,
         line,
         key,

@@ -76,7 +76,7 @@ def typed_value(text: str, unit: Unit, whose: str, scope: Scope) -> str | None:
             if number and understood
             else say("a plain number in {whose} own unit, or an expression", whose=whose)
         )
-        scope.report.at((), say("expected a number, found {strip}", strip=quoted(text.strip())), hint)
+        scope.report.at((), say("expected a number, found {text}", text=quoted(text.strip())), hint)
         return None
     tree = scope.parse(text, ())
     value = None if tree is None else _value(tree, text, unit, scope)
@@ -98,14 +98,10 @@ def _value(tree: Node, text: str, unit: Unit, scope: Scope) -> float | None:
     if not scope.only_dimensions(tree, text, ()) or not scope.fits(tree, text, unit_kind(unit), ()):
         return None
     if missing := [name for name in symbols(tree) if name not in scope.numbers]:
-        scope.report.at(
-            (),
-            say(
-                "has no value: {missing} {part} none",
-                missing=listed(missing),
-                part=say("has") if len(missing) == 1 else say("have"),
-            ),
-        )
+        message = say("has no value: {names} have none", names=listed(missing))
+        if len(missing) == 1:
+            message = say("has no value: {name} has none", name=listed(missing))
+        scope.report.at((), message)
         return None
     value = scope.value(tree, ())
     return None if value is None else unit.to_shown(value)

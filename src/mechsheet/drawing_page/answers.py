@@ -16,6 +16,8 @@ from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.questions import Refusal, number_in, places_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.formats.archive import replace_file
+from mechsheet.said import say
+from mechsheet.words.messages import text_in as said_in
 from mechsheet.words.workbook import Language
 
 UNTITLED = "mechanism.toml"
@@ -105,7 +107,9 @@ class Studio:
             return self.path
         wanted = name or UNTITLED
         if Path(wanted).name != wanted or "\\" in wanted or ":" in wanted or wanted.startswith("."):
-            raise OutputError(Fault("is not the name of a file in this folder", wanted, hint="for example mine.toml"))
+            raise OutputError(
+                Fault(say("is not the name of a file in this folder"), wanted, hint=say("for example mine.toml"))
+            )
         return self.folder / (wanted if wanted.endswith(".toml") else f"{wanted}.toml")
 
     # --- what it is ----------------------------------------------------------------------------------------------------
@@ -140,7 +144,8 @@ class Studio:
     def _check(self, question: dict[str, Any]) -> dict[str, Any]:
         from mechsheet.drawing_page.files import checked
 
-        return {"lines": checked(text_in(question, "text"), self._name(), *self._wanted(question))}
+        lines = checked(text_in(question, "text"), self._name(), *self._wanted(question))
+        return {"lines": [said_in(line, text_in(question, "spoken", "")) for line in lines]}
 
     def _wanted(self, question: dict[str, Any]) -> tuple[str, str]:
         """Layout and language of a workbook."""
@@ -148,7 +153,7 @@ class Studio:
 
 
 def _language(question: dict[str, Any]) -> Language:
-    return "tr" if question.get("language") == "tr" else "en"
+    return "tr" if question.get("spoken") == "tr" else "en"
 
 
 def _stem(path: Path | None) -> str:
@@ -162,7 +167,7 @@ def _mark(path: Path) -> str:
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as error:
-        raise OutputError(Fault(f"cannot be read: {error.strerror}", readable_name(path))) from error
+        raise OutputError(Fault(say("cannot be read: {reason}", reason=error.strerror), readable_name(path))) from error
 
 
 def _as_on_disk(text: str, path: Path) -> bytes:
@@ -174,4 +179,4 @@ def _as_on_disk(text: str, path: Path) -> bytes:
             content = content.replace("\n", "\r\n")
         return (b"\xef\xbb\xbf" if before.startswith(b"\xef\xbb\xbf") else b"") + content.encode("utf-8")
     except (OSError, UnicodeEncodeError) as error:
-        raise OutputError(Fault(f"cannot be written: {error}", readable_name(path))) from error
+        raise OutputError(Fault(say("cannot be written: {reason}", reason=error), readable_name(path))) from error

@@ -51,7 +51,7 @@ def look(reading: Reading, at: float | None, held: Mapping[str, Point], language
         "solved": reading.compiled is not None,
         "readable": parts is not None,
         "mobility": reading.mobility,
-        "faults": [fault_entry(fault, parts) for fault in reading.faults],
+        "faults": [fault_entry(fault, parts, language) for fault in reading.faults],
     }
     if parts is None:
         return answer

@@ -18,6 +18,7 @@ from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Polar, Quantity, Words
+from mechsheet.words.messages import text_in
 
 KEPT = 12
 """Texts of which the reading is kept."""
@@ -91,13 +92,13 @@ def _counted(parts: Parts) -> tuple[int | None, list[Fault]]:
 _WORD = re.compile(r"[\w.-]+")
 
 
-def fault_entry(fault: Fault, parts: Parts | None) -> dict[str, Any]:
-    """A fault as the page shows it: at its line, and at the links that it names."""
+def fault_entry(fault: Fault, parts: Parts | None, language: str = "en") -> dict[str, Any]:
+    """A fault as the page shows it, in its language: at its line, and at the links that it names."""
     return {
         "line": fault.line,
         "key": fault.key,
-        "message": fault.message,
-        "hint": fault.hint,
+        "message": text_in(fault.message, language),
+        "hint": text_in(fault.hint, language),
         "links": _links_of(fault, parts) if parts is not None else [],
     }
 

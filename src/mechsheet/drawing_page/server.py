@@ -26,6 +26,7 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.words.drawing_page import DRAWING_PAGE
+from mechsheet.words.messages import in_language
 
 ADDRESS = "127.0.0.1"
 LARGEST_QUESTION = 4_000_000
@@ -198,9 +199,9 @@ class DrawingServer:
         try:
             answer = self.studio.answer(name, question)
         except MechsheetError as error:  # a user's mistake is an answer like any other
-            answer = {"errors": [str(fault) for fault in error.faults]}
+            answer = {"errors": [str(in_language(fault, str(question.get("spoken")))) for fault in error.faults]}
         except Impossible as error:
-            answer = {"errors": [error.text(str(question.get("language")))]}
+            answer = {"errors": [error.text(str(question.get("spoken")))]}
         except Refusal as refusal:
             bottle.response.status = refusal.status
             answer = {"errors": [str(refusal)]}

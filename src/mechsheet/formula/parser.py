@@ -117,7 +117,7 @@ class _DescriptionParser(Parser):
         if name.text == "pi":
             hint = say('pi is a number: write it without parentheses, "2*pi"')
         else:
-            hint = near_miss(name.text.lower(), _ALLOWED) or say("functions: {allowed}", allowed=" ".join(_ALLOWED))
+            hint = near_miss(name.text.lower(), _ALLOWED) or say("functions: {names}", names=" ".join(_ALLOWED))
         message = say("unknown function {text} at column {column}", text=name.text, column=name.column)
         self.faults.append(Fault(message, source=self.text, hint=hint))
 

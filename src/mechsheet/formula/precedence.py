@@ -69,7 +69,7 @@ class Parser(ABC):
                     raise fail(
                         self.text,
                         self.next.column,
-                        say("nested deeper than {max_nesting} levels", max_nesting=MAX_NESTING),
+                        say("nested deeper than {most} levels", most=MAX_NESTING),
                     )
                 continue
             power = self.dialect.infix[op]
@@ -126,9 +126,7 @@ class Parser(ABC):
         """One level of nesting more, up to the limit."""
         self.depth += 1
         if self.depth > MAX_NESTING:
-            raise fail(
-                self.text, self.next.column, say("nested deeper than {max_nesting} levels", max_nesting=MAX_NESTING)
-            )
+            raise fail(self.text, self.next.column, say("nested deeper than {most} levels", most=MAX_NESTING))
 
     def close(self) -> None:
         """Pass a closing parenthesis: one level less."""

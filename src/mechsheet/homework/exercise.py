@@ -9,7 +9,7 @@ import json
 import math
 import random
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -57,10 +57,17 @@ class Exercises:
     remarks: tuple[str, ...]
 
 
-def exercise(mechanism: Mechanism, class_list: str | Path, output: str | Path, seed: int = 0) -> Exercises:
+def exercise(
+    mechanism: Mechanism,
+    class_list: str | Path,
+    output: str | Path,
+    seed: int = 0,
+    progress: Callable[[str], None] | None = None,
+) -> Exercises:
     """Write `student/ID.xlsx`, `solution/ID.xlsx` for everybody in a CSV file (id, name, ...), and `key.json`.
 
-    Dimensions are drawn as [exercise] of the description says, from the seed and the id alone. Raises MechsheetError with
+    Dimensions are drawn as [exercise] of the description says, from the seed and the id alone; `progress` is told how many
+    students are done. Raises MechsheetError with
     all that is wrong with the list, or when nothing drawn fulfils `need`; nothing is written then.
     """
     people = class_of(Path(class_list))
@@ -72,8 +79,10 @@ def exercise(mechanism: Mechanism, class_list: str | Path, output: str | Path, s
     for part in (folder, folder / "student", folder / "solution"):
         if not part.is_dir():
             make_folder(part)
-    files = []
-    for student, own in changed:
+    files: list[Path] = []
+    for number, (student, own) in enumerate(changed, 1):
+        if progress is not None:
+            progress(f"student {number} of {len(changed)}")
         files += [folder / "student" / f"{student.file}.xlsx", folder / "solution" / f"{student.file}.xlsx"]
         compiled = Compiled(own)
         write(task_sheet(compiled, student.id, student.name), files[-2])

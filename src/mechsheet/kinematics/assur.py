@@ -374,9 +374,9 @@ def _too_large(assemblies: Sequence[tuple[str, ...]]) -> Fault:
     names = ", ".join(_names(bodies) for bodies in assemblies)
     return Fault(
         say(
-            "links {names} form a group that must be solved all at once, and takes more than {most_unknowns} unknowns",
+            "links {names} form a group that must be solved all at once, and takes more than {most} unknowns",
             names=names,
-            most_unknowns=MOST_UNKNOWNS,
+            most=MOST_UNKNOWNS,
         ),
         key="links",
         hint=say("driving another link often helps"),

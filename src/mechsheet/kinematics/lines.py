@@ -45,9 +45,9 @@ def meet(
         raise MechanismError(
             Fault(
                 say(
-                    "the lines of {names} and {names2} are parallel in every position: they never meet",
-                    names=names[0],
-                    names2=names[1],
+                    "the lines of {first} and {second} are parallel in every position: they never meet",
+                    first=names[0],
+                    second=names[1],
                 ),
                 key="joints",
                 hint=say("change the angle of one of them"),

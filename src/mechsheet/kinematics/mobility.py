@@ -87,14 +87,14 @@ def _count_hint(count: int, drivers: int) -> str:
     if count > drivers:
         given = say("one is given") if drivers == 1 else say("{drivers} are given", drivers=drivers)
         return say(
-            "{count} drivers would be needed, {given}: join the loose links, remove {part} of the "
+            "{count} drivers would be needed, {given}: join the loose links, remove {surplus} of the "
             "freedoms, or add [[drivers]]",
             count=count,
             given=given,
-            part=count - drivers,
+            surplus=count - drivers,
         )
     if 0 < count < drivers:
-        return say("one driver too many: take {part} of the drivers away", part=drivers - count)
+        return say("one driver too many: take {surplus} of the drivers away", surplus=drivers - count)
     if count == 0:
         return say("it is a structure: nothing can move. Remove a joint, or a link with two joints")
     return say(

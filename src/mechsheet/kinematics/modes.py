@@ -142,8 +142,8 @@ def _between(entries: list[Entry], positions: dict[int, list[float]], solved: So
         say("the sketch lies between the two assemblies of {group}", group=solved.label),
         key="assembly",
         hint=say(
-            "+1 is at {shown}; -1 is at {shown2}: sketch a point nearer to the one that is meant",
-            shown=shown(1),
-            shown2=shown(-1),
+            "+1 is at {plus}; -1 is at {minus}: sketch a point nearer to the one that is meant",
+            plus=shown(1),
+            minus=shown(-1),
         ),
     )

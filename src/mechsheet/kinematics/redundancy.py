@@ -208,21 +208,27 @@ def _name(part: Part) -> str:
 
 
 def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
-    what = say("link") if isinstance(part, Link) else say("sliding joint")
     key = f"links.{part.name}" if isinstance(part, Link) else f"joints.{_place_in_file(mechanism, part)}"
-    together = "".join(f' together with "{other}"' for other in others)
+    together: str = ""
+    for other in others:
+        together = say('{before} together with "{other}"', before=together, other=other)
+    message = say(
+        'the sliding joint "{name}" is redundant and may be left out{together}: the rest moves in the same way without it',
+        name=part.name,
+        together=together,
+    )
     hint = say(
         "leave it out of the description (its points can be points of another link, its forces are another matter)"
     )
     if isinstance(part, Link):
-        hint = say("write `redundant = true` under it: it follows the others, and its length is checked in every row")
-    return Fault(
-        say(
-            'the {what} "{name}" is redundant and may be left out{together}: the rest moves in the same way without it',
-            what=what,
+        message = say(
+            'the link "{name}" is redundant and may be left out{together}: the rest moves in the same way without it',
             name=part.name,
             together=together,
-        ),
+        )
+        hint = say("write `redundant = true` under it: it follows the others, and its length is checked in every row")
+    return Fault(
+        message,
         key=key,
         hint=hint,
     )

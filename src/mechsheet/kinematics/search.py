@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Direction, Node
 from mechsheet.kinematics.driving import given_between
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.numeric import Array, value
@@ -109,9 +109,32 @@ class Search:
         return given_between(self.mechanism, self.dimensions, self.given, places)
 
     def known(self, u: Array) -> dict[str, Array]:
-        """Every symbol's values at places."""
+        """Every symbol's values at places.
+
+        What gears and racks drive depends on how often a link has turned round: that is counted from place to place of the
+        grid, never from one of a few scattered places to the next.
+        """
         with np.errstate(all="ignore"):
-            return sweep(self.mechanism, self.equations, self._given(u))
+            if not self._counts_turns or u is self.u:
+                return sweep(self.mechanism, self.equations, self._given(u))
+            places = np.concatenate((self.u, u))
+            order = np.argsort(places, kind="stable")
+            found = sweep(self.mechanism, self.equations, self._given(places[order]))
+            back = np.argsort(order)[len(self.u) :]
+            return {symbol: column[back] for symbol, column in found.items()}
+
+    @cached_property
+    def _counts_turns(self) -> bool:
+        """Whether anything that gears or racks decide follows from an angle that goes on without a jump."""
+        reads = {equation.symbol: set(equation.reads) for equation in self.equations.columns}
+        going_on = {each.symbol for each in self.equations.columns if isinstance(each.expression, Direction)}
+        stack, seen = [*self.equations.tied], set[str]()
+        while stack:
+            symbol = stack.pop()
+            if symbol not in seen:
+                seen.add(symbol)
+                stack += reads.get(symbol, ())
+        return self.stepped and bool(seen & going_on)
 
     def exists(self, known: dict[str, Array]) -> Mask:
         """Where every group closes."""

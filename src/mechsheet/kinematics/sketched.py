@@ -25,6 +25,7 @@ from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import dimension_values, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Gear, Mechanism
+from mechsheet.said import say
 
 FAR, NOWHERE = 0.25, 0.5
 """A sketch that misses the position by such a part of the mechanism's size (or radians) was not drawn there, or anywhere."""
@@ -199,8 +200,12 @@ def with_position(fault: Fault, mechanism: Mechanism) -> Fault:
     if not missed.min() < SUSPICIOUS:
         return fault
     written = _written(mechanism, _named(mechanism, values, missed))
-    fits = f"the sketch fits {mechanism.driver.symbol} = {' or '.join(written)}"
-    return replace(fault, hint=f"{fault.hint}; {fits}: if it was drawn there, write at = {written[0]}")
+    places: str = f"{mechanism.driver.symbol} = {written[0]}"
+    for further in written[1:]:
+        places = say("{first} or {last}", first=places, last=further)
+    fits = say("the sketch fits {positions}", positions=places)
+    hint = say("{hint}; {fits}: if it was drawn there, write at = {at}", hint=fault.hint, fits=fits, at=written[0])
+    return replace(fault, hint=hint)
 
 
 def _position(mechanism: Mechanism, equations: Equations, driver: Array) -> tuple[Mapping[str, Array], int | None]:

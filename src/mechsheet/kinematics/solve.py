@@ -474,7 +474,7 @@ def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:
             continue
         if unknown:
             faults.append(
-                Fault(say('"{unknown}" is not known here', unknown=unknown[0]), key=f"outputs.{output.symbol}.formula")
+                Fault(say('"{name}" is not known here', name=unknown[0]), key=f"outputs.{output.symbol}.formula")
             )
             continue
         label = output.label or same(output.symbol)

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+from dataclasses import replace
 
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.compiled.motion import motion_of
@@ -22,6 +23,7 @@ from mechsheet.library.building import told
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
 from mechsheet.sheet.first.blocks import unit_of_column
+from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.workbook import Rich, Workbook
 from mechsheet.synthesis.writing import says
@@ -72,10 +74,12 @@ def overview_text(mechanism: Mechanism) -> str:
 
 def _single(compiled: Compiled, single: Summary | Output) -> str:
     """`mu_min = 33.89 °`: a summary, or an output of summaries, as the first sheet has it."""
-    value = compiled.value(compiled.plan.at.spots[f"#summary {single.symbol}"])
-    if not isinstance(value, float):
-        return f"{single.symbol}: none"
     plan = compiled.plan
+    spot = plan.at.spots[f"#summary {single.symbol}"]
+    value = compiled.value(spot)
+    if not isinstance(value, float):
+        without = plan.text("verdict.boundless") in str(compiled.value(replace(spot, col=MEANING)))
+        return f"{single.symbol}: {'grows without bound' if without else 'none'}"
     unit = plan.mechanism.shown(single.unit) if isinstance(single, Output) else unit_of_column(plan, single.of)
     return f"{single.symbol} = {value:.6g}{behind_number(unit.text)}"
 

@@ -12,9 +12,11 @@ from mechsheet.kinematics.search import Search
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 from mechsheet.sheet.first.blocks import shown_unit
-from mechsheet.sheet.plan import MEANING
+from mechsheet.sheet.plan import MEANING, TOLERANCE
 from mechsheet.units import behind_number
+from mechsheet.words.messages import text_in
 
 _LANDS = 1e-6
 """By this part of a step the stop may be missed: it is rounding."""
@@ -31,14 +33,18 @@ def verdict(compiled: Compiled) -> str:
     if missed is not None:
         unit = shown_unit(plan, mechanism.driver.symbol)
         last = compiled.value(plan.at.spots[mechanism.driver.symbol], plan.rows - 1)
-        said.append(f"the step misses the stop ({_shown(missed, unit)}): the last row is {_shown(last, unit)}")
+        shown = {"stop": _shown(missed, unit), "last": _shown(last, unit)}
+        said.append(say("the step misses the stop ({stop}): the last row is {last}", **shown))
     said += [
-        f"the sketch says nothing about group {group.number}: mode +1 was taken, {group.mode_words.of(mechanism.language)}; "
-        "a point under [assembly] decides"
+        say(
+            "the sketch says nothing about group {group}: mode +1 was taken, {mode}; a point under [assembly] decides",
+            group=group.number,
+            mode=group.mode_words,
+        )
         for group in plan.equations.groups
         if group.open
     ]
-    return "; ".join(said)
+    return "; ".join(text_in(each, mechanism.language) for each in said)
 
 
 def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
@@ -60,11 +66,13 @@ def _shown(value: object, unit: str) -> str:
 def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]]:
     """What is to be said, by the names of the first sheet's cells: the value, where it occurs, and the words beside it.
 
-    The first is `verdict`, the line under the title. None stands for a value that there is none of. Values are searched in
-    Python wherever a search can be sure (`kinematics.search`), the others and the words are the sheet's.
+    The first is `verdict`, the line under the title; summaries and outputs of them are the last. None stands for a value
+    that there is none of. Values are searched in Python wherever a search can be sure (`kinematics.search`), the others
+    and the words are the sheet's: those of several sheets, which say more than one page has room for.
     """
     from mechsheet.checking.searched_verdicts import SearchedVerdicts
 
+    mechanism = replace(mechanism, layout="sheets")
     compiled = told(mechanism)
     plan = compiled.plan
 
@@ -82,6 +90,10 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
     for key, spot in plan.at.spots.items():
         if key.startswith("#limit_") and isinstance(limit := compiled.value(spot), float):
             found[spot.name] = line(limit, None, None)
+    for single in mechanism.motion_numbers:
+        spot = plan.at.spots[f"#summary {single.symbol}"]
+        where, words = (compiled.value(replace(spot, col=col)) for col in (TOLERANCE, MEANING))
+        found[spot.name] = line(compiled.value(spot), where, words)
     search = Search(mechanism, compiled.equations, compiled.given, stepped=not mechanism.driver.values)
     for key, numbers in SearchedVerdicts(plan, search).numbers().items():
         name = plan.at.spots[f"#{key}"].name if f"#{key}" in plan.at.spots else key

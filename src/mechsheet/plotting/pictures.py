@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from mechsheet.extras import missing_package
 from mechsheet.plotting.scenes import Piece, Scene
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -52,7 +53,7 @@ def _settings() -> Iterator[None]:
     try:
         import matplotlib as mpl
     except ImportError as error:
-        raise missing_package("matplotlib", "plot", "it draws the pictures") from error
+        raise missing_package("matplotlib", "plot", say("it draws the pictures")) from error
     with mpl.rc_context():
         mpl.rcdefaults()
         mpl.rcParams.update({"svg.hashsalt": "mechsheet", "font.family": "DejaVu Sans", "path.simplify": False})

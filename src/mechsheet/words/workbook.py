@@ -96,6 +96,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.swing.several": ("several stretches: see the limits", "birkaç parça: sınırlara bakın"),
     "verdict.unsure": ("unsure: links turn far, smaller step", "kesin değil: adımı küçültün"),
     "verdict.rows.only": (" (rows only)", " (yalnız satırlar)"),
+    "verdict.boundless": (" (grows without bound)", " (sınırsız büyür)"),
     "verdict.about": (" (about)", " (yaklaşık)"),
     "verdict.stroke": ("stroke", "kurs"),
     "verdict.ratio.symbol": ("ratio", "oran"),

@@ -65,9 +65,9 @@ def _varied(data: Any, scope: Scope) -> tuple[Vary, ...]:
         path: Path = ("exercise", "vary", symbol)
         if symbol not in scope.units:
             hint = suggestion(symbol, scope.inputs, "inputs")
-            scope.report.at(path, say("no dimension is called {symbol}", symbol=quoted(symbol)), hint)
+            scope.report.at(path, say("no dimension is called {name}", name=quoted(symbol)), hint)
         elif symbol not in scope.inputs:
-            message = say("the dimension {symbol} is derived; only an input can vary", symbol=quoted(symbol))
+            message = say("the dimension {name} is derived; only an input can vary", name=quoted(symbol))
             scope.report.at(path, message, suggestion(symbol, scope.inputs, "inputs"))
         elif span is not BAD and BAD not in span:
             low, high, step = map(float, span)
@@ -88,7 +88,7 @@ def _needs(text: Any, summaries: Mapping[str, Any], scope: Scope) -> tuple[Need,
         compared = _COMPARED.fullmatch(part)
         if compared is None:
             hint = say('"{all_rows}", or a comparison such as "mu_min > 30"', all_rows=ALL_ROWS)
-            scope.report.at(path, say("{strip} is no condition", strip=quoted(part.strip())), hint)
+            scope.report.at(path, say("{text} is no condition", text=quoted(part.strip())), hint)
             continue
         sides = [scope.condition_side(side.strip(), path) for side in (compared[1], compared[3])]
         known = [*summaries, *scope.units]

@@ -72,11 +72,11 @@ def _varied(data: Any, sample: str, scope: Scope) -> tuple[Range, ...]:
         if symbol not in scope.units:
             scope.report.at(
                 path,
-                say("no dimension is called {symbol}", symbol=quoted(symbol)),
+                say("no dimension is called {name}", name=quoted(symbol)),
                 suggestion(symbol, scope.inputs, "inputs"),
             )
         elif symbol not in scope.inputs:
-            message = say("the dimension {symbol} is derived; only an input can vary", symbol=quoted(symbol))
+            message = say("the dimension {name} is derived; only an input can vary", name=quoted(symbol))
             scope.report.at(path, message, suggestion(symbol, scope.inputs, "inputs"))
         elif given is not BAD and (one := _range(symbol, given, sample, path, scope)) is not None:
             found.append(one)
@@ -123,16 +123,18 @@ def _check_size(vary: tuple[Range, ...], scope: Scope) -> None:
     if total <= MOST_DESIGNS:
         return
     days = total / RATE / 86_400
-    took = say("{days:,.0f} days", days=days) if days < 10_000 else say("{part:,.3g} years", part=days / 365.25)
-    parts = " · ".join(f"{one.count:,}" for one in vary)
+    size = {"parts": " · ".join(f"{one.count:,}" for one in vary), "total": total, "rate": RATE, "most": MOST_DESIGNS}
     message = say(
-        "{parts} = {total:,.4g} designs, at {rate:,} a second {took}: the most are {most_designs:,}",
-        parts=parts,
-        total=total,
-        rate=RATE,
-        took=took,
-        most_designs=MOST_DESIGNS,
+        "{parts} = {total:,.4g} designs, at {rate:,} a second {days:,.0f} days: the most are {most:,}",
+        **size,
+        days=days,
     )
+    if days >= 10_000:
+        message = say(
+            "{parts} = {total:,.4g} designs, at {rate:,} a second {years:,.3g} years: the most are {most:,}",
+            **size,
+            years=days / 365.25,
+        )
     hint = say('sample = "sobol" with count = 1_000_000 first; then a grid around what it finds')
     scope.report.at(("study", "vary"), message, hint)
 
@@ -164,7 +166,7 @@ def _condition(
         return Condition(plain, "grashof", name, bool(other))
     parts = _COMPARED.split(rest)
     if len(parts) not in (3, 5) or not all(part.strip() for part in parts):
-        scope.report.at(path, say("{plain} is no condition", plain=quoted(plain)), _EXAMPLES)
+        scope.report.at(path, say("{text} is no condition", text=quoted(plain)), say(_EXAMPLES))
         return None
     sides = [_value(side.strip(), path, summaries, scope) for side in parts[::2]]
     if any(side is None for side in sides):
@@ -184,9 +186,9 @@ def _objectives(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Sc
     if len(found) > MOST_OBJECTIVES:
         key = "maximize" if data.get("maximize") else "minimize"
         message = say(
-            "{count} objectives: a front of more than {most_objectives} tells nobody anything",
+            "{count} objectives: a front of more than {most} tells nobody anything",
             count=len(found),
-            most_objectives=MOST_OBJECTIVES,
+            most=MOST_OBJECTIVES,
         )
         scope.report.at(("study", key), message, say("make conditions of the others"))
     twice = [each.text for at, each in enumerate(found) if each.text in [other.text for other in found[:at]]]

@@ -71,7 +71,7 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
 def declare(found: Found, scope: Scope) -> None:
     """Enter the names, units and values of the task's inputs and steps; a step that has no value stays without."""
     for dim in found.dimensions:
-        hint = "rename it: a step of the synthesis has that name" if dim.derived else "rename it"
+        hint = say("rename it: a step of the synthesis has that name") if dim.derived else say("rename it")
         scope.symbols.claim(dim.symbol, "synthesis", dim.place, hint)
         scope.units[dim.symbol] = dim.unit
         scope.kinds[dim.symbol] = unit_kind(dim.unit)
@@ -161,7 +161,7 @@ def _function(
         if len(theta) != len(psi):
             report.at(
                 ("synthesis", "psi"),
-                say("has {count} angles for {count2} of theta", count=len(psi), count2=len(theta)),
+                say("has {count} angles for {others} of theta", count=len(psi), others=len(theta)),
             )
         for key, angles in (("theta", theta), ("psi", psi)):
             if len(angles) < 3:

@@ -60,13 +60,12 @@ def _check_dimensions(dimensions: tuple[Dimension, ...], layout: str, scope: Sco
             scope.report.at(("dimensions", dim.symbol, "tolerance"), message, say("give those tolerances"))
     if not any(not dim.derived for dim in own):
         inputs = [dim for dim in dimensions if not dim.derived and not dim.place and dim.shown is not None]
-        example = (
-            say("{symbol} = {{ value = {shown:.12g}", symbol=inputs[0].symbol, shown=inputs[0].shown)
-            if inputs
-            else say("a2 = { value = 40")
+        symbol, value = (inputs[0].symbol, inputs[0].shown) if inputs else ("a2", 40)
+        hint = say(
+            "write for example {symbol} = {{ value = {value:.12g}, tolerance = 0.1 }}", symbol=symbol, value=value
         )
         message = say("no dimension has a tolerance: there is nothing that could spread")
-        scope.report.at(_PATH, message, say("write for example {example}, tolerance = 0.1 }}", example=example))
+        scope.report.at(_PATH, message, hint)
 
 
 def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Scope) -> None:

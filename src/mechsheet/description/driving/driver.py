@@ -85,10 +85,10 @@ def _turning(data: dict[str, Any], place: Path, links: tuple[Link, ...], ends: E
     if not known:
         return None
     if link == other:
-        message = say("it is the ground") if link == ground else say("it is `relative_to` as well")
-        scope.report.at(
-            (*place, "link"), say("the link {link} cannot turn: {message}", link=quoted(link), message=message)
-        )
+        message = say("the link {link} cannot turn: it is `relative_to` as well", link=quoted(link))
+        if link == ground:
+            message = say("the link {link} cannot turn: it is the ground", link=quoted(link))
+        scope.report.at((*place, "link"), message)
         return None
     if link == ground:
         message = say("the link {link} is the ground", link=quoted(link))
@@ -128,21 +128,16 @@ def check_sweep(start: float, stop: float, step: float, data: dict[str, Any], sc
     elif not all(math.isfinite(value) for value in (start, stop, step)):
         return
     elif (stop - start) * step < 0:
-        sign = say("positive") if stop > start else say("negative")
-        shown = [_as_written(data[key]) for key in ("start", "stop", "step")]
-        message = say(
-            "a step of {shown} never leads from {shown2} to {shown3}: it must be {sign}",
-            shown=shown[2],
-            shown2=shown[0],
-            shown3=shown[1],
-            sign=sign,
-        )
+        shown = {key: _as_written(data[key]) for key in ("start", "stop", "step")}
+        message = say("a step of {step} never leads from {start} to {stop}: it must be negative", **shown)
+        if stop > start:
+            message = say("a step of {step} never leads from {start} to {stop}: it must be positive", **shown)
         scope.report.at(path, message)
     elif (rows := math.floor((stop - start) / step + LANDS) + 1) > MOST_ROWS:
         message = say(
-            "the sweep has {rows:,} rows; a sheet holds at most {most_rows:,} below its headings",
+            "the sweep has {rows:,} rows; a sheet holds at most {most:,} below its headings",
             rows=rows,
-            most_rows=MOST_ROWS,
+            most=MOST_ROWS,
         )
         scope.report.at(path, message)
 

@@ -55,7 +55,7 @@ def declare(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver |
         motion_laws.declare(data, scope)
     for name, of in names.items():
         scope.symbols.claim(
-            name, say("rate of {of}", of=say(of)), ("driver", "speed"), say("rename it: the driver has a speed")
+            name, say("rate of {of}", of=of), ("driver", "speed"), say("rename it: the driver has a speed")
         )
     for joint in joints:
         for link in scope.points.get(joint.symbol, ())[:1]:
@@ -184,9 +184,9 @@ def _as_speed_changes(speed: Node, text: str, symbol: str, scope: Scope) -> Node
     corners = [part.name.lower() for part in walk(speed) if isinstance(part, Call) and part.name in _WITH_CORNERS]
     if corners:
         message = say(
-            "{text} depends on the driver and has no derivative where {corners} has a corner",
+            "{text} depends on the driver and has no derivative where {corner} has a corner",
             text=quoted(text),
-            corners=corners[0],
+            corner=corners[0],
         )
         scope.report.at(path, message, say("give the driver an `acceleration`"))
         return None
@@ -241,7 +241,7 @@ def known(name: str, path: Path, scope: Scope) -> bool:
     if name in scope.forces:
         if not scope.moves and scope.forces[name] in OF_MOTION:
             message = say(
-                "{name} is a {forces}: it needs the driver's speed", name=quoted(name), forces=scope.forces[name]
+                "{name} is a {what}: it needs the driver's speed", name=quoted(name), what=say(scope.forces[name])
             )
             scope.report.at(path, message, say("write `speed` in [driver]"))
         return True

@@ -97,23 +97,21 @@ def _count(rows: str, file: str) -> tuple[int | None, list[Fault]]:
     if number is None or number.unit or number.why or not float(number.text).is_integer():
         hint = number.hint if number and number.why and not number.unit else ""
         return None, [
-            Fault(
-                say("expected a whole number, found {strip}", strip=quoted(rows.strip())), file, key="rows", hint=hint
-            )
+            Fault(say("expected a whole number, found {text}", text=quoted(rows.strip())), file, key="rows", hint=hint)
         ]
     count = float(number.text)
     if count < LEAST_ROWS:
         return None, [
             Fault(
-                say("a sweep has at least {least_rows} rows, not {count:.15g}", least_rows=LEAST_ROWS, count=count),
+                say("a sweep has at least {least} rows, not {count:.15g}", least=LEAST_ROWS, count=count),
                 file,
                 key="rows",
             )
         ]
     if count > MOST_ROWS:
         message = say(
-            "a sheet holds at most {most_rows:,} rows below its headings, not {count:,.15g}",
-            most_rows=MOST_ROWS,
+            "a sheet holds at most {most:,} rows below its headings, not {count:,.15g}",
+            most=MOST_ROWS,
             count=count,
         )
         return None, [Fault(message, file, key="rows")]

@@ -224,7 +224,7 @@ class _Reader:
         if link is None:
             if entry.get("link", BAD) is not BAD:
                 hint = suggestion(entry["link"], [one.name for one in self.links[1:]], "moving links")
-                scope.report.at((*path, "link"), say("no link is called {entry}", entry=quoted(entry["link"])), hint)
+                scope.report.at((*path, "link"), say("no link is called {name}", name=quoted(entry["link"])), hint)
             return None
         if link is self.links[0]:
             message = say("{name} is the ground: a load on it changes nothing", name=quoted(link.name))
@@ -267,7 +267,7 @@ class _Reader:
                 ends.append((owner, point))
         if len(ends) == 2 and ends[0][0] == ends[1][0]:
             message = say(
-                "both points belong to the link {ends}: the spring never changes its length", ends=quoted(ends[0][0])
+                "both points belong to the link {link}: the spring never changes its length", link=quoted(ends[0][0])
             )
             scope.report.at(
                 (*path, "between"), message, say("each point belongs to the first link, in the file's order")

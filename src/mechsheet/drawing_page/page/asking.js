@@ -1,6 +1,8 @@
 // Questions to the program: JSON each way, and of many in a row only the last one counts.
 
-/** The answer to a question. Throws an Error with what is wrong, in words. */
+import { state } from "./state.js";
+
+/** The answer to a question. Throws an Error with what is wrong, in words of the page's language. */
 export async function ask(name, question = {}) {
   const found = await (await asked(name, question)).json();
   if (found.errors) throw new Error(found.errors.join("\n"));
@@ -19,7 +21,7 @@ async function asked(name, question) {
   const answer = await fetch(`ask/${name}`, {
     method: "POST",
     headers: { "Content-Type": "application/json" },
-    body: JSON.stringify(question),
+    body: JSON.stringify({ ...question, spoken: state.language }),
     cache: "no-store",
   });
   if (answer.ok) return answer;

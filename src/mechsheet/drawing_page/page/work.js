@@ -13,7 +13,7 @@ export function say(text) {
   place.dataset.said = text;
 }
 
-const question = () => ({ text: state.text, at: state.at, places: places(), language: state.language });
+const question = () => ({ text: state.text, at: state.at, places: places() });
 
 const looking = new Latest(async () => {
   const asked = question();

@@ -218,7 +218,7 @@ def _nearest(entries: list[tuple[str, float, float]], places: list[list[float]],
                     group=solution.label,
                 ),
                 key="assembly",
-                hint=say("{shown}: sketch a point nearer to the one that is meant", shown=shown),
+                hint=say("{assemblies}: sketch a point nearer to the one that is meant", assemblies=shown),
             )
         )
     return best

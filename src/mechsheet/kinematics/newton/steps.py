@@ -108,9 +108,7 @@ def settled(mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sw
         raise ValueError("no number of passes")
     if worst.elsewhere.any():
         row = int(np.argmax(worst.elsewhere))
-        raise MechanismError(
-            _too_far(mechanism, driver, row, working_step(steps, best), say("lands on another assembly"))
-        )
+        raise MechanismError(_too_far(mechanism, driver, row, working_step(steps, best), elsewhere=True))
     return best
 
 
@@ -123,7 +121,7 @@ def step_doubts(mechanism: Mechanism, equations: Equations, driver: Array, sweep
     if not trial.lost.any():
         return []
     row = int(np.argmax(trial.lost))
-    return [_too_far(mechanism, driver, row, working_step(steps, equations), say("loses the links"))]
+    return [_too_far(mechanism, driver, row, working_step(steps, equations), elsewhere=False)]
 
 
 def working_step(steps: Steps, equations: Equations) -> int:
@@ -132,19 +130,20 @@ def working_step(steps: Steps, equations: Equations) -> int:
     return next((parts for parts in FINER if parts <= steps.parts and steps.trial(most, parts).fine), 0)
 
 
-def _too_far(mechanism: Mechanism, driver: Array, row: int, parts: int, what: str) -> Fault:
+def _too_far(mechanism: Mechanism, driver: Array, row: int, parts: int, elsewhere: bool) -> Fault:
     unit = mechanism.driver.unit
     there, before = float(unit.to_shown(driver[row])), float(unit.to_shown(driver[max(row - 1, 0)]))
     hint = say("take a much smaller step, or end the sweep before")
     if parts > 1:
-        hint = say("a step of {part:.4g} works", part=abs(there - before) / parts)
+        hint = say("a step of {step:.4g} works", step=abs(there - before) / parts)
+    at = {"symbol": mechanism.driver.symbol, "value": there}
+    message = say("the step to {symbol} = {value:.6g} is too large: Newton's method loses the links", **at)
+    if elsewhere:
+        message = say(
+            "the step to {symbol} = {value:.6g} is too large: Newton's method lands on another assembly", **at
+        )
     return Fault(
-        say(
-            "the step to {symbol} = {there:.6g} is too large: Newton's method {what}",
-            symbol=mechanism.driver.symbol,
-            there=there,
-            what=what,
-        ),
+        message,
         key="driver.values" if mechanism.driver.values else "driver.step",
         hint=hint,
     )

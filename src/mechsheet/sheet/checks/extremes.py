@@ -22,6 +22,7 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks import turning
+from mechsheet.sheet.checks.boundless import at_pole, beyond_rows, may_grow
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
@@ -35,6 +36,9 @@ from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.units import turn as whole_turn
+
+BOUNDLESS = SIDE + 7
+"""The working cell that says whether a quantity grows without bound."""
 
 PROBES = 4
 """With three, an extreme that is steep on one side only was found, but not where it is: time ratios were 2 % off."""
@@ -104,6 +108,9 @@ class Extremes:
         for symbol in self.quantities:
             wraps = self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
             spots[f"#wraps_{symbol}"] = Spot(title, wraps.row, wraps.col)
+            for way in ("min", "max") if may_grow(self.plan, symbol) else ():
+                cell = self.probes.cell(self.blocks[symbol, way].row + 2, BOUNDLESS)
+                spots[f"#{way}_boundless_{symbol}"] = Spot(title, cell.row, cell.col)
         for (symbol, way), block in self.bands.items():
             for name in self.plan.banded[symbol].derivatives:
                 spots[f"#{way} {name}"] = Spot(title, block.row + 1, self.probes.at.spots[name].col)
@@ -139,6 +146,8 @@ class Extremes:
             self._end(end, block)
         for (symbol, way), block in self.blocks.items():
             self._extreme(symbol, way, block)
+            if may_grow(plan, symbol):
+                self._boundless(symbol, way, block)
         for (symbol, way), block in self.bands.items():
             self._band(symbol, way, block)
         return Sheet(
@@ -444,6 +453,16 @@ class Extremes:
             low=low, high=high,
         )  # fmt: skip
 
+    def _boundless(self, symbol: str, way: Way, block: Block) -> None:
+        """Whether the quantity has no largest or smallest value."""
+        probes, row = self.probes, block.row
+        worst = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, VALUE)
+        found = beyond_rows(probes.cell(row + 2, SIDE), probes.cell(row, VALUE), worst, self._rows_of_stretch())
+        if not turning.known(self.plan, symbol):
+            before, here, after = (probes.cell(row + 1, SIDE + work) for work in (4, 5, 6))
+            found = formula("OR(found,pole)", found=found, pole=at_pole(before, here, after))
+        probes.work(row + 2, BOUNDLESS, "IFERROR(found,FALSE)", found=found)
+
     def _band(self, symbol: str, way: Way, block: Block) -> None:
         """The derivatives by dimensions where a quantity is smallest or largest: as this changes, so does the extreme."""
         probes, extreme = self.probes, self.blocks[symbol, way]
@@ -502,8 +521,26 @@ def about_one_stretch(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "ma
     if plan.newton:
         return Text(plan.text("verdict.rows.only"))
     unsettled = tuple(Symbol(f"#{way}_about_{symbol}") for way in ways)
-    return formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=Call("OR", (Symbol("#unsettled"), *unsettled)),
-                   about=plan.text("verdict.about"))  # fmt: skip
+    settled = formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=Call("OR", (Symbol("#unsettled"), *unsettled)),
+                      about=plan.text("verdict.about"))  # fmt: skip
+    without = boundless(plan, symbol, ways)
+    return settled if without is None else formula(
+        "IF(without,words,settled)", without=without, words=plan.text("verdict.boundless"), settled=settled
+    )  # fmt: skip
+
+
+def boundless(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node | None:
+    """Whether a quantity has no smallest or no largest value; None where it cannot grow without bound."""
+    if not may_grow(plan, symbol):
+        return None
+    flags = tuple(Symbol(f"#{way}_boundless_{symbol}") for way in ways)
+    return Call("OR", flags) if len(flags) > 1 else flags[0]
+
+
+def where_bounded(plan: Plan, symbol: str, value: Node, ways: Sequence[Way] = ("min", "max")) -> Node:
+    """A value that follows from extremes; #N/A where there are none."""
+    without = boundless(plan, symbol, ways)
+    return value if without is None else formula("IF(without,NA(),value)", without=without, value=value)
 
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:

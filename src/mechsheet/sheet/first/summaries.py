@@ -6,7 +6,7 @@ from __future__ import annotations
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, transform
 from mechsheet.model import Output, Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.extremes import about
+from mechsheet.sheet.checks.extremes import about, where_bounded
 from mechsheet.sheet.checks.limits import STRETCHES
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
@@ -46,6 +46,11 @@ def _write(writer: Writer, summary: Summary) -> None:
     if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_places:
         style = styles.decimals(styles.RESULT, plan.band_places[summary.of])
     value, where = _of(plan, summary)
+    if summary.extremes and summary.of != plan.mechanism.driver.symbol and not same_angle(plan, summary.of):
+        value = where_bounded(plan, summary.of, value, summary.extremes)
+        no_number = formula("AND(closed>0,ISNA(value))", closed=plan.at.bind(Symbol("#rows_closed"), plan.main),
+                            value=CellRef(row, VALUE, True, True))  # fmt: skip
+        writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), no_number, styles.WARN))
     writer.formula(row, VALUE, _where_it_closes(plan, value), style)
     if where is not None:
         writer.formula(row, TOLERANCE, _where_it_closes(plan, where), value_style(plan, "angle"))

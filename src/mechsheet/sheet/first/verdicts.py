@@ -16,7 +16,7 @@ from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.efforts import AGREES
-from mechsheet.sheet.checks.extremes import Extremes, about, about_one_stretch
+from mechsheet.sheet.checks.extremes import Extremes, about, about_one_stretch, where_bounded
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
@@ -339,7 +339,8 @@ class _Block:
         self._extent(f"swing_{symbol}", symbol, self.plan.mechanism.angle_unit.text, value, "angle", words)
 
     def _range(self, symbol: str) -> Node:
-        return formula("high-low", high=Symbol(f"#max_{symbol}"), low=Symbol(f"#min_{symbol}"))
+        extent = formula("high-low", high=Symbol(f"#max_{symbol}"), low=Symbol(f"#min_{symbol}"))
+        return where_bounded(self.plan, symbol, extent)
 
     def _extent(self, key: str, symbol: str, unit: str, value: Node, kind: str, words: Node) -> None:
         """A swing or stroke: of one stretch; #N/A of several, which the mechanism cannot pass between."""

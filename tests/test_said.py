@@ -1,0 +1,44 @@
+"""Messages that keep what they are made of."""
+
+import pickle
+
+from mechsheet.model import Words
+from mechsheet.said import in_turkish, reason, say
+
+
+def test_a_message_is_a_text_like_any_other():
+    text = say("no link is called {name}", name='"crnk"')
+    assert text == 'no link is called "crnk"'
+    assert f"{text}!" == 'no link is called "crnk"!'
+
+
+def test_without_parts_the_pattern_stands_as_it_is():
+    assert say('write { formula = "…" }') == 'write { formula = "…" }'
+
+
+def test_parts_are_translated_inside_out_and_names_stay():
+    text = say("in {text}: {message}", text='"a+"', message=say("expected {what}", what=say("the end")))
+    patterns = {
+        "in {text}: {message}": "{text} içinde: {message}",
+        "expected {what}": "{what} beklenir",
+        "the end": "son",
+    }
+    assert in_turkish(text, patterns) == '"a+" içinde: son beklenir'
+
+
+def test_words_of_both_languages_are_taken_from_each():
+    text = say("between {group}", group=Words("links 3, 4", "3, 4 uzuvları"))
+    assert text == "between links 3, 4"
+    assert in_turkish(text, {"between {group}": "{group} arasında"}) == "3, 4 uzuvları arasında"
+
+
+def test_a_message_passes_between_processes():
+    text = pickle.loads(pickle.dumps(say("a {what}", what=say("link"))))
+    assert in_turkish(text, {"a {what}": "bir {what}", "link": "uzuv"}) == "bir uzuv"
+
+
+def test_an_exception_says_what_it_was_given():
+    assert (
+        in_turkish(reason(ValueError(say("division by zero"))), {"division by zero": "sıfıra bölme"}) == "sıfıra bölme"
+    )
+    assert reason(OverflowError(34, "too large")) == str(OverflowError(34, "too large"))
