@@ -29,6 +29,7 @@ EXACT = frozenset(
         "COUNTIF",
         "COUNTIFS",
         "DEGREES",
+        "FIND",
         "HYPERLINK",
         "IF",
         "IFERROR",

@@ -97,7 +97,8 @@ class Extremes:
         spots["#whole"] = Spot(title, whole.row, whole.col)
         spots["#fine"] = Spot(title, whole.row, whole.col + 1)
         spots["#there"] = Spot(title, whole.row, whole.col + 2)
-        spots["#worst_group"] = Spot(title, whole.row, whole.col + 3)
+        if len(self.plan.found.transmission) > 1:
+            spots["#worst_group"] = Spot(title, whole.row, whole.col + 3)
         for (symbol, way), block in self.blocks.items():
             for key, work in ((f"#{way}_{symbol}", 3), (f"#{way}_at_{symbol}", 4), (f"#{way}_about_{symbol}", 5)):
                 cell = self.probes.cell(block.row + 2, SIDE + work - 3)
