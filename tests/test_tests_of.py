@@ -10,9 +10,11 @@ import tests_of  # noqa: E402
 
 
 def test_every_module_without_tests_of_its_own_is_listed():
-    """What a stranger asks first of a module; a new one either has tests named as it, or tools/tests_of.py --measure is run."""
+    """A new module either has tests named as it, or tools/tests_of.py --measure is run."""
     listed = tests_of.listed()
-    assert {str(module) for module in tests_of.modules() if not tests_of.own(module) and str(module) not in listed} == set()
+    assert {
+        str(module) for module in tests_of.modules() if not tests_of.own(module) and str(module) not in listed
+    } == set()
 
 
 def test_what_is_listed_is_there():
