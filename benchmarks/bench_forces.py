@@ -5,19 +5,23 @@
 recalculated  the tables of positions, velocities and forces of the built workbook, by the engine, over the same columns
               written by hand in numpy
 solved        the equations in numpy with velocities over the positions alone; and with forces, too
-built         CPU of building the workbook with velocities and forces over that of building it without (25 rows)
+built         CPU of `mechsheet build` with velocities and forces over that of building without (25 rows)
+again         the same within a process that has built before, where loading Python and the package no longer counts
 
-All in one process, in turn, the best of all runs. --check fails where a goal is missed.
+In turn, the best of all runs. --check fails where a goal is missed.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import re
+import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Mapping
+from pathlib import Path
 
 import numpy as np
 
@@ -192,15 +196,31 @@ def building(kind: str, folder: str) -> Callable[[], object]:
     return lambda: build(loads(text), f"{folder}/{kind}.xlsx", force=True)
 
 
-def best_cpu(sides: list[Callable[[], object]], seconds: float) -> list[float]:
+def commanded(kind: str, folder: str) -> Callable[[], object]:
+    """The workbook built from its file by the command, in a process of its own."""
+    source = Path(folder) / f"{kind}.toml"
+    source.write_text(four_bar(kind, 25), encoding="utf-8")
+    command = [sys.executable, "-m", "mechsheet", "build", str(source), "-o", f"{folder}/{kind}.xlsx", "--force"]
+    return lambda: subprocess.run(command, check=True, capture_output=True)
+
+
+def of_children() -> float:
+    """CPU time of all processes started here that have ended [s]."""
+    used = os.times()
+    return used.children_user + used.children_system
+
+
+def best_cpu(
+    sides: list[Callable[[], object]], seconds: float, clock: Callable[[], float] = time.process_time
+) -> list[float]:
     """The least CPU time of each, taken in turn until the time is up."""
     best = [float("inf")] * len(sides)
     end = time.perf_counter() + seconds
     while time.perf_counter() < end:
         for index, side in enumerate(sides):
-            start = time.process_time()
+            start = clock()
             side()
-            best[index] = min(best[index], time.process_time() - start)
+            best[index] = min(best[index], clock() - start)
     return best
 
 
@@ -228,12 +248,15 @@ def main() -> int:
         if rows >= GOAL_ROWS:
             missed += ["recalculated"] * (ours > GOALS["recalculated"] * hand or worst > 1e-9)
             missed += ["velocities"] * (rates > GOALS["velocities"] * places)
+    kinds = ("positions", "forces")
     with tempfile.TemporaryDirectory() as folder:
-        sides = [building(kind, folder) for kind in ("positions", "forces")]
+        without, within = best_cpu([commanded(kind, folder) for kind in kinds], 4 * options.seconds, of_children)
+        sides = [building(kind, folder) for kind in kinds]
         for side in sides:
             side()  # modules are loaded by the first
-        without, within = best_cpu(sides, 4 * options.seconds)
+        first, second = best_cpu(sides, 4 * options.seconds)
     print(f"built           {within / without:5.2f} of the CPU without velocities and forces ({without * 1e3:.0f} ms)")
+    print(f"again           {second / first:5.2f} ({first * 1e3:.0f} ms)")
     missed += ["built"] * (within > GOALS["built"] * without)
     print("goals missed: " + (", ".join(missed) or "none"))
     return int(options.check and bool(missed))

@@ -3,12 +3,13 @@
 python tools/proof.py perturb 12 [TEMPLATE...] [--with libreoffice,gnumeric,ironcalc] [--seed S]
 python tools/proof.py mutate 8 [TEMPLATE...] [--seed S]
 python tools/proof.py mutate-forces 12 [CASE...] [--seed S]
+python tools/proof.py mutate-every 0 [TEMPLATE...] [--seed S]
 python tools/proof.py perturb-forces 3 [TEMPLATE...] --with libreoffice,gnumeric [--seed S]
 python tools/proof.py perturb-forces-page 3 [TEMPLATE...] --with libreoffice,gnumeric,ironcalc [--seed S]
 
 `perturb-forces` is of workbooks with velocities and forces, `perturb-forces-page` of the same on one sheet (without
 flywheels and tolerances, which need sheets). `mutate-forces` damages the sheets of velocities and forces alone, of published
-cases.
+cases, `mutate-every` every formula of these sheets of three templates, by each kind of damage that it can have.
 Prints a table in Markdown, and puts it between its marks in docs/proof.md when all templates were run. --jobs N runs N
 templates at a time.
 """
@@ -36,6 +37,9 @@ CASES = HERE / "tests" / "cases" / "published"
 DOCUMENT = HERE / "docs" / "proof.md"
 WITH_FORCES = ("engine", "four-bar-forces", "scissor-lift-between-arms", "six-link-dwell", "toggle-press")
 """Templates of which `perturb-forces` is."""
+
+EVERY = ("engine", "four-bar-forces", "six-link-dwell")
+"""Templates of which `mutate-every` is."""
 
 PLACES = ("positions", "mechanism", "checks", "extremes", "drawing", "tables")
 
@@ -68,6 +72,11 @@ def forces_mutated(count: int, seed: int, name: str) -> Mutation:
         path = Path(folder) / f"{name}.toml"
         path.write_text(case["description"], encoding="utf-8")
         return mutate(path, count, seed, sheets=("rates", "forces"))
+
+
+def every_mutated(seed: int, name: str) -> Mutation:
+    """One template, every formula of velocities and forces damaged in each way."""
+    return mutate(TEMPLATES / f"{name}.toml", None, seed, sheets=("rates", "forces"))
 
 
 def with_forces() -> list[str]:
@@ -169,35 +178,50 @@ def put(mark: str, lines: list[str]) -> None:
     DOCUMENT.write_text(pattern.sub(lambda _: new, text), encoding="utf-8")
 
 
+Job = tuple[Callable[[str], object], list[str]]
+"""What is done with a name, and the names."""
+
+
+def _templates() -> list[str]:
+    return sorted(path.stem for path in TEMPLATES.glob("*.toml"))
+
+
+JOBS: dict[str, Callable[[int, int, tuple[str, ...]], Job]] = {
+    "perturb": lambda count, seed, programs: (partial(perturbed, count, seed, programs), _templates()),
+    "perturb-forces": lambda count, seed, programs: (partial(perturbed, count, seed, programs), [*WITH_FORCES]),
+    "perturb-forces-page": lambda count, seed, programs: (
+        partial(page_perturbed, count, seed, programs),
+        [*WITH_FORCES],
+    ),
+    "mutate": lambda count, seed, _: (partial(mutated, count, seed), _templates()),
+    "mutate-forces": lambda count, seed, _: (partial(forces_mutated, count, seed), with_forces()),
+    "mutate-every": lambda _, seed, __: (partial(every_mutated, seed), [*EVERY]),
+}
+
+
 def main() -> None:
     """Run, print, and put in its place."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["perturb", "perturb-forces", "perturb-forces-page", "mutate", "mutate-forces"])
+    parser.add_argument("what", choices=JOBS)
     parser.add_argument("count", type=int)
     parser.add_argument("templates", nargs="*")
     parser.add_argument("--with", dest="programs", default="")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=1)
     given = parser.parse_args()
-    forces, typed = given.what == "mutate-forces", given.what.startswith("perturb")
-    every = with_forces() if forces else sorted(path.stem for path in TEMPLATES.glob("*.toml"))
-    every = list(WITH_FORCES) if given.what.startswith("perturb-") else every
-    names = given.templates or every
     programs = tuple(part for part in given.programs.split(",") if part)
-    job: Callable[[str], object] = (
-        partial(page_perturbed if given.what.endswith("page") else perturbed, given.count, given.seed, programs)
-        if typed
-        else partial(forces_mutated if forces else mutated, given.count, given.seed)
-    )
+    job, every = JOBS[given.what](given.count, given.seed, programs)
+    names = given.templates or every
     found = {}
     with ProcessPoolExecutor(given.jobs) as pool:
         for name, one in zip(names, pool.map(job, names), strict=True):
             found[name] = one
             print(name, file=sys.stderr, flush=True)
+    typed, forces = given.what.startswith("perturb"), given.what in ("mutate-forces", "mutate-every")
     table = perturb_table if typed else forces_table if forces else mutate_table
-    what = f"{'sets' if typed else 'damages'} for each {'case' if forces else 'template'}"
-    head = f"{given.count} {what}, seed {given.seed}."
-    lines = [head, "", *table(found)]  # type: ignore[arg-type]
+    what = f"{'sets' if typed else 'damages'} for each {'case' if given.what == 'mutate-forces' else 'template'}"
+    count = "All formulas" if given.what == "mutate-every" else f"{given.count} {what}"
+    lines = [f"{count}, seed {given.seed}.", "", *table(found)]  # type: ignore[arg-type]
     print("\n".join(lines))
     if not given.templates:
         put(given.what + ("-programs" if programs and given.what == "perturb" else ""), lines)

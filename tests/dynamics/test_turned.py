@@ -1,4 +1,4 @@
-"""A mechanism turned, moved or seen in a mirror has the same forces, turned or mirrored with it."""
+"""A mechanism turned, moved or seen in a mirror has the same rates and forces, turned or mirrored with it."""
 
 import numpy as np
 import pytest
@@ -119,5 +119,9 @@ def test_forces_turn_with_the_mechanism(upright, turn, origin, mirrored):
         ours = force(upright, name)
         ours = np.exp(1j * turn) * (np.conj(ours) if mirrored else ours)
         assert np.abs(force(values, name) - ours).max() < 1e-10 * np.abs(ours).max(), name
+    for name in ("omega13", "alpha13", "omega14", "alpha14", "omega15", "alpha15"):
+        assert values[name] == pytest.approx(sign * upright[name], abs=1e-11 * np.abs(upright[name]).max()), name
+    for name in ("s16.v", "s16.a"):
+        assert values[name] == pytest.approx(upright[name], abs=1e-11 * np.abs(upright[name]).max()), name
     slide = next(name for name in upright if name.startswith("F16") and name.endswith(".n"))
     assert values[slide] == pytest.approx(sign * upright[slide], abs=1e-9 * np.abs(upright[slide]).max())

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechsheet import reference
+from mechsheet import reference, template
 from mechsheet.description import load, loads
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.places import number
@@ -236,6 +236,14 @@ def test_slotted_lever_returns_in_half_the_time():
     assert (where("slotted-lever", "s15", np.argmax), where("slotted-lever", "s15", np.argmin)) == (330, 210)
     assert np.ptp(found["s15"]) == pytest.approx(400)
     assert np.degrees(np.ptp(found["theta13"])) == pytest.approx(60)
+
+
+def test_the_motor_of_the_slotted_lever_gives_what_the_tool_takes():
+    found, given = template("slotted-lever").solve(), dims("slotted-lever")
+    cutting = found["s15.v"] < -1
+    assert found["T12"] == pytest.approx(
+        np.where(cutting, -given["cut"] * found["s15.v"] / 1000 / math.pi, 0), abs=1e-9
+    )
 
 
 def test_inverted_slider_crank_keeps_its_offset():

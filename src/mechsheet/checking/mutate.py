@@ -121,7 +121,7 @@ def by_sheet(damage: Damaged) -> str:
 
 def mutate(
     path: str | Path,
-    count: int,
+    count: int | None,
     seed: int = 0,
     progress: Callable[[str], None] | None = None,
     sheets: Collection[str] = (),
@@ -135,12 +135,14 @@ def mutate(
     changed when it differs by more than TOLERANCE (angles modulo a turn, as everywhere). The same seed gives the same
     damages. Raises MechsheetError when the file cannot be read or carries no description.
 
+    count   None: every formula, in all of its range, by each kind of damage that it can have
     sheets  keys of the only sheets that are damaged ("rates", "forces"); all where none is named
     """
     path = Path(path)
     say = progress or (lambda _: None)
     with workbook_of(path) as built:
-        return _Run(built, readable_name(path), seed, sheets).over(count, say)
+        run = _Run(built, readable_name(path), seed, sheets)
+        return run.over_every(say) if count is None else run.over(count, say)
 
 
 class _Run:
@@ -174,6 +176,23 @@ class _Run:
             if judged is not None:
                 found.append(judged)
                 say(f"damage {len(found)} of {count}")
+        clear = self._is_clear(self.values)
+        return Mutation(self.shown, self.seed, tuple(found), self.harmless, self.circular, clear)
+
+    def over_every(self, say: Callable[[str], None]) -> Mutation:
+        """Of each formula one damage of every kind, the first drawn that changes a value, in its whole range."""
+        draw = random.Random(self.seed)
+        found: list[Damaged] = []
+        for sheet in self.sheets:
+            for number, block in enumerate(sheet.blocks):
+                for kind, some in sorted(self._damages(sheet, number).items()):
+                    for damage in draw.sample(some, len(some)):
+                        damaged = replace(block, formula=damage.of(block.formula))
+                        judged = self._judged(sheet, [damaged], damaged, kind)
+                        if judged is not None:
+                            found.append(judged)
+                            break
+                say(f"{sheet.title}: formula {number + 1} of {len(sheet.blocks)}")
         clear = self._is_clear(self.values)
         return Mutation(self.shown, self.seed, tuple(found), self.harmless, self.circular, clear)
 

@@ -224,10 +224,7 @@ class Resolver:
         def change(part: Node) -> Node:
             match part:
                 case CellRef():
-                    title = self.titles.get((part.sheet or sheet).casefold())
-                    if title is None:
-                        return ErrorValue("#REF!")
-                    return CellRef(part.row, part.col, part.row_abs, part.col_abs, title)
+                    return self.cell(part, sheet)
                 case NameRef():
                     return self.name(part, block, sheet, place, inside)
                 case Call():
@@ -249,6 +246,13 @@ class Resolver:
 
         return transform(node, change)
 
+    def cell(self, part: CellRef, sheet: str) -> CellRef | ErrorValue:
+        """A reference with its sheet; on `sheet` where it names none."""
+        title = self.titles.get((part.sheet or sheet).casefold())
+        if title is None:
+            return ErrorValue("#REF!")
+        return CellRef(part.row, part.col, part.row_abs, part.col_abs, title)
+
     # names
 
     def name(self, part: NameRef, block: Block, sheet: str, place: str, inside: tuple[str, ...]) -> Node:
@@ -259,6 +263,10 @@ class Resolver:
         if defined is None:
             known = [each.name for each in self.book.names]
             return self.unknown(place, f"unknown name {part.name}", near_miss(part.name, known))
+        home = defined.sheet or sheet
+        match defined.formula:
+            case CellRef(_, _, True, True):  # what most names are: one cell, wherever they are used
+                return self.cell(defined.formula, home)
         formula = with_locals(defined.formula)
         if is_function(formula):
             return self.function_name(defined, formula, block, sheet, place)
@@ -267,7 +275,6 @@ class Resolver:
             return self.unknown(place, f"the name {defined.name} stands for itself: {circle}")
         if len(inside) >= MAX_NESTING:
             return self.unknown(place, f"names that stand for one another, more than {MAX_NESTING} deep")
-        home = defined.sheet or sheet
         moved = shifted(formula, block.row, block.col, wrap=True)
         found = self.named(moved, block, home, place, (*inside, defined.name))
         if gives_region(found) or not any(isinstance(each, RangeRef | ArrayLiteral) for each in walk(found)):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import lru_cache
 from itertools import islice
 
 from mechsheet.formula.nodes import (
@@ -34,14 +35,16 @@ def texts_down(formula: Node, rows: range, dialect: str, escape: Escape) -> Iter
 
     The same as `escape(print_formula(shifted(formula, n), dialect))` for each n, a hundred times faster.
     """
-    references = list(dict.fromkeys(_moving(formula)))
-    ends = [row + n for reference in references for row in _rows(reference) for n in (rows.start, rows.stop - 1)]
-    if any(not 0 <= row < MAX_ROWS for row in ends) or _MARK in print_formula(formula, dialect):
-        # Somewhere a reference leaves the sheet and becomes #REF!.
-        return (escape(print_formula(shifted(formula, n), dialect)) for n in rows)
+    moving = list(_moving(formula))
+    references = list(dict.fromkeys(moving))
     numbers = list(dict.fromkeys(row + 1 for reference in references for row in _rows(reference)))
     fields = {number: f"{{{i}}}" for i, number in enumerate(numbers)}
-    template = _template(formula, references, fields, dialect, escape)
+    ends = [number - 1 + n for number in numbers for n in (rows.start, rows.stop - 1)]
+    stays = all(0 <= row < MAX_ROWS for row in ends)
+    template = _template(formula, references, fields, dialect, escape, len(moving)) if stays else None
+    if template is None:
+        # Somewhere a reference leaves the sheet and becomes #REF!.
+        return (escape(print_formula(shifted(formula, n), dialect)) for n in rows)
     if not numbers:
         return (template.format() for _ in rows)
     return map(template.format, *(range(rows.start + number, rows.stop + number) for number in numbers))
@@ -85,11 +88,18 @@ def _rows(reference: CellRef | RangeRef) -> Iterator[int]:
 
 
 def _template(
-    formula: Node, references: list[CellRef | RangeRef], fields: dict[int, str], dialect: str, escape: Escape
-) -> str:
-    """The text with a field for each row number."""
+    formula: Node,
+    references: list[CellRef | RangeRef],
+    fields: dict[int, str],
+    dialect: str,
+    escape: Escape,
+    marked: int,
+) -> str | None:
+    """The text with a field for each row number; None where it holds the mark itself, beside the `marked` references."""
     marks: dict[Node, Node] = {ref: NameRef(f"{_MARK}{i}{_MARK}") for i, ref in enumerate(references)}
     pieces = print_formula(_replaced(formula, marks), dialect).split(_MARK)
+    if len(pieces) != 1 + 2 * marked:
+        return None
     # Every second piece is the number of a reference.
     return "".join(
         _reference_template(references[int(piece)], fields, dialect, escape) if i % 2 else _literal(piece, escape)
@@ -114,7 +124,7 @@ def _replaced(node: Node, marks: dict[Node, Node]) -> Node:
 def _reference_template(reference: CellRef | RangeRef, fields: dict[int, str], dialect: str, escape: Escape) -> str:
     """The reference's text with a field for each row that moves."""
     if isinstance(reference, CellRef):
-        text = print_formula(replace(reference, row=_LAST_ROW), dialect)
+        text = _printed(replace(reference, row=_LAST_ROW), dialect)
         return _with_field(text, {_LAST_ROW: reference.row}, fields, escape)
     stand_ins: dict[int, int] = {}
     start, end = reference.start, reference.end
@@ -124,7 +134,13 @@ def _reference_template(reference: CellRef | RangeRef, fields: dict[int, str], d
     if not start.row_abs:
         stand_ins[_FIRST_ROW] = start.row
         start = replace(start, row=_FIRST_ROW)
-    return _with_field(print_formula(RangeRef(start, end), dialect), stand_ins, fields, escape)
+    return _with_field(_printed(RangeRef(start, end), dialect), stand_ins, fields, escape)
+
+
+@lru_cache(maxsize=4096)
+def _printed(reference: CellRef | RangeRef, dialect: str) -> str:
+    """The text of a reference; the columns of a table are read by many others."""
+    return print_formula(reference, dialect)
 
 
 def _with_field(text: str, stand_ins: dict[int, int], fields: dict[int, str], escape: Escape) -> str:

@@ -31,7 +31,9 @@ def attribute(text: str) -> str:
 
 def ooxml_escaped(text: str) -> str:
     """Text between tags of an OOXML part: characters that XML cannot hold become `_x0001_`, as Excel writes them."""
-    text = _OOXML_ESCAPE.sub(r"_x005F\1", text).replace("\r", "_x000D_")
+    if "_x" in text:
+        text = _OOXML_ESCAPE.sub(r"_x005F\1", text)
+    text = text.replace("\r", "_x000D_")
     text = _ILLEGAL.sub(lambda match: f"_x{ord(match.group()):04X}_", text)
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 

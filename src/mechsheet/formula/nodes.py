@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from operator import is_
 from typing import Any, Literal, TypeAlias
 
 MAX_ROWS = 1_048_576
@@ -311,11 +312,12 @@ _CALLS = 100
 
 
 def _transformed(node: Node, change: Callable[[Node], Node], calls: int) -> Node:
-    if type(node) not in _OPERANDS:
+    operands = _OPERANDS.get(type(node))
+    if operands is None:
         return change(node)
     if not calls:
         return _by_stack(node, change)
-    below = children(node)
+    below = operands(node)
     changed = tuple([_transformed(child, change, calls - 1) for child in below])
     return change(_with_operands(node, below, changed))
 
@@ -339,10 +341,7 @@ def _by_stack(node: Node, change: Callable[[Node], Node]) -> Node:
 
 
 def _with_operands(node: Node, old: tuple[Node, ...], new: tuple[Node, ...]) -> Node:
-    for one, other in zip(old, new, strict=True):
-        if one is not other:
-            return rebuilt(node, new)
-    return node
+    return node if all(map(is_, old, new)) else rebuilt(node, new)
 
 
 def rebuilt(node: Node, below: tuple[Node, ...]) -> Node:

@@ -10,7 +10,7 @@ does not exist is no value but a condition beside the expression. How cells and 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -292,6 +292,12 @@ class Equations:
     def forces(self, *kinds: ForceKind) -> tuple[str, ...]:
         """Symbols of the forces of these kinds, in order of solution."""
         return tuple(equation.symbol for equation in self.columns if equation.force in kinds)
+
+    @property
+    def positions(self) -> Equations:
+        """Those of positions alone: without rates, forces, bands and what people derive from all of these."""
+        besides = (*RATES, *FORCES, *BANDS, "output")
+        return replace(self, columns=tuple(equation for equation in self.columns if equation.role not in besides))
 
     @property
     def efforts(self) -> tuple[str, ...]:

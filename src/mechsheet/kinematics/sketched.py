@@ -101,7 +101,8 @@ def _left_out(mechanism: Mechanism) -> list[Fault]:
 
 
 def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
-    """What is to be said of the sketch."""
+    """What is to be said of the sketch: of positions, so nothing else is computed."""
+    equations = equations.positions
     driver = driver_values(mechanism, dimension_values(mechanism))
     if any(group.system for group in equations.groups):  # its assembly is that of the first position alone
         return tuple(step_doubts(mechanism, equations, driver, sweep))

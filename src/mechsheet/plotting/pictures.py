@@ -37,6 +37,9 @@ COLORS, APART = 64, 24
 EDGE = 0.75
 """Width of the line round a marker whose inside has another colour, in points."""
 
+BESIDE = 3.0
+"""From the place of a label to its text beside it [points]: it begins behind the tip of an arrow."""
+
 ANCHORS = {
     "center": ("center", "center"),
     "right": ("left", "center"),
@@ -124,8 +127,12 @@ def _draw(axes: Any, piece: Piece, order: int) -> None:
         )  # fmt: skip
     if series.show_name:
         across, along = ANCHORS[series.label_side]
+        beside = {"right": BESIDE, "left": -BESIDE}.get(series.label_side, 0.0)
         for place in piece.points[np.isfinite(piece.points).all(axis=1)]:
-            axes.text(*place, piece.words, fontsize=series.label_size, ha=across, va=along, zorder=order)
+            axes.annotate(
+                piece.words, place, (beside, 0.0), textcoords="offset points", fontsize=series.label_size, ha=across,
+                va=along, zorder=order,
+            )  # fmt: skip
 
 
 def _pixels(scene: Scene) -> Codes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 
 from mechsheet.sheet.workbook import Rich
 
@@ -31,6 +32,7 @@ _SHAKING = {"shaking.x": ("F", "s,x"), "shaking.y": ("F", "s,y"), "shaking.m": (
 _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
 
 
+@lru_cache(maxsize=4096)
 def parts(symbol: str) -> tuple[str, str]:
     """(letter, subscript): theta13 -> (θ, 13), a2 -> (a, 2), C.x -> (x, C), phi_2 -> (φ, 2), A0B0 stays whole.
 

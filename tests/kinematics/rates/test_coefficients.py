@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chosen import ALL, ITERATED, LISTED, but, some
+from chosen import ALL, IN_CI, ITERATED, LISTED, but, some
 from in_line import IN_LINE
 from mechsheet import reference
 from mechsheet.description import loads
@@ -203,6 +203,11 @@ def test_oldham_coupling_hands_the_speed_on():
     _, _, theta, values = solved(moving(text))
     assert values["omega14"] == pytest.approx(np.full_like(theta, SPEED), rel=1e-14)
     assert "alpha14" not in values  # it would be the driver's: only what is asked for by name is written twice
+    radius = 15 / 2  # of the circle on which the disc's middle runs twice a turn
+    assert values["M.v"] == pytest.approx(np.full_like(theta, radius * 2 * SPEED), rel=1e-12)
+    assert values["M.a"] == pytest.approx(
+        np.full_like(theta, radius * np.hypot((2 * SPEED) ** 2, 2 * ACCELERATION)), rel=1e-12
+    )
 
 
 def test_a_rate_of_another_name_is_written_when_it_is_read():
@@ -251,3 +256,88 @@ def test_only_what_has_no_column_yet_gets_one():
     assert len(found) == 11
     _, equations, _, _ = solved(FOUR_BAR + '[rates]\npoints = ["B"]\n')
     assert len([each for each in equations.columns if each.role in ("coefficient", "rate")]) == 17
+
+
+# --- against differences of the project's own positions ------------------------------------------------------------
+
+WEIGHTS = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
+STEPS = 4e-2 / 2.0 ** np.arange(11)
+CALM = 0.2
+"""Rows are judged where every group is driven at more than this sine: differences must not reach over a dead centre."""
+ROWS = 30
+LIMIT = 1e-9
+
+
+def derived(equations):
+    """(a column, its derivative by the driver, 1 or 2 for the order, the quantity) of all that have both."""
+    known = {equation.symbol: equation for equation in equations.all}
+    for symbol in known:
+        for order, ending in ((2, ".dd"), (1, ".d")):
+            quantity = symbol.removesuffix(ending)
+            below = quantity + ".d" * (order - 1)
+            if quantity != symbol and below in known:
+                yield below, symbol, order, quantity
+                break
+
+
+def worst_by_differences(text):
+    """Theta' against differences of theta over eight points, theta'' against differences of theta'; how many were compared.
+
+    In each row the step is the one at which the differences change least with the next smaller ones: neither the curvature
+    nor the rounding then counts. The largest difference, as a part of the mechanism's size (of 1 rad) and of the column.
+    """
+    mechanism = loads(text)
+    equations = solve(mechanism)
+    driver = driver_values(mechanism, dimension_values(mechanism))[:ROWS]
+    turns = mechanism.driver.unit.kind == "angle"
+    stroke = 1.0 if turns else float(np.max(np.abs(driver)))
+    values = sweep(mechanism, equations, driver)
+    calm = sines(equations, values) > CALM
+    kinds = {equation.symbol: equation.unit.kind for equation in equations.all}
+    lengths = [
+        abs(dim.value) for dim in mechanism.dimensions if isinstance(dim.value, float) and dim.unit.kind == "length"
+    ]
+    lengths += [np.nanmax(np.abs(values[name]), initial=0.0) for name in kinds if name.endswith((".x", ".y"))]
+    pairs = list(derived(equations))
+    found = {symbol: [] for _, symbol, _, _ in pairs}
+    for step in STEPS * stroke:
+        beside = sweep(mechanism, equations, (driver[:, None] + step * np.arange(-4, 5)).ravel())
+        for below, symbol, order, _ in pairs:
+            table = np.array(beside[below]).reshape(-1, 9)
+            if order == 1 and kinds[below] == "angle":
+                table = np.unwrap(table, axis=1)
+            found[symbol].append(table @ WEIGHTS / step)
+    worst, compared = 0.0, 0
+    for _, symbol, order, quantity in pairs:
+        estimates = np.array(found[symbol])
+        changes = np.nan_to_num(np.abs(np.diff(estimates, axis=0)), nan=np.inf)
+        changes = np.maximum(changes[:-1], changes[1:])  # twice: once may be chance
+        best = estimates[1 + changes.argmin(axis=0), np.arange(len(driver))]
+        rows = calm & np.isfinite(changes.min(axis=0)) & np.isfinite(values[symbol])
+        kind = kinds.get(quantity, "length" if quantity.endswith((".x", ".y")) else "angle")
+        size = (max(lengths) if kind == "length" else 1.0) / stroke**order
+        error = np.abs(best - values[symbol])[rows] / (size + np.abs(values[symbol][rows]))
+        worst, compared = max(worst, float(error.max(initial=0.0))), compared + int(rows.sum())
+    return worst, compared
+
+
+@pytest.mark.parametrize("template", some(but(TEMPLATES, *ITERATED, *LISTED), 3), ids=lambda path: path.stem)
+def test_templates_against_differences(template):
+    worst, compared = worst_by_differences(moving(template.read_text(encoding="utf-8")))
+    assert compared > 0
+    assert worst < LIMIT
+
+
+def test_random_mechanisms_against_differences():
+    kinds, compared = set(), 0
+    for seed in range(300 if ALL else 60 if IN_CI else 8):
+        text = moving(Grower(seed, 1 + seed % 3).text())
+        try:
+            worst, count = worst_by_differences(text)
+        except MechsheetError:  # it closes nowhere: a random one may
+            continue
+        assert worst < LIMIT, f"seed {seed}"
+        compared += count
+        kinds |= {group.kind for group in solve(loads(text)).groups}
+    assert kinds >= {"RRR", "RRP", "RPR", "RPP"}
+    assert compared > 300

@@ -130,6 +130,20 @@ def test_at_a_dead_centre_there_are_no_forces():
     assert "speed 0: static forces" in overview_text(loads(kite))
 
 
+def test_a_spring_without_a_length_has_no_direction():
+    """Where its ends coincide there are no forces, in that row alone."""
+    lever = (
+        'format = 1\n[mechanism]\nname = "lever"\n[links.ground]\npoints = { A0 = [0, 0], H = [0, 80] }\n'
+        "[links.lever]\npoints = { A0 = [0, 0], C = [80, 0] }\n"
+        '[driver]\nlink = "lever"\nstart = 70\nstop = 110\nstep = 20\n'
+        '[[loads]]\nname = "K"\nbetween = ["C", "H"]\nstiffness = 2\nfree_length = 30\n'
+    )
+    laid = Laid(lever)
+    assert [isinstance(value, float) for value in laid.column("T12")] == [True, False, True]
+    assert laid.column("T12")[1] == ErrorValue("#N/A")
+    assert laid.column("#status") == ["ok"] * 3
+
+
 def test_damaged_forces_are_noticed_by_the_sheet_and_by_the_reference():
     laid = Laid(four_bar())
     book = book_of(laid.workbook)

@@ -24,7 +24,8 @@ _FACTORS: dict[str, Node] = {"deg/s": al.div(al.PI, al.number(180.0)), "rpm": _S
 _FACTORS |= {"deg/s^2": _FACTORS["deg/s"], "rpm/s": _SIXTIETH}
 """Unit -> radians per second (per second) of one of it."""
 
-_WITH_CORNERS = frozenset(("ABS", "SIGN", "MIN", "MAX", "ROUND", "IF"))
+_WITH_CORNERS = {"ABS": "abs", "SIGN": "sign", "MIN": "min", "MAX": "max", "IF": "where"}
+"""Functions without a derivative somewhere, and what a description calls them."""
 
 Key = Literal["speed", "acceleration"]
 
@@ -181,7 +182,9 @@ def _in_unit(
 def _as_speed_changes(speed: Node, text: str, symbol: str, scope: Scope) -> Node | None:
     """speed · d(speed)/d(driver)."""
     path: Path = ("driver", "speed")
-    corners = [part.name.lower() for part in walk(speed) if isinstance(part, Call) and part.name in _WITH_CORNERS]
+    corners = [
+        _WITH_CORNERS[part.name] for part in walk(speed) if isinstance(part, Call) and part.name in _WITH_CORNERS
+    ]
     if corners:
         message = say(
             "{text} depends on the driver and has no derivative where {corner} has a corner",

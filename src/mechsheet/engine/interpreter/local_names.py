@@ -9,8 +9,9 @@ _SCOPES = ("LET", "LAMBDA")
 
 def with_locals(node: Node) -> Node:
     """The tree with the names of LET and LAMBDA told from those of the workbook."""
-    if any(isinstance(part, Call) and part.name in _SCOPES for part in walk(node)):
-        return _in_scope(node, frozenset())
+    for part in walk(node):
+        if type(part) is Call and part.name in _SCOPES:
+            return _in_scope(node, frozenset())
     return node
 
 

@@ -26,7 +26,7 @@ from mechsheet.formula.nodes import (
 )
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name, cell_address, column_letters
-from mechsheet.sheet.workbook import Area, Cell, Fill, Rich, Sheet, Style
+from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Rich, Sheet, Style
 
 from ..bands import Band, bands, column_values
 from ..fill_down_text import ColumnTexts
@@ -50,6 +50,7 @@ class SheetData:
     functions  names of the workbook that are functions
     shared     the number of each shared formula, by the same place, in order of writing
     shareable  whether a fill can be shared, by the same place
+    copies     what charts keep copies of
     """
 
     sheet: Sheet
@@ -60,6 +61,10 @@ class SheetData:
     shared: dict[tuple[int, int], int] = field(default_factory=dict)
     shareable: dict[tuple[int, int], bool] = field(default_factory=dict)
     fill_down: ColumnTexts = field(default_factory=lambda: ColumnTexts("excel", ooxml_escaped))
+    copies: Copies = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.copies = Copies(self.sheet)
 
     def rows(self) -> Iterator[str]:
         """The rows as text, in pieces of a few megabytes at most."""
@@ -217,26 +222,41 @@ def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
     return texts
 
 
-def cached_values(sheet: Sheet, area: Area) -> list[float | str | None]:
-    """The numbers and texts that stand in a column or row of cells; None where there is none or an error.
+class Copies:
+    """What the cells of a sheet hold, for the copies that charts keep; looked up by columns, of which charts read many."""
 
-    Empty when there are more than MAX_CACHED_POINTS.
-    """
-    first_row, first_col, last_row, last_col = area.first_row, area.first_col, area.last_row, area.last_col
-    if (last_row - first_row + 1) * (last_col - first_col + 1) > MAX_CACHED_POINTS:
-        return []
-    found: dict[tuple[int, int], Scalar] = {}
-    for cell in sheet.cells:
-        if first_row <= cell.row <= last_row and first_col <= cell.col <= last_col:
-            found[cell.row, cell.col] = cell.content.plain if isinstance(cell.content, Rich) else cell.content
-    for fill in sheet.fills:
-        top, bottom = max(first_row, fill.row), min(last_row + 1, fill.row + fill.rows)
-        for col in range(max(first_col, fill.col), min(last_col + 1, fill.col + fill.cols)):
+    def __init__(self, sheet: Sheet) -> None:
+        self._cells: dict[int, dict[int, Content]] = {}
+        for cell in sheet.cells:
+            self._cells.setdefault(cell.col, {})[cell.row] = cell.content
+        self._fills: dict[int, list[Fill]] = {}
+        for fill in sheet.fills:
+            for col in range(fill.col, fill.col + fill.cols):
+                self._fills.setdefault(col, []).append(fill)
+
+    def of(self, area: Area) -> list[float | str | None]:
+        """The numbers and texts in a column or row of cells; None where there is none or an error.
+
+        Empty when there are more than MAX_CACHED_POINTS.
+        """
+        first, end = area.first_row, area.last_row + 1
+        if (end - first) * (area.last_col - area.first_col + 1) > MAX_CACHED_POINTS:
+            return []
+        columns = [self._column(col, first, end) for col in range(area.first_col, area.last_col + 1)]
+        return [_cached(column.get(row)) for row in range(first, end) for column in columns]
+
+    def _column(self, col: int, first: int, end: int) -> dict[int, Scalar]:
+        cells = self._cells.get(col, {})
+        found = {row: _plain(cells[row]) for row in range(first, end) if row in cells}
+        for fill in self._fills.get(col, ()):
+            top, bottom = max(first, fill.row), min(end, fill.row + fill.rows)
             if top < bottom:
-                for row, value in enumerate(column_values(fill, col, top, bottom), top):
-                    found[row, col] = value
-    places = [(r, c) for r in range(first_row, last_row + 1) for c in range(first_col, last_col + 1)]
-    return [_cached(found.get(place)) for place in places]
+                found |= zip(range(top, bottom), column_values(fill, col, top, bottom), strict=True)
+        return found
+
+
+def _plain(content: Content) -> Scalar:
+    return content.plain if isinstance(content, Rich) else content
 
 
 def _cached(value: Scalar) -> float | str | None:

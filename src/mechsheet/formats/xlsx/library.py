@@ -27,7 +27,7 @@ from mechsheet.sheet.workbook import Anchor, Area
 from ..archive import Archive
 from ..seal import seal
 from ..xml_text import attribute, number, ooxml_escaped
-from .cells import SheetData, cached_values
+from .cells import SheetData
 from .controls import CONTENT_TYPE, EMU, PlacedControl, anchor_text, control_properties, control_shape, controls_element
 from .ignored_errors import ignored_errors
 
@@ -67,7 +67,7 @@ class DataWorksheet(Worksheet):  # type: ignore[misc]
         self.fh.write("</sheetData>")
 
     def _get_range_data(self, *corners: int) -> Sequence[float | str | None]:
-        return cached_values(self.data.sheet, Area(*corners))
+        return self.data.copies.of(Area(*corners))
 
     def _prepare_formula(self, formula: str, expand_future_functions: bool = False) -> str:
         # The printer has spelled it as the file wants it.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 from mechsheet.sheet.workbook import PLAIN, Rich, Style
@@ -76,18 +77,22 @@ def conditional_properties(style: Style) -> dict[str, Any]:
 
 def rich_text(content: Rich, style: Style) -> str:
     """The runs of a shared string; every run repeats the cell's font, which it would lose otherwise."""
-    return "".join(_run(text, kind, style) for text, kind in content.parts if text)
+    return "".join(
+        f'<r>{_run_font(kind, style)}<t xml:space="preserve">{ooxml_escaped(text)}</t></r>'
+        for text, kind in content.parts
+        if text
+    )
 
 
-def _run(text: str, kind: str, style: Style) -> str:
+@lru_cache(maxsize=256)
+def _run_font(kind: str, style: Style) -> str:
     marks = "<b/>" if style.bold else ""
     if style.italic or kind == "italic":
         marks += "<i/>"
     script = {"sub": "subscript", "super": "superscript"}.get(kind)
     if script:
         marks += f'<vertAlign val="{script}"/>'
-    font = (
+    return (
         f'<rPr>{marks}<sz val="{number(style.size)}"/><color rgb="FF{attribute(style.color)}"/>'
         f'<rFont val="{FONT}"/><family val="2"/></rPr>'
     )
-    return f'<r>{font}<t xml:space="preserve">{ooxml_escaped(text)}</t></r>'
