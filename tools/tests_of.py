@@ -62,10 +62,10 @@ def listed() -> dict[str, list[str]]:
 
 
 def entered() -> dict[str, Functions]:
-    """Functions that each file of tests enters, by a run of them."""
+    """Functions that each file of tests enters, by a run of them; what fails is no matter here."""
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-m", "pytest", "-n", "auto", "--dist", "loadfile", "--quick"]
-        subprocess.run([*command, "-p", "functions_run", "--functions-run", folder], cwd=ROOT, check=True)
+        subprocess.run([*command, "-p", "functions_run", "--functions-run", folder], cwd=ROOT, check=False)
         found: dict[str, dict[str, frozenset[str]]] = defaultdict(dict)
         for path in Path(folder).glob("*.json"):
             for file, entries in json.loads(path.read_text(encoding="utf-8")).items():
